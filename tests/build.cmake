@@ -123,7 +123,7 @@ foreach(script ${scripts})
     if(name MATCHES "course|grade|live|pages|chart")
       set_tests_properties(${name} PROPERTIES COST 60)  # the longest: first
     endif()
-    if(name MATCHES "live_browser")
+    if(name MATCHES "live_(browser|links)")
       set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()
     if(name MATCHES "live_chapter")

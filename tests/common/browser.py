@@ -22,7 +22,33 @@ CHROMIUM = find_browser()
 TIMEOUT_S = 60
 
 
-class Browser:
+class Driven:
+    """A browser's page as a context: `process` and `evaluate()` are the browser's own."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        # Its children may still be writing there for a moment.
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+    def wait(self, expression: str, timeout_s: float = TIMEOUT_S):
+        """The value of a JavaScript expression once it is true. Raises RuntimeError where it never is."""
+        end = time.monotonic() + timeout_s
+        while not (value := self.evaluate(expression)):
+            if time.monotonic() > end:
+                raise RuntimeError(f"never true within {timeout_s} s: {expression}")
+            time.sleep(0.05)
+        return value
+
+
+class Browser(Driven):
     """One page. Use it as a context; `complaints` collects the errors on the page's console."""
 
     def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = "", webgl: bool = False):
@@ -57,20 +83,10 @@ class Browser:
         self.call("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.terminate()
-        try:
-            self.process.wait(10)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
+    def __exit__(self, *given):
+        super().__exit__(*given)
         os.close(self.write_end)
         os.close(self.read_end)
-        # Its children may still be writing there for a moment.
-        shutil.rmtree(self.profile, ignore_errors=True)
 
     def call(self, method: str, **parameters) -> dict:
         """One command and its result. Raises RuntimeError where the browser refuses it or does not answer."""
@@ -132,15 +148,6 @@ class Browser:
         if "exceptionDetails" in answer:
             raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", expression))
         return answer["result"].get("value")
-
-    def wait(self, expression: str, timeout_s: float = TIMEOUT_S):
-        """The value of a JavaScript expression once it is true. Raises RuntimeError where it never is."""
-        end = time.monotonic() + timeout_s
-        while not (value := self.evaluate(expression)):
-            if time.monotonic() > end:
-                raise RuntimeError(f"never true within {timeout_s} s: {expression}")
-            time.sleep(0.05)
-        return value
 
     def press(self, key: str):
         """A key as a person presses it: "ArrowRight", "Tab"."""

@@ -2,23 +2,16 @@
 
 import base64
 import os
-import shutil
 import signal
-import subprocess
-import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM, Browser
-from live_server import Server, is_there, until
+from browser import Browser
+from live_page import LivePage
+from live_server import is_there, until
 from part_in_ci import in_part
 from small_course import REAL
 
-sys.path.insert(0, str(REAL / "common/course"))
-from live.serve import is_old  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
 CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
 SHOWN = "Picture.all[0].answers[0]"
@@ -29,49 +22,18 @@ PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{w
 EDITOR = "document.querySelector('.live-exercise').exercise"
 
 
-def copy_of_course(root: Path):
-    """The server's inputs, and an editable exercise; the build is the course's own."""
-    for name in ("common/course", "shaders"):
-        shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
-    for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
-        (root / path.relative_to(REAL)).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(path, root / path.relative_to(REAL))
-    for name in ("assets", "tests"):
-        (root / name).symlink_to(REAL / name)
-    for path in REAL.glob("chapters/*/"):  # a chapter need not have exercises in C++
-        (root / "chapters" / path.name).mkdir(exist_ok=True)
-    (root / "build").mkdir()
-    for name in ("chapters", "tests", "shader_cache", "docs"):
-        (root / "build" / name).symlink_to(BUILD / name)
-
-
-def has_pages() -> bool:
-    """test_pages leaves them there; those of an older lesson are rewritten."""
-    if is_old(BUILD / "docs"):
-        subprocess.run(["/usr/bin/python3", REAL / "common/course/cli.py", "docs"], check=True, stdout=subprocess.DEVNULL)
-    return True
-
-
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
 @unittest.skipUnless((REAL / FILE.replace("exercise", "solution")).exists(), "a handout has no answer to type")
-class InBrowser(unittest.TestCase):
+class InBrowser(LivePage):
     @classmethod
     def setUpClass(cls):
-        has_pages()
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.root = Path(made.name).resolve() / "course"
-        copy_of_course(cls.root)
-        cls.server = Server(cls.root, LIGHTWALK_ROOT=str(cls.root))
-        cls.addClassCleanup(cls.server.__exit__)
+        super().setUpClass()
         cls.browser = Browser(1400, 1000, server=cls.server.base)
         cls.addClassCleanup(cls.browser.__exit__)
         cls.browser.open(cls.server.address)
 
     def setUp(self):
         self.browser.complaints.clear()
-        self.browser.open(f"{self.server.base}{CHAPTER}.html")
-        self.browser.wait("document.body.classList.contains('live-ready')")
+        self.opened(self.browser, CHAPTER)
 
     def tearDown(self):
         self.assertEqual(self.browser.complaints, [])
@@ -121,8 +83,7 @@ class InBrowser(unittest.TestCase):
             if not (self.root / "tests" / lesson / "shots.json").exists():
                 continue
             with self.subTest(lesson=lesson):
-                self.browser.open(f"{self.server.base}{lesson}.html")
-                self.browser.wait("document.body.classList.contains('live-ready')")
+                self.opened(self.browser, lesson)
                 # Images other than charts and diagrams are drawn by a chapter.
                 self.browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
                 count = self.browser.evaluate("[document.querySelectorAll('.live-open').length, Live.course.chapters[Lesson.chapter].exercises.length]")
@@ -134,8 +95,7 @@ class InBrowser(unittest.TestCase):
 
     def test_each_cell_of_a_picture_is_live(self):
         """Six methods side by side: the page crops parts of the chapter's pictures."""
-        self.browser.open(f"{self.server.base}04_surface_maps.html")
-        self.browser.wait("document.body.classList.contains('live-ready')")
+        self.opened(self.browser, "04_surface_maps")
         self.browser.wait("Boolean(document.querySelectorAll('.live-grid .live-frame img[src^=\"blob:\"]').length >= 12)")
         cell = "Picture.all.find(p => p.cell?.set.method === 'relief')"
 
@@ -156,8 +116,7 @@ class InBrowser(unittest.TestCase):
         self.assertEqual(self.browser.evaluate(f"{cell}.panel.value(Knobs.find({cell}.panel.knobs, 'method'))"), "relief")
 
     def test_a_pair_under_a_slider_is_turned_together(self):
-        self.browser.open(f"{self.server.base}04_surface_maps.html")
-        self.browser.wait("document.body.classList.contains('live-ready')")
+        self.opened(self.browser, "04_surface_maps")
         pair = "Picture.all.find(p => p.sides[1]?.cell?.[0] === '04_wall_parallax')"
         x, y, width = self.middle(f"{pair}.frame")
         self.browser.drag((x + width / 4, y), (x + width / 3, y))

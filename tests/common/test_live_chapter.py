@@ -11,7 +11,7 @@ from pathlib import Path
 from browser import CHROMIUM, Browser
 from live_server import Server
 from small_course import REAL
-from test_live_browser import has_pages
+from live_page import has_pages
 
 CHAPTER = "05_shadow_maps"
 BY_KEYS = "05.light_clip_position"  # typed key by key, with all that the editor adds

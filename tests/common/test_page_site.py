@@ -2,8 +2,10 @@
 files, reading without a network; from files and from a server of files."""
 
 import functools
+import html
 import http.server
 import json
+import re
 import sys
 import tempfile
 import threading
@@ -11,6 +13,8 @@ import unittest
 from pathlib import Path
 
 from browser import CHROMIUM, Browser
+from contrast import CONTRAST
+from firefox import FIREFOX, Firefox
 from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,8 +34,10 @@ COLORS = """(canvas => {
   for (let i = 0; i < data.length; i += 4) found.add(data.slice(i, i + 3).join());
   return found.size;
 })(Program.all[%d].canvas)"""
-DRAWN = "Program.all[%d].drawing?.program ? 1 : 0"
+DRAWN_BY = "Program.all[%d].drawing?.program ? 1 : 0"
 LAMBERT = "float lambert(vec3 normal, vec3 to_light) {\n    return max(dot(normal, to_light), 0);\n}\n"
+DRAWN = ["02_lambert_phong"]
+STATES = "States.all.find(one => one.has('method', 'gouraud'))"
 SQUARE = "vec4 quaternion_square(vec4 q) {\n    return vec4(q.x * q.x - dot(q.yzw, q.yzw), 2 * q.x * q.yzw);\n}\n"
 
 
@@ -42,10 +48,10 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 @functools.cache
 def site() -> Path:
-    """The site without its film, once for all tests."""
+    """The site without its film, once for all tests; one chapter's pictures have their states."""
     site.folder = tempfile.TemporaryDirectory()
     made = Path(site.folder.name, "site")
-    docs.make(made, lambda folder: publish.finish(folder, None))
+    docs.make(made, lambda folder: publish.finish(folder, None, DRAWN))
     return made
 
 
@@ -59,18 +65,11 @@ def complaints(browser: Browser) -> list[str]:
     return [one for one in browser.complaints if "ReadPixels" not in one]
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
-class InBrowser(unittest.TestCase):
-    def serve(self) -> str:
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        self.end = lambda: (server.shutdown(), server.server_close())
-        return f"http://127.0.0.1:{server.server_port}/"
-
-    def press(self, browser: Browser, exercise: str, button: str):
+class Solving(unittest.TestCase):
+    def press(self, browser, exercise: str, button: str):
         browser.evaluate(f"[...Exercise.all.get('{exercise}').element.querySelectorAll('button')].find(one => one.textContent === '{button}').click()")
 
-    def solve(self, browser: Browser, exercise: str, answer: str):
+    def solve(self, browser, exercise: str, answer: str):
         """The starter is open, the answer solved."""
         browser.evaluate(f"document.querySelector('[data-exercise=\"{exercise}\"]').click()")
         browser.wait(f"!!Exercise.all.get('{exercise}').editor")
@@ -80,13 +79,22 @@ class InBrowser(unittest.TestCase):
             self.press(browser, exercise, "Check")
             browser.wait(f"document.querySelector('.run-verdict.{verdict}') ? 1 : 0")
 
+
+@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+class InBrowser(Solving):
+    def serve(self) -> str:
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.end = lambda: (server.shutdown(), server.server_close())
+        return f"http://127.0.0.1:{server.server_port}/"
+
     def test_a_first_exercise_is_solved_and_seen_from_a_file(self):
         for page, exercise, answer, program in (("02_lambert_phong", "02.lambert", LAMBERT, 0), ("11_fractals", "11.quaternion_square", SQUARE, 1)):
             with self.subTest(exercise), Browser(webgl=True) as browser:
                 browser.open(site() / f"{page}.html")
                 self.solve(browser, exercise, answer)
                 self.press(browser, exercise, "See it in the picture")
-                browser.wait(f"{DRAWN % program} && Program.all[{program}].mine.size && Program.all[{program}].said.textContent === ''")
+                browser.wait(f"{DRAWN_BY % program} && Program.all[{program}].mine.size && Program.all[{program}].said.textContent === ''")
                 browser.wait(f"{COLORS % program} > 20")
                 mine = "document.querySelector('.run-progress').textContent"
                 self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$")
@@ -103,7 +111,7 @@ class InBrowser(unittest.TestCase):
                     browser.open(site() / f"{page}.html")
                     at = browser.evaluate(f"Program.all.findIndex(one => one.name === '{name}')")
                     browser.evaluate(f"Program.all[{at}].canvas.scrollIntoView({{behavior: 'instant'}})")
-                    browser.wait(DRAWN % at)
+                    browser.wait(DRAWN_BY % at)
                     self.assertEqual(browser.evaluate(f"Program.all[{at}].said.textContent"), "")
                     browser.wait(f"{COLORS % at} > 8")
                     browser.evaluate(f"Program.all[{at}].edit().then(() => 0)")
@@ -142,7 +150,7 @@ class InBrowser(unittest.TestCase):
             browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
             browser.open(site() / "17_planets.html")
             browser.evaluate("Program.all[0].canvas.scrollIntoView({behavior: 'instant'})")
-            browser.wait(DRAWN % 0)
+            browser.wait(DRAWN_BY % 0)
             browser.evaluate("Program.all[0].canvas.focus()")
             before = browser.evaluate("Program.all[0].drawing.camera.yaw")
             browser.press("ArrowRight")
@@ -151,6 +159,57 @@ class InBrowser(unittest.TestCase):
             self.assertEqual(browser.evaluate("document.activeElement.textContent"), "Edit")
             self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390])
             self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
+            # A chart keeps the size of its words, and is dark.
+            chart = "document.querySelector('article img[src*=\"studies/\"]')"
+            self.assertGreater(browser.evaluate(f"{chart}.getBoundingClientRect().width"), 600)
+            self.assertIn("invert", browser.evaluate(f"getComputedStyle({chart}).filter"))
+
+    def test_names_in_the_text_and_controls_turn_a_picture(self):
+        """From a file, and by the keyboard."""
+        with Browser(1280, 900) as browser:
+            browser.open(site() / "02_lambert_phong.html")
+            self.assertGreater(browser.evaluate("document.querySelectorAll('.states-link').length"), 10)
+            first = browser.evaluate(f"{STATES}.image.getAttribute('src')")
+            browser.evaluate(f"{STATES}.image.scrollIntoView({{block: 'center', behavior: 'instant'}}), {STATES}.image.decode().then(() => 0)")
+            wide = browser.evaluate(f"{STATES}.image.width")
+            browser.evaluate(f"{STATES}.set('method', 'gouraud'), 0")
+            state = browser.evaluate(f"{STATES}.image.getAttribute('src')")
+            self.assertRegex(state, r"^states/02/\w+\.\w+\.webp$")
+            browser.wait(f"{STATES}.image.complete && {STATES}.image.naturalWidth === 480")
+            self.assertEqual(browser.evaluate(f"{STATES}.image.width"), wide)
+            browser.evaluate(f"{STATES}.beside.click()")
+            pair = f"[...{STATES}.frame.querySelectorAll('img')].map(one => one.getAttribute('src'))"
+            self.assertEqual(browser.evaluate(pair)[1], state)
+            browser.evaluate(f"{STATES}.frame.querySelector('input').focus()")
+            before = browser.evaluate(f"{STATES}.frame.querySelector('input').value")
+            browser.press("ArrowRight")
+            self.assertNotEqual(browser.evaluate(f"{STATES}.frame.querySelector('input').value"), before)
+            base = browser.evaluate(f"{STATES}.find('method').base")
+            browser.evaluate(f"{STATES}.set('method', {json.dumps(base)}), 0")
+            self.assertEqual(browser.evaluate(f"[{STATES}.image.getAttribute('src'), {STATES}.frame]"), [first, None])
+            # Far from its picture, a name brings a copy into the corner.
+            browser.evaluate("window.link = [...document.querySelectorAll('.states-link')].pop(); link.scrollIntoView({block: 'center', behavior: 'instant'}); link.click(); 0")
+            browser.wait("document.querySelector('.states-dock img')?.naturalWidth > 300")
+            self.assertEqual(complaints(browser), [])
+
+    def test_a_point_of_a_chart_shows_its_picture(self):
+        with Browser(1280, 900) as browser:
+            browser.open(site() / "02_lambert_phong.html")
+            count = browser.evaluate("document.querySelectorAll('.states-chart button').length")
+            self.assertGreater(count, 2)
+            browser.evaluate("document.querySelector('.states-chart button').click()")
+            browser.wait("document.querySelector('.states-dock img')?.naturalWidth === 480")
+            self.assertIn("quartiles", browser.evaluate("document.querySelector('.states-dock').textContent"))
+            self.assertEqual(complaints(browser), [])
+
+    def test_every_text_can_be_read_in_light_and_in_dark(self):
+        for dark in (False, True):
+            with Browser(1280, 900, dark=dark) as browser:
+                for page in ["index", DRAWN[0], *(lesson.stem for lesson in part(lessons(), 6))]:
+                    browser.open(site() / f"{page}.html")
+                    browser.evaluate("document.querySelector('.run-open')?.click()")
+                    browser.evaluate("[...document.querySelectorAll('article details')].forEach(one => { one.open = true; })")
+                    self.assertEqual(browser.evaluate(CONTRAST), {}, f"{page}, {'dark' if dark else 'light'}")
 
     def test_a_server_of_files_and_then_none(self):
         address = self.serve()
@@ -169,7 +228,51 @@ class InBrowser(unittest.TestCase):
                          "return document.querySelectorAll('.md-search-result__link').length; })(document.querySelector('[data-md-component=search-query]'))")
 
 
+@unittest.skipUnless(FIREFOX, "Firefox is not installed")
+class InFirefox(Solving):
+    def test_an_exercise_and_a_picture_from_a_file_on_a_phone_and_in_the_dark(self):
+        with Firefox(390, 844, dark=True) as browser:
+            browser.open(site() / "02_lambert_phong.html")
+            self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390])
+            self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
+            self.solve(browser, "02.lambert", LAMBERT)
+            self.press(browser, "02.lambert", "See it in the picture")
+            browser.wait(f"{DRAWN_BY % 0} && Program.all[0].mine.size && Program.all[0].said.textContent === ''")
+            browser.wait(f"{COLORS % 0} > 20")
+            browser.evaluate("[...document.querySelectorAll('.states-link')].pop().click()")
+            browser.wait("[...document.images].some(one => one.src.includes('/states/') && one.naturalWidth > 300)")
+
+    def test_it_is_kept_for_reading_without_a_network(self):
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        address = f"http://127.0.0.1:{server.server_port}/"
+        with Firefox() as browser:
+            browser.open(f"{address}index.html")
+            browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
+            server.shutdown()
+            server.server_close()
+            browser.open(f"{address}16_volume.html")
+            self.assertIn("Lightwalk", browser.evaluate("document.title"))
+
+
 class OnDisk(unittest.TestCase):
+    def test_a_picture_has_at_most_eight_states(self):
+        from PIL import Image
+
+        page = (site() / "02_lambert_phong.html").read_text()
+        told = [json.loads(html.unescape(found)) for found in re.findall(r'data-states="([^"]*)"', page)]
+        self.assertGreater(len(told), 2)
+        for one in told:
+            files = [file for knob in one["knobs"] for file in knob["files"].values()]
+            self.assertTrue(1 <= len(files) <= 8, files)
+            for file in [one["base"], *files]:
+                with Image.open(site() / file) as picture:
+                    self.assertLessEqual(picture.width, 480)
+                    self.assertEqual(picture.format, "WEBP")
+        drawn = {path.relative_to(site()).as_posix() for path in (site() / "states").rglob("*.webp")}
+        self.assertEqual(drawn, {file for one in told for file in [one["base"], *(f for knob in one["knobs"] for f in knob["files"].values())]} |
+                         {point["file"] for found in re.findall(r'data-points="([^"]*)"', page) for point in json.loads(html.unescape(found))})
+
     def test_its_size_and_its_exercises(self):
         self.assertLess(sum(path.stat().st_size for path in site().rglob("*") if path.is_file()), publish.MOST_BYTES)
         listed = json.loads((site() / "assets/tables/list.json").read_text())

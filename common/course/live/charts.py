@@ -6,10 +6,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from charts.points import can_draw, request_of
 from live import answers
 from live.answers import Refused
 from live.pages import Answer
-from tree import BUILD, ROOT, chapters
+from tree import BUILD, ROOT
 
 STUDIES = ROOT / "docs" / "studies"
 SIZE = [480, 270]
@@ -42,32 +43,15 @@ class Points(Answer):
             self.refuse(why)
 
 
-def can_draw(study: dict) -> bool:
-    """Whether a point is a picture of a scene that lies in the course."""
-    return study["subject"] == "frame" and bool(study.get("scenes")) and "truth" in study and study["chapter"] in chapters()
-
-
 def requests_of(chart, number) -> tuple[str, dict, dict]:
     """The chapter, and the requests for a point's picture and for its truth. Raises Refused."""
     study = json.loads(study_of(chart if isinstance(chart, str) else "").read_text())
     if not can_draw(study) or isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(study["points"]):
         raise Refused(404, "there is no picture of that point")
-    point = study["points"][number]
-    scene = study["scenes"].get(point["scene"], {})
-    if not scene.get("file"):
+    requests = [request_of(study, study["points"][number], truth) for truth in (False, True)]
+    if None in requests:
         raise Refused(404, "there is no scene of that point")
-
-    def request(*parts: dict, method: str) -> dict:
-        knobs = {name: text(value) for part in parts for name, value in part.items()}
-        return {"words": ["--scene", scene["file"]], "size": SIZE, "still": True, "set": ({"method": method} if method else {}) | knobs}
-    truth = study["truth"]
-    return study["chapter"], request(scene.get("set", {}), point.get("knobs", {}), method=point["method"]), \
-        request(scene.get("set", {}), truth.get("knobs", {}), method=truth.get("method", ""))
-
-
-def text(value) -> str:
-    """A knob's value as --set takes it."""
-    return "on" if value is True else "off" if value is False else value if isinstance(value, str) else json.dumps(value)
+    return study["chapter"], *({"words": ["--scene", file], "size": SIZE, "still": True, "set": knobs} for file, knobs in requests)
 
 
 async def show(socket, chart, number):

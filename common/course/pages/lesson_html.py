@@ -6,12 +6,12 @@ import html
 import io
 import os
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 
 from pages.docs import KATEX
 from pages.page import TYPES
 from pages.pages_markdown import Site, convert, slug
+from pages.placed import Placed
 from tree import ROOT, Failure
 
 VOID = ("img", "br", "hr", "input", "link", "meta", "col", "source", "wbr")
@@ -53,21 +53,13 @@ class Lesson:
         return re.sub(r'src="([^"]+)"', source, page)
 
 
-class Blocks(HTMLParser):
+class Blocks(Placed):
     """The outermost elements of a page, in order: `found` is a list of (tag, attributes, HTML)."""
 
     def __init__(self, page: str):
         super().__init__(convert_charrefs=False)
         self.page, self.found, self.depth, self.begin = page, [], 0, 0
-        self.lines = [0]
-        for line in page.splitlines(keepends=True):
-            self.lines.append(self.lines[-1] + len(line))
-        self.feed(page)
-        self.close()
-
-    def at(self) -> int:
-        line, column = self.getpos()
-        return self.lines[line - 1] + column
+        self.read(page)
 
     def handle_starttag(self, tag, attributes):
         if self.depth == 0:

@@ -13,16 +13,16 @@ import tempfile
 from pathlib import Path
 
 from build.build import build
-from pages import docs
+from pages import docs, states
 from pages.page import POLICY
-from tree import BUILD, Failure, UsageError, chapters, relative, say, warn, write_atomically
+from tree import BUILD, Failure, UsageError, chapters, say, warn, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
 MARK = ".lightwalk-site"  # in a folder that this command may replace
 WIDEST = 800
 MOST_BYTES = 60_000_000
 # The film's seconds that the start page shows, at 24 frames a second.
-FILM = ["--size", "480x270", "--fps", "24", "--frames_from", "1320", "--frames_to", "1464"]
+FILM = ["--size", "640x360", "--fps", "24", "--frames_from", "1320", "--frames_to", "1464"]
 
 
 def write(folder: Path, film: bool = True) -> int:
@@ -31,9 +31,9 @@ def write(folder: Path, film: bool = True) -> int:
         raise UsageError(f"--site {folder}: it has other files in it; name a folder that is empty, or that does not exist")
     if not folder.parent.is_dir():
         raise UsageError(f"--site {folder}: there is no folder {folder.parent}")
-    build([f"check_{chapter}" for chapter in chapters()])
+    build(["programs", *(f"check_{chapter}" for chapter in chapters())])
     clip = start_film() if film else None
-    return docs.make(folder, lambda made: finish(made, clip))
+    return docs.make(folder, lambda made: finish(made, clip, chapters()))
 
 
 def start_film() -> Path | None:
@@ -83,8 +83,9 @@ def search_later(made: Path) -> bool:
     return True
 
 
-def finish(made: Path, clip: Path | None):
-    """Makes the pages, written to a folder, into the site."""
+def finish(made: Path, clip: Path | None, drawn: list[str]):
+    """Makes the pages, written to a folder, into the site; the pictures of these chapters are drawn for it."""
+    states.offer(made, drawn)
     later = search_later(made)
     smaller_fonts(made)
     smaller = {path: small(path) for path in sorted(made.rglob("*")) if path.suffix in (".png", ".jpg") and "assets/images" not in str(path)}
@@ -97,12 +98,7 @@ def finish(made: Path, clip: Path | None):
         head = f'<meta http-equiv="Content-Security-Policy" content="{meta_policy()}">'
         text = text.replace("<head>", f"<head>{head}", 1).replace("</body>", f'<script src="{up}offline.js"></script></body>', 1)
         if path == made / "index.html":
-            text = small_cards(made, text)
-        if path == made / "index.html" and clip:
-            shutil.copyfile(clip, made / "assets" / "start.mp4")
-            text = re.sub(r'(<div class="hero".*?</div>\s*)<img [^>]*src="([^"]+)"[^>]*>', r'\1<video autoplay muted loop playsinline '
-                          r'preload="metadata" poster="\2" aria-label="Some seconds of the film that the course ends with">'
-                          r'<source src="assets/start.mp4" type="video/mp4"></video>', text, count=1, flags=re.S)
+            text = start_page(made, text, clip)
         path.write_text(text, encoding="utf-8")
     for path, other in smaller.items():
         if other:
@@ -136,29 +132,36 @@ def smaller_fonts(made: Path):
     style.write_text(re.sub(r"(fonts/[\w-]+)\.ttf", r"\1.woff2", style.read_text(encoding="utf-8")), encoding="utf-8")
 
 
-def small_cards(made: Path, page: str) -> str:
-    """The start page with the chapters' pictures as small as it shows them."""
-    from PIL import Image
+def start_page(made: Path, page: str, clip: Path | None) -> str:
+    """The start page with the chapters' pictures as small as it shows them, its first one whole, and the film over that."""
+    def picture(found: re.Match, size: tuple[int, int], kind: str) -> str:
+        to = (made / found[2]).with_suffix(f".{kind}.webp")
+        scaled((made / found[2]).with_suffix(".png"), size).save(to, "WEBP", quality=82, method=4)
+        return f'{found[1]}{to.relative_to(made)}"'
+    page = re.sub(r'(<a class="card"[^>]*>\s*<img [^>]*src=")([^"]+)"', lambda found: picture(found, (480, 270), "card"), page)
+    page = re.sub(r'(<div class="hero"[^>]*>\s*<img [^>]*src=")([^"]+)"', lambda found: picture(found, (1200, 675), "hero"), page)
+    if clip:
+        shutil.copyfile(clip, made / "assets" / "start.mp4")
+        page = re.sub(r'(<div class="hero"[^>]*>\s*)<img [^>]*src="([^"]+)"[^>]*>', r'\1<video autoplay muted loop playsinline '
+                      r'preload="metadata" poster="\2" aria-label="Some seconds of the film that the course ends with">'
+                      r'<source src="assets/start.mp4" type="video/mp4"></video>', page, count=1)
+    return page
 
-    def card(found: re.Match) -> str:
-        path = made / found[2]
-        with Image.open(path) as picture:
-            picture.convert("RGB").resize((480, round(480 * picture.height / picture.width)), Image.LANCZOS).save(
-                path.with_suffix(".card.webp"), "WEBP", quality=80, method=4)
-        return f'{found[1]}{path.with_suffix(".card.webp").relative_to(made)}"'
-    return re.sub(r'(<a class="card"[^>]*>\s*<img [^>]*src=")([^"]+)"', card, page)
 
-
-def small(path: Path) -> Path | None:
-    """The picture beside itself as WebP, where that is smaller."""
+def scaled(path: Path, most: tuple[int, int]):
+    """A picture that is at most so large."""
     from PIL import Image
 
     with Image.open(path) as picture:
         shown = picture.convert("RGB")
-        if shown.width > WIDEST and "images" not in path.parts:
-            shown = shown.resize((WIDEST, round(shown.height * WIDEST / shown.width)), Image.LANCZOS)
-        out = io.BytesIO()
-        shown.save(out, "WEBP", quality=82, method=4)
+    shown.thumbnail(most, Image.LANCZOS)
+    return shown
+
+
+def small(path: Path) -> Path | None:
+    """The picture beside itself as WebP, where that is smaller."""
+    out = io.BytesIO()
+    scaled(path, (100_000, 100_000) if "images" in path.parts else (WIDEST, 10 * WIDEST)).save(out, "WEBP", quality=82, method=4)
     if out.tell() >= path.stat().st_size:
         return None
     other = path.with_suffix(".webp")
@@ -186,5 +189,5 @@ def kept(made: Path) -> str:
     for path in files:
         version.update(path.read_bytes())
     names = [path.relative_to(made).as_posix() for path in files]
-    first = [name for name in names if not name.startswith(("source/", "whole/", "studies/", "open/")) and name != "assets/start.mp4"]
+    first = [name for name in names if not name.startswith(("source/", "whole/", "studies/", "open/", "states/")) and name != "assets/start.mp4"]
     return f"const VERSION = {json.dumps(version.hexdigest()[:16])}, KEPT = {json.dumps(first)};\n"

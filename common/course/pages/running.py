@@ -9,7 +9,7 @@ from pages import in_browser
 from tree import ROOT, Failure, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
-SCRIPTS = ["gl.js", "undefined.js", "tables.js", "program.js", "answers.js"]
+SCRIPTS = ["gl.js", "undefined.js", "tables.js", "program.js", "answers.js", "states.js"]
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 EDITOR = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js",
           "addon/edit/closebrackets.js", "addon/comment/comment.js"]

@@ -70,33 +70,20 @@ const Knobs = {
     };
   },
 
-  // Makes the knobs that a text names into links. `turn(knob, value or null)` is called for a click.
+  // Makes the knobs that a text names (pages/knob_links.py) into links. `turn(knob, value or null)` is called for a click.
   link_text(article, knobs, turn) {
-    const named = [];
-    for (const block of article.querySelectorAll("p, li, td, summary")) {
-      let last = null;
-      for (const code of block.querySelectorAll("code")) {
-        if (code.closest("pre, a, .live-panel, h1, h2, h3") || code.closest("p, li, td, summary") !== block) continue;
-        const text = code.textContent.trim().replace(/^--(set )?/, "");
-        const [, name, value] = text.match(/^([\w.]+)\s*=\s*(\S+)$/) ?? [null, text, null];
-        const knob = Knobs.find(knobs, name);
-        let of = knob, to = value;
-        if (!knob && last && (Knobs.options(last).includes(text) || (Knobs.is_number(last) && /^-?[\d.]+$/.test(text)))) [of, to] = [last, text];
-        if (!of) {
-          const owners = knobs.filter(one => one.type === "choice" && one.options.includes(text));
-          if (owners.length === 1) [of, to] = [owners[0], text];
-        }
-        if (!of) continue;
-        if (knob) last = knob;
-        if (!named.includes(of)) named.push(of);
-        code.classList.add("live-link");
-        code.tabIndex = 0;
-        code.role = "button";
-        code.title = to ? `set ${of.name} to ${to}` : `${of.name}: ${of.help}`;
-        code.onclick = () => turn(of, to, code);
-        code.onkeydown = event => { if (event.key === "Enter") turn(of, to, code); };
-      }
+    const named = new Set();
+    for (const code of article.querySelectorAll("code[data-knob]")) {
+      const knob = knobs.find(one => one.name === code.dataset.knob), value = code.dataset.value ?? null;
+      if (!knob) continue;
+      named.add(knob);
+      code.classList.add("live-link");
+      code.tabIndex = 0;
+      code.role = "button";
+      code.title = value ? `set ${knob.name} to ${value}` : `${knob.name}: ${knob.help}`;
+      code.onclick = () => turn(knob, value, code);
+      code.onkeydown = event => { if (event.key === "Enter") turn(knob, value, code); };
     }
-    return named;
+    return [...named];
   },
 };

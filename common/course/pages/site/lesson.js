@@ -14,6 +14,14 @@ for (const slide of document.querySelectorAll(".slide")) {
   move();
 }
 
+// The film of the start page: a click stops it, and it does not start for those who want no motion.
+const film = document.querySelector(".hero video");
+if (film && matchMedia("(prefers-reduced-motion: reduce)").matches) {
+  film.autoplay = false;
+  film.pause();
+}
+film?.parentElement.addEventListener("click", event => { if (!event.target.closest("a")) film.paused ? film.play() : film.pause(); });
+
 // How far the reader is.
 const read = document.createElement("div");
 read.id = "read";
@@ -29,13 +37,15 @@ follow();
 // A click on a picture shows it as large as the window.
 const large = document.createElement("dialog");
 large.className = "large";
-large.addEventListener("click", () => large.close());
+large.addEventListener("click", event => { if (event.target.matches("dialog, img")) large.close(); });
 document.body.append(large);
 for (const image of document.querySelectorAll("article img")) {
   if (image.closest("a, .slide")) continue;
   image.classList.add("zooms");
   image.addEventListener("click", () => {
-    large.replaceChildren(image.cloneNode());
+    const copy = image.cloneNode();
+    large.replaceChildren(copy);
+    image.dispatchEvent(new CustomEvent("enlarged", {detail: copy, bubbles: true}));
     large.showModal();
   });
 }

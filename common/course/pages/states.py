@@ -1,0 +1,198 @@
+"""Pictures with states: each picture of a lesson again with other values of the knobs that its text names, drawn ahead.
+
+A link in the text or a control below the picture shows them without a server (site/run/states.js); a picture has at most eight. A
+point of a chart has its picture in the same way. In a page they are attributes: data-knob and data-value of code, data-states and
+data-points of images.
+"""
+
+import hashlib
+import html
+import json
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from charts.drawn import study_of
+from charts.points import can_draw, words_of
+from pages import knob_links
+from pages.drawn_pictures import KEPT, SAMPLED_ONCE, Picture, draw, fine, put, shot_of, size_of
+from shots.golden import golden_path
+from shots.rendering import text
+from tree import ROOT, Failure, chapter_program, warn, write_atomically
+
+MOST_STATES = 8
+SIZE = (480, 270)
+SAMPLES = "2"  # of a state, half as wide as the lesson's picture
+IMAGE = re.compile(r'<img [^>]*src="tree/tests/(\d\d_\w+)/golden/(\w+)\.png"[^>]*>')
+CHART = re.compile(r'<img [^>]*src="studies/([\w.]+)\.svg"[^>]*>')
+
+
+def state(chapter: str, shot: str, knob: str = "", value: str = "") -> Picture:
+    """A shot with one knob changed, or as it is, at the size of states."""
+    width, height = size_of(chapter, shot)
+    scale = min(SIZE[0] / width, 1)
+    size = f"{round(width * scale)}x{round(height * scale)}"
+    given = ("--set", f"{knob}={value}") if knob else ()
+    samples = "1" if chapter in SAMPLED_ONCE else SAMPLES
+    return Picture(chapter, shot, ("--shot", shot, "--size", size, "--samples", samples, *given))
+
+
+@dataclass
+class Shown:
+    """A shot of a page with the states that its pictures can show: values by knob, in the order of the text."""
+    shot: str
+    places: list[int] = field(default_factory=list)  # of its elements in the page
+    values: dict[str, list[str]] = field(default_factory=dict)
+
+    def has_room(self) -> bool:
+        return sum(map(len, self.values.values())) < MOST_STATES
+
+    def takes(self, knob: str, value: str) -> bool:
+        """Adds a state while there is room. True if the shot has it."""
+        known = self.values.setdefault(knob, [])
+        if value not in known and self.has_room():
+            known.append(value)
+        return value in known
+
+
+def given(chapter: str, shot: str, knob: dict, knobs: list[dict]) -> str:
+    """The value that a knob has in a shot, as --set takes it."""
+    for name, value in shot_of(chapter, shot).get("set", {}).items():
+        if knob_links.find(knobs, name) is knob:
+            return text(value)
+    return knob_links.default_text(knob)
+
+
+def planned(page: str, chapter: str, knobs: list[dict]) -> list[Shown]:
+    """The shots of a page and their states. A value in the text goes to the picture above it, or to the next one with room; a knob
+    without a value brings all its options; the page's other values fill the rest."""
+    shown: dict[str, Shown] = {}
+    for image in IMAGE.finditer(page):
+        if image[1] == chapter:
+            shown.setdefault(image[2], Shown(image[2])).places.append(image.start())
+    named, by_name = knob_links.Marks(page, knobs).found, {}
+    for _, knob, value in named:
+        if value is not None:
+            by_name.setdefault(knob["name"], []).append(value)
+
+    def give(one: Shown, knob: dict, value: str) -> bool:
+        return not same(value, given(chapter, one.shot, knob, knobs)) and one.takes(knob["name"], value)
+    for bare in (False, True):
+        for place, knob, value in named:
+            if not shown or (value is None) != bare:
+                continue
+            near = sorted(shown.values(), key=lambda one: min(place - at if at < place else 2 * len(page) for at in one.places))
+            if not bare:
+                next((one for one in near if give(one, knob, value)), None)
+                continue
+            roomy = next((one for one in near if one.has_room() or one.values.get(knob["name"])), near[0])
+            base = given(chapter, roomy.shot, knob, knobs)
+            for one in knob_links.options(knob) or [*by_name.get(knob["name"], []), *around(knob, base)]:
+                give(roomy, knob, one)
+    for one in shown.values():
+        for _, knob, value in named:
+            if value is not None:
+                give(one, knob, value)
+    return list(shown.values())
+
+
+def around(knob: dict, base: str) -> list[str]:
+    """Other values of a number that a slider shows: less and more, within its range."""
+    if not knob_links.is_number(knob):
+        return []
+    low, high = knob["range"]
+    value = float(base)
+    tried = (0.25 * value, 4 * value) if value else (low + 0.1 * (high - low), low + 0.5 * (high - low))
+    whole = knob["type"] == "whole number"
+    return [str(round(one)) if whole else f"{float(f'{one:.3g}'):g}" for one in tried if low <= one <= high]
+
+
+def same(one: str, other: str) -> bool:
+    try:
+        return float(one) == float(other)
+    except ValueError:
+        return one == other
+
+
+def offer(made: Path, only: list[str]) -> None:
+    """Draws the pictures of these chapters, which must be built, with sixteen samples, and their states, and puts both into the pages."""
+    for chapter in only:
+        if not chapter_program(chapter).exists():
+            raise Failure(f"{chapter[:2]} is not built, which draws its lesson's pictures: ./course run {chapter[:2]}")
+    pages = {page: page.read_text(encoding="utf-8") for page in sorted(made.glob("*.html"))}
+    fines = [fine(*one) for one in sorted({image.groups() for page in pages.values() for image in IMAGE.finditer(page)}) if one[0] in only]
+    plans = {page: (chapter, planned(words, chapter, knob_links.knobs_of(chapter))) for page, words in pages.items()
+             if (chapter := knob_links.chapter_of(page.stem)) in only}
+    points = {name: points_of(name) for page in plans for name in CHART.findall(pages[page])}
+    states = [state(chapter, one.shot, knob, value) for chapter, found in plans.values() for one in found
+              for knob, values in [("", [""] * any(one.values.values())), *one.values.items()] for value in values]
+    wrong = draw([*fines, *states, *(picture for found in points.values() for _, picture in found)])
+    for picture, words in wrong.items():
+        warn(f"{picture.chapter}: {' '.join(picture.words)}: {words}")
+    for one in fines:
+        if one not in wrong:
+            shutil.copyfile(one.file(), made / "tree" / golden_path(one.chapter, one.name).relative_to(ROOT))
+    for page, (chapter, found) in plans.items():
+        words = with_states(made, pages[page], chapter, found, wrong)
+        page.write_text(CHART.sub(lambda image: with_points(made, image, points[image[1]], wrong), words), encoding="utf-8")
+
+
+def with_states(made: Path, page: str, chapter: str, shown: list[Shown], wrong: dict) -> str:
+    """The page with marks at its knobs and states at its pictures, but for those that look like the picture as it is."""
+    knobs, places = knob_links.knobs_of(chapter), []
+    for one in shown:
+        base, entries = state(chapter, one.shot), []
+        for name, values in one.values.items():
+            drawn = {value: state(chapter, one.shot, name, value) for value in values}
+            files = {value: put(made, picture) for value, picture in drawn.items()
+                     if picture not in wrong and picture.file().read_bytes() != base.file().read_bytes()}
+            knob = next(knob for knob in knobs if knob["name"] == name)
+            if files:
+                entries.append({"knob": name, "help": knob["help"], "unit": knob.get("unit", ""), "number": knob_links.is_number(knob),
+                                "base": given(chapter, one.shot, knob, knobs), "files": files})
+        if entries:
+            places += [(place, {"base": put(made, base), "knobs": entries}) for place in one.places]
+    for place, told in sorted(places, key=lambda one: -one[0]):
+        page = with_attribute(page, place, "states", told)
+    return knob_links.marked(page, knobs)
+
+
+def with_attribute(page: str, place: int, name: str, value) -> str:
+    """The page with an attribute of JSON at the image that begins at a place."""
+    told = html.escape(json.dumps(value, ensure_ascii=False, separators=(",", ":")))
+    return f'{page[:place + 5]}data-{name}="{told}" {page[place + 5:]}'
+
+
+def points_of(chart: str) -> list[tuple[dict, Picture]]:
+    """Points of a chart and their pictures: the first point of each method, at most eight."""
+    path = study_of(chart)
+    study = json.loads(path.read_text()) if path else {}
+    if not path or not can_draw(study):
+        return []
+    found = {}
+    for point in places_of(path).get(chart, []):
+        told = study["points"][point["point"]]
+        words = words_of(study, told)
+        if words and told["method"] not in found and len(found) < MOST_STATES:
+            words = ("--size", "{}x{}".format(*SIZE), *words)
+            found[told["method"]] = (point, Picture(study["chapter"], "chart", words))
+    return list(found.values())
+
+
+def places_of(study: Path) -> dict:
+    """The points of a study's charts by chart (live/chart_points.py), kept until the study or the charts' code changes."""
+    code = b"".join(path.read_bytes() for path in sorted((ROOT / "common/course/charts").glob("*.py")))
+    kept = KEPT / "points" / f"{study.stem}.{hashlib.sha256(code + study.read_bytes()).hexdigest()[:16]}.json"
+    if not kept.exists():
+        said = subprocess.run([sys.executable, ROOT / "common/course", "live.chart_points", study], stdout=subprocess.PIPE, check=True)
+        write_atomically(kept, said.stdout)
+    return json.loads(kept.read_text())
+
+
+def with_points(made: Path, image: re.Match, points: list, wrong: dict) -> str:
+    told = [{"x": point["x"], "y": point["y"], "words": point["words"], "file": put(made, picture)}
+            for point, picture in points if picture not in wrong]
+    return with_attribute(image[0], 0, "points", told) if told else image[0]

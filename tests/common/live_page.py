@@ -1,0 +1,62 @@
+"""The real course's pages for tests of live lessons in a browser, served from a copy with exercises that may be edited."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import CHROMIUM
+from live_server import Server
+from small_course import REAL
+
+sys.path.insert(0, str(REAL / "common/course"))
+from live.serve import is_old  # noqa: E402
+
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
+
+
+def copy_of_course(root: Path):
+    """The server's inputs, and an editable exercise; the build is the course's own."""
+    for name in ("common/course", "shaders"):
+        shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
+    for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
+        (root / path.relative_to(REAL)).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, root / path.relative_to(REAL))
+    for name in ("assets", "tests"):
+        (root / name).symlink_to(REAL / name)
+    for path in REAL.glob("chapters/*/"):  # a chapter need not have exercises in C++
+        (root / "chapters" / path.name).mkdir(exist_ok=True)
+    (root / "build").mkdir()
+    for name in ("chapters", "tests", "shader_cache", "docs"):
+        (root / "build" / name).symlink_to(BUILD / name)
+
+
+def has_pages() -> bool:
+    """test_pages leaves them there; those of an older lesson are rewritten."""
+    if is_old(BUILD / "docs"):
+        subprocess.run(["/usr/bin/python3", REAL / "common/course/cli.py", "docs"], check=True, stdout=subprocess.DEVNULL)
+    return True
+
+
+@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+class LivePage(unittest.TestCase):
+    """A server of the course's own pages."""
+
+    environment: dict[str, str] = {}
+
+    @classmethod
+    def setUpClass(cls):
+        has_pages()
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.root = Path(made.name).resolve() / "course"
+        copy_of_course(cls.root)
+        cls.server = Server(cls.root, LIGHTWALK_ROOT=str(cls.root), **cls.environment)
+        cls.addClassCleanup(cls.server.__exit__)
+
+    def opened(self, browser, lesson: str):
+        browser.open(f"{self.server.base}{lesson}.html")
+        browser.wait("document.body.classList.contains('live-ready')")
