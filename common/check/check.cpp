@@ -1,6 +1,9 @@
 #include "common/check/check.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -68,6 +71,27 @@ void Check::call(const std::string& what, const std::function<std::string()>& wr
     }
     guard_call("");
     expect(found.empty(), found, hint_for_it);
+}
+
+void Check::expect_no_square(const std::string& what, size_t few, const std::function<void(size_t)>& run) {
+    const auto fastest_s = [&](size_t n) {
+        double best = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < 5 && failed == 0; ++round) {
+            const auto start = std::chrono::steady_clock::now();
+            call(fmt::format("{} of {}", what, n), [&] {
+                run(n);
+                return std::string();
+            });
+            best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        }
+        return best;
+    };
+    const double few_s = fastest_s(few), many_s = fastest_s(10 * few);
+    const double noise_s = 0.005;
+    if (failed > 0) return;
+    expect(many_s < 40 * few_s + noise_s,
+           fmt::format("{} took {:.2g} s for {}, and {:.2g} s for {}: its time grows with the square of their number",
+                       what, few_s, few, many_s, 10 * few));
 }
 
 Table Check::probe(const Probe& probe) {

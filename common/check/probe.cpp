@@ -45,9 +45,7 @@ size_t components(const std::string& type) {
     return 0;
 }
 
-bool is_whole(const std::string& type) {
-    return type == "int" || type == "uint" || type == "bool" || type[0] == 'i' || (type[0] == 'u' && type != "uint");
-}
+bool is_whole(const std::string& type) { return type == "bool" || type[0] == 'i' || type[0] == 'u'; }
 
 // The files that are asked, without the function's call.
 std::string text_of(const Probe& probe) { return probe.before + "#include \"" + probe.include + "\"\n"; }
@@ -126,6 +124,7 @@ std::vector<uint32_t> run(Gpu& gpu, const Probe& probe, const Signature& s, cons
 }
 
 double number_of(const Signature& s, uint32_t word) {
+    if (s.result[0] == 'u') return static_cast<double>(word);
     return is_whole(s.result) ? static_cast<double>(static_cast<int32_t>(word))
                               : static_cast<double>(std::bit_cast<float>(word));
 }
@@ -190,15 +189,21 @@ unsigned check_seed() {
     return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : 0;
 }
 
+namespace {
+
+bool is_integer(double value) { return value == std::trunc(value) && std::fabs(value) < 9e15; }
+
+}  // namespace
+
 std::string number_text(double value) {
     if (std::isnan(value)) return "NaN";
     if (value == 0) return "0";  // and not -0
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     char buffer[32];
-    // An identifier may be beyond a float's whole numbers.
-    const bool whole = value == std::trunc(value) && std::fabs(value) < 9e15;
-    const auto [end, error] = whole ? std::to_chars(buffer, buffer + sizeof buffer, value)
-                                    : std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value));
+    // An identifier may be beyond the integers that a float holds.
+    const auto [end, error] = is_integer(value)
+                                  ? std::to_chars(buffer, buffer + sizeof buffer, static_cast<int64_t>(value))
+                                  : std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value));
     return {buffer, end};
 }
 
@@ -206,8 +211,9 @@ std::string gave_text(std::span<const double> got, std::span<const double> expec
     const auto text = [](std::span<const double> values, int digits) {
         std::string all;
         for (const double value : values)
-            all += (all.empty() ? "" : ", ") +
-                   (value == 0 || !std::isfinite(value) ? number_text(value) : fmt::format("{:.{}g}", value, digits));
+            all += (all.empty() ? "" : ", ") + (is_integer(value) || !std::isfinite(value)
+                                                    ? number_text(value)
+                                                    : fmt::format("{:.{}g}", value, digits));
         return values.size() == 1 ? all : "(" + all + ")";
     };
     int digits = 6;

@@ -47,9 +47,9 @@ float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
 
 // The four texels around uv, weighted by how near they are.
 float lit_between(Receiver r, uint layer, vec2 uv) {
-    float texels = float(map_texels());
-    vec2 corner = floor(uv * texels - 0.5) + 1.0, part = uv * texels - corner + 0.5;
-    vec4 lit = vec4(greaterThanEqual(plane_depths(r, corner / texels), gather_depths(corner / texels, layer)));
+    float size = float(map_texels());
+    vec2 corner = floor(uv * size - 0.5) + 1.0, part = uv * size - corner + 0.5;
+    vec4 lit = vec4(greaterThanEqual(plane_depths(r, corner / size), gather_depths(corner / size, layer)));
     vec2 columns = vec2(1.0 - part.x, part.x);
     return dot(lit, vec4(columns, columns.yx) * vec4(part.yy, 1.0 - part.yy));
 }

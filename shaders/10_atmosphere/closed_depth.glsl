@@ -8,10 +8,9 @@
 // S. O'Neil, "Accurate atmospheric scattering", GPU Gems 2, 2005, chapter 16: fitted to air whose scale height is a quarter
 // of its own height, which is 2.5% of the planet's radius. Anything else it gets wrong near the horizon.
 float polynomial_depth(float height, float slope, float scale_height) {
-    if (scale_height <= 0.0) return 0.0;
     float x = 1.0 - slope;
     float power = -0.00287 + x * (0.459 + x * (3.83 + x * (-6.80 + x * 5.25)));
-    return scale_height * exp(-height / scale_height + min(power, 20.0));
+    return scale_height > 0.0 ? scale_height * exp(-height / scale_height + min(power, 20.0)) : 0.0;
 }
 // [/polynomial]
 

@@ -34,14 +34,14 @@ void main() {
     path.way = meets_ground ? max(ground.x, 0.0) : ray_sphere(path.height, path.slope, air.radius, air.top).y;
 
     vec3 depth = vec3(0.0), once = vec3(0.0), passed_on = vec3(0.0);
-    float part = path.way / float(samples);
+    float step_m = path.way / float(samples);
     for (int i = 0; i < samples; ++i) {
-        Place place = place_at(path, (float(i) + 0.5) * part);
+        Place place = place_at(path, step_m * (float(i) + 0.5));
         place.height = clamp(place.height, 0.0, air.top);
-        vec3 there = density_at(place.height), taken = part * extinction(there);
-        vec3 scattered = part * (air.rayleigh * there.x + air.mie * there.y) * exp(-depth - 0.5 * taken);
+        vec3 there = density_at(place.height), taken = extinction(there) * step_m;
+        vec3 scattered = step_m * (air.rayleigh * there.x + air.mie * there.y) * exp(-depth - 0.5 * taken);
         vec3 turned = air.rayleigh * there.x * phase_rayleigh(path.cos_angle) + air.mie * there.y * (0.25 / 3.14159265);
-        once += part * turned * exp(-depth - 0.5 * taken) * sunlight_at(place);
+        once += step_m * turned * exp(-depth - 0.5 * taken) * sunlight_at(place);
         passed_on += scattered;
         depth += taken;
     }

@@ -8,13 +8,21 @@ struct NoiseJet {
     mat2 hessian;  // the gradient's own derivatives, by columns
 };
 
-// At a place of a cell, `f` 0 to 1.
+// Weights of the lower and the upper corner along one axis, and their first and second derivatives, by columns.
+mat3x2 corner_weights(float t) {
+    float left = 1.0 - t, upper = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    float first = 30.0 * t * t * left * left, second = 60.0 * t * left * (1.0 - 2.0 * t);
+    return mat3x2(1.0 - upper, upper, -first, first, -second, second);
+}
+
+// At a position in a cell, `f` 0 to 1. The noise is x * corners * y, with the weights along both axes; only one of the two
+// depends on each coordinate.
 NoiseJet noise_jet(ivec2 cell, vec2 f) {
     vec3 first = noise_derivative(cell, f);
-    float a = lattice(cell), b = lattice(cell + ivec2(1, 0)), c = lattice(cell + ivec2(0, 1));
-    float twist = a - b - c + lattice(cell + ivec2(1, 1));
-    vec2 s = f * f * f * (f * (6.0 * f - 15.0) + 10.0), slope = 30.0 * f * f * (f * (f - 2.0) + 1.0);
-    vec2 bend = 60.0 * f * (f * (2.0 * f - 3.0) + 1.0) * (vec2(b, c) - a + twist * s.yx);
-    float across = twist * slope.x * slope.y;
-    return NoiseJet(first.x, first.yz, mat2(bend.x, across, across, bend.y));
+    mat2 corners;
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 2; ++x) corners[y][x] = lattice(cell + ivec2(x, y));
+    mat3x2 x = corner_weights(f.x), y = corner_weights(f.y);
+    float across = dot(x[1], corners * y[1]);
+    return NoiseJet(first.x, first.yz, mat2(dot(x[2], corners * y[0]), across, across, dot(x[0], corners * y[2])));
 }

@@ -15,7 +15,7 @@ bool is_crossing(ivec2 pixel, ivec2 across, bool horizontal) {
 }
 
 uint linked(ivec2 pixel, bool horizontal) {
-    ivec2 along = horizontal ? ivec2(1, 0) : ivec2(0, 1), across = along.yx;
+    ivec2 along = ivec2(horizontal, !horizontal), across = ivec2(!horizontal, horizontal);
     bool back = horizontal ? edge_below(pixel - along) : edge_right(pixel - along);
     bool ahead = horizontal ? edge_below(pixel + along) : edge_right(pixel + along);
     back = back && !is_crossing(pixel - along, across, horizontal);

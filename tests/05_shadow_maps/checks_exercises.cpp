@@ -104,6 +104,8 @@ CHECK_EXERCISE("05.compare_depth", "greater depth is nearer to the light; a poin
                            {0.5, 0.5, -0.25, 0},
                            {0.5, 0.5, 1.25, 0.5},
                            {0.5, 0.5, 1.25, 1},
+                           {0.5, 0.5, 0.5, 1},  // the nearest surface lies on the near plane
+                           {0.5, 0.5, 1, 1},
                            {0, 0, 0.25, 0.5},
                            {1, 1, 0.25, 0.5}},
                 .truth =

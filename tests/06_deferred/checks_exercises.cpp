@@ -77,6 +77,57 @@ CHECK_EXERCISE("06.decode_normal", "z is 1 - |x| - |y|; where it is negative, fo
     check.probe(probe);
 }
 
+CHECK_EXERCISE(
+    "06.quantise",
+    "how many steps are there from -1 to 1, and how many numbers fit into `bits` bits? Follow 1 and -1 through") {
+    Random random(6);
+    for (const int bits : {8, 12, 16, 2, 4, 5}) {
+        const double most = (1 << (bits - 1)) - 1;
+        Probe probe{.include = "../tests/06_deferred/round_trip.glsl",
+                    .signature = "RoundTrip round_trip(vec2 code, int bits, int other)",
+                    .truth =
+                        [](auto in) {
+                            return Row{std::clamp(in[0], -1.0, 1.0), std::clamp(in[1], -1.0, 1.0), 0};
+                        },
+                    .bound = {.absolute = 0.5 / most + 1e-6},
+                    .hint = [](auto in, auto got) -> std::string {
+                        if (got[0] != got[0] || got[1] != got[1]) return "";
+                        for (const size_t k : {0, 1})
+                            if (in[k] > 0.9 && got[k] < 0)
+                                return "1 came back as -1: the number of its step needs a bit more than there is";
+                        if (got[2] != 0)
+                            return "a number has become too large for its bits, and spills into those above";
+                        return "";
+                    }};
+        for (const double x : {0.0, 1.0, -1.0})
+            for (const double y : {0.0, 1.0, -1.0})
+                for (const double other : {0.0, -1.0}) probe.inputs.push_back({x, y, double(bits), other});
+        const size_t exact = probe.inputs.size();
+        probe.inputs.push_back({1.0000001, -1.0000001, double(bits), 0});
+        for (int i = 0; i < 200; ++i)
+            probe.inputs.push_back(
+                {random.uniform(-1, 1), random.uniform(-1, 1), double(bits), std::floor(random.uniform(-2e9, 2e9))});
+        // The middle between two steps, give or take: the farthest that a code is moved.
+        for (int i = 0; i < 20; ++i) {
+            const double middle = (std::floor(random.uniform(-most, most)) + 0.5) / most;
+            probe.inputs.push_back({middle * 0.99999, middle * 0.99999, double(bits), -1});
+        }
+        for (Row& row : probe.inputs) row[0] = double(float(row[0])), row[1] = double(float(row[1]));
+        const Table results = check.probe(probe);
+        if (check.failed) return;
+        for (size_t i = 0; i < results.size(); ++i) {
+            const Row &in = probe.inputs[i], &got = results[i];
+            check.expect(i >= exact || (std::fabs(got[0] - in[0]) <= 1e-6 && std::fabs(got[1] - in[1]) <= 1e-6),
+                         call_text(probe, in) + " " + gave_text(std::span(got).first(2), std::span(in).first(2)) +
+                             ": -1, 0 and 1 come back exactly");
+            check.expect(got[2] == 0,
+                         call_text(probe, in) + fmt::format(" wrote {:g} bits above those of the code", got[2]),
+                         "a number has become too large for its bits");
+            if (check.failed) return;
+        }
+    }
+}
+
 CHECK_EXERCISE("06.position_from_depth", "map the pixel's centre to -1 ... 1, multiply by the matrix, divide by w") {
     Probe probe{.include = "06_deferred/position_from_depth.glsl",
                 .signature = "vec3 position_from_depth(uvec2 pixel, float depth, vec2 size, mat4 clip_to_world)",

@@ -152,17 +152,26 @@ CHECK_EXERCISE("07.from_linear", "Invert to_linear, for every mean that a filter
         srgb.inputs.push_back({random.uniform(0, 1), random.uniform(0, 0.01), random.uniform(-0.2, 1.2)});
     check.probe(srgb);
 
-    Probe normal{
-        .include = srgb.include,
-        .signature = "vec4 normal_from_linear(vec3 mean)",
-        .inputs = {{0, 0, 1}, {0, 0, 0}, {0, 0, 0.5}, {0, 0, 1.1}, {0.6, 0, 0.8}, {1e-6, 0, 0}, {-0.3, 0.2, 0.1}},
-        .truth = [](std::span<const double> in) { return row_of(truth::normal_from_linear(three(in))); },
-        .bound = {.absolute = 1e-3},  // a root near 0
-        .hint = [](auto in, auto) -> std::string {
-            const double length = glm::length(three(in));
-            if (length < 1e-4) return "Normals that cancel have no direction: use (0, 0, 1), and 1 in alpha.";
-            return length > 1 ? "For a mean longer than 1 alpha is 0: avoid the root of a negative number." : "";
-        }};
+    Probe normal{.include = srgb.include,
+                 .signature = "vec4 normal_from_linear(vec3 mean)",
+                 .inputs = {{0, 0, 1},
+                            {0, 0, 0},
+                            {0, 0, 0.5},
+                            {0, 0, 1.1},
+                            {0.6, 0, 0.8},
+                            {-0.3, 0.2, 0.1},
+                            {1e-6, 0, 0},
+                            {5e-5, 0, 0},
+                            {2e-4, 0, 0},
+                            {0, -6e-4, 3e-4}},
+                 .truth = [](std::span<const double> in) { return row_of(truth::normal_from_linear(three(in))); },
+                 .bound = {.absolute = 1e-3},  // a root near 0
+                 .hint = [](auto in, auto) -> std::string {
+                     const double length = glm::length(three(in));
+                     if (length < 1e-4) return "Normals that cancel have no direction: use (0, 0, 1), and 1 in alpha.";
+                     return length > 1 ? "For a mean longer than 1 alpha is 0: avoid the root of a negative number."
+                                       : "";
+                 }};
     for (int i = 0; i < 500; ++i)
         normal.inputs.push_back(row_of(glm::vec3(random.direction()) * float(random.uniform(0.01, 1))));
     check.probe(normal);

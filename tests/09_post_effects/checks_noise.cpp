@@ -199,20 +199,36 @@ CHECK_EXERCISE("09.bayer_dither", "The lowest bits of x and y weigh most, becaus
                 "of x and y the lowest `bits` bits count, and no others");
             if (check.failed) return;
         }
-        for (int k = 1; k < bits; ++k) {
-            const int small = side >> k;
-            std::vector<int> most(size_t(1) << (2 * k), 0);
-            for (int i = 0; i < all; ++i)
-                if (ranks[size_t(i)] >= all - (1 << (2 * k)))
-                    ++most[size_t((i / side / small) << k | (i % side / small))];
-            const bool even = std::all_of(most.begin(), most.end(), [](int n) { return n == 1; });
-            check.expect(
-                even,
-                fmt::format("bayer(.., bits = {}): the {} largest thresholds do not lie in {} different squares of "
-                            "{} by {} pixels",
-                            bits, 1 << (2 * k), 1 << (2 * k), small, small),
-                "which bits of x and y come first? Pixels beside each other differ in the lowest");
-            if (!even) return;
+        // Bayer's own matrix, mirrored or turned: the one that has most ranks alike says which pixel is wrong.
+        const auto bayer_rank = [&](int x, int y) {
+            int rank = 0;
+            for (int bit = 0; bit < bits; ++bit)
+                rank = 4 * rank + 2 * ((x >> bit & 1) ^ (y >> bit & 1)) + (y >> bit & 1);
+            return rank;
+        };
+        int most_alike = -1, wrong = -1, expected = 0;
+        for (int form = 0; form < 8; ++form) {
+            int alike = 0, first = -1, rank_there = 0;
+            for (int i = 0; i < all; ++i) {
+                int x = i % side, y = i / side;
+                if (form & 1) x = side - 1 - x;
+                if (form & 2) y = side - 1 - y;
+                if (form & 4) std::swap(x, y);
+                const int rank = bayer_rank(x, y);
+                if (rank == ranks[size_t(i)])
+                    ++alike;
+                else if (first < 0)
+                    first = i, rank_there = rank;
+            }
+            if (alike > most_alike) most_alike = alike, wrong = first, expected = rank_there;
         }
+        check.expect(
+            most_alike == all,
+            fmt::format("bayer(pixel = ({}, {}), bits = {}) has the rank {}, and Bayer's matrix {}: turned and "
+                        "mirrored as is nearest, {} of {} ranks are alike",
+                        wrong % side, wrong / side, bits, wrong < 0 ? 0 : ranks[size_t(wrong)], expected, most_alike,
+                        all),
+            "which bits of x and y come first? Pixels beside each other differ in the lowest");
+        if (check.failed) return;
     }
 }

@@ -180,15 +180,19 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
             if (in[4] == 1) {
                 const Balls::Walk walk = balls.walk(in[0], in[1], in[2], in[3], int(in[5]));
                 if (walk.doubt > 1e-4) {
-                    check.expect(ended == walk.ended,
+                    // A step over a gap of rounding's size may be taken back: one distance more, and less to go with.
+                    const bool capped_late = ended == 2 && walk.ended == 1 && walk.steps == int(in[5]);
+                    check.expect(ended == walk.ended || capped_late,
                                  said() + fmt::format(", expected {} after {}", names[walk.ended], walk.steps),
                                  walk.ended == 2
                                      ? "A ray that was stopped on its way has neither hit nor missed: MARCH_CAPPED."
                                      : "");
-                    check.expect(steps == walk.steps, said() + fmt::format(", expected {}", walk.steps),
+                    check.expect(steps == walk.steps || steps == walk.steps + 1,
+                                 said() + fmt::format(", expected {}", walk.steps),
                                  "At a relaxation of 1 each step is as long as the distance; a hit is a distance of at "
                                  "most epsilon + slope * t.");
-                    const bool right_place = walk.ended == 0   ? std::fabs(t - in[1]) < 1e-3
+                    const bool right_place = capped_late       ? t <= walk.t + 1e-3
+                                             : walk.ended == 0 ? std::fabs(t - in[1]) < 1e-3
                                              : walk.ended == 1 ? std::fabs(t - walk.t) < 1e-3
                                                                : t > walk.t - 1e-3 && t < walk.t + walk.distance + 1e-3;
                     check.expect(right_place, said() + fmt::format(", expected {:.4f}", walk.ended ? walk.t : in[1]));

@@ -65,7 +65,9 @@ CHECK_EXERCISE("12.stretch_scale", "Texels per mm is the inverse of mm per texel
                            {1e-30, 0, 0, 0, 1, 0, 16},
                            {0.3, 0.4, 0, 0, 0.6, 0.8, 32},
                            {0.01, 0, 0, 0.1, 0, 0, 32},
-                           {10, 0, 0, 1, 1, 0, 4}},
+                           {10, 0, 0, 1, 1, 0, 4},
+                           {0, 0, 0, 0, 0, 0, 7},
+                           {0, 0.001, 0, 0, 0, 0.002, 700}},
                 .truth =
                     [](std::span<const double> in) {
                         const auto scale = [&](size_t at) {

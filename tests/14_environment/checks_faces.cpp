@@ -35,6 +35,16 @@ FacesSeen seen_of(uint32_t texels, uint32_t levels, const std::vector<RecordedFr
     return seen;
 }
 
+bool reads_nearest(const std::vector<RecordedFrame>& recorded) {
+    for (const RecordedFrame& frame : recorded)
+        for (const RecordedPass& pass : frame.passes)
+            for (const RecordedStep& step : pass.steps)
+                if (step.kind == RecordedStep::Kind::set_views && step.binding == "radiance" &&
+                    step.sampler.filter != Filter::linear)
+                    return true;
+    return false;
+}
+
 }  // namespace
 
 CHECK_EXERCISE("14.prefilter_faces",
@@ -43,10 +53,14 @@ CHECK_EXERCISE("14.prefilter_faces",
         uint32_t texels, levels;
     };
     for (const Size size : {Size{16, 5}, Size{24, 3}, Size{8, 1}}) {
-        const FacesSeen seen = seen_of(size.texels, size.levels, try_prefilter_faces(size.texels, size.levels));
+        const std::vector<RecordedFrame> recorded = try_prefilter_faces(size.texels, size.levels);
+        const FacesSeen seen = seen_of(size.texels, size.levels, recorded);
         const std::string what = fmt::format("a cube of {} texels and {} levels: ", size.texels, size.levels);
         if (!seen.error.empty()) {
-            check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");
+            const bool given = seen.error.find("given") != seen.error.npos;
+            check.expect(false, what + seen.error,
+                         given ? "what else the filter reads comes with the pass: .with = passes.with"
+                               : "what a pass binds stands in its reads or writes");
             return;
         }
         check.expect(seen.passes == "prefilter",
@@ -62,22 +76,32 @@ CHECK_EXERCISE("14.prefilter_faces",
                     const std::string place =
                         fmt::format("{}the texel ({}, {}) of face {} of level {} ", what, i % side, i / side, face, m);
                     if (got.x == -9)
-                        wrong = place + "was never written";
+                        wrong = place + "was never written",
+                        hint = m == 0 && face == 0
+                                   ? "a thread for each texel of the view: dispatch_threads(level.size())"
+                               : m == 0 || face == 0 ? "a dispatch for each of six faces of each level, up to "
+                                                       "desc.mips - 1, into a view of both"
+                                                     : "";
                     else if (got.x != float(face + 1))
-                        wrong = place + fmt::format("was written for face {}", got.x - 1);
+                        wrong = place + fmt::format("was written for face {}", got.x - 1),
+                        hint = "face_now.face is the face of which face_level is a view";
                     else if (!(std::fabs(got.y - roughness) < 1e-5f))
                         wrong = place + fmt::format("has roughness {}, expected {}", got.y, roughness),
                         hint = "even steps: level / (levels - 1), and 0 for a cube of one level";
                     else if (got.w != 2)
-                        wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w);
+                        wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w),
+                        hint = "\"radiance\" is passes.radiance as it is in this frame, read by the pass";
                     else if (got.z != float(across * across))
                         wrong = place + fmt::format(
                                             "was written by {} groups of 8x8 threads, expected {}: a thread for "
                                             "each texel of the view",
-                                            got.z, across * across);
+                                            got.z, across * across),
+                        hint = "each level's view has a size of its own: dispatch_threads(level.size())";
                 }
         }
         check.expect(wrong.empty(), wrong, hint);
+        check.expect(!wrong.empty() || !reads_nearest(recorded), what + "\"radiance\" is read by its nearest texel",
+                     "set(\"radiance\", passes.radiance, linear_clamp)");
         check.expect(seen.validation.empty(), what + "validation says: " + seen.validation);
         if (!wrong.empty()) return;
     }

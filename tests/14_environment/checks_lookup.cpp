@@ -24,6 +24,8 @@ CHECK_EXERCISE("14.direction_to_equirect",
                            {1e-3, 0, 1},
                            {-1e-3, 0, 1},
                            {0, 1, -1},
+                           {0, 0, 1},
+                           {0, 3, 4},
                            {0, -1, 1e-4},
                            {3, 4, 5},
                            {0, 1e3, -0.1},
@@ -36,6 +38,12 @@ CHECK_EXERCISE("14.direction_to_equirect",
                     },
                 // acos of a component has lost half of its digits near the poles.
                 .bound = {.absolute = 2e-4},
+                // The left and the right edge are one line.
+                .grants =
+                    [](auto in, auto out) {
+                        return in[0] == 0 && in[2] > 0 && std::fabs(out[1] - truth::equirect(three(in)).y) <= 2e-4 &&
+                               (std::fabs(out[0]) <= 2e-4 || std::fabs(out[0] - 1) <= 2e-4);
+                    },
                 .hint = [](auto in, auto out) -> std::string {
                     const glm::dvec2 uv = truth::equirect(three(in));
                     if (std::fabs(out[0] - uv.x) < 1e-3 && std::fabs(out[1] - (1 - uv.y)) < 1e-3)
@@ -125,27 +133,54 @@ CHECK_EXERCISE(
     check.probe(probe);
 }
 
+namespace {
+
+// The mistakes that are told by name, and none.
+enum class Slip { none, no_center, no_position, unprojected, farthest, behind, clamped, zero_left };
+
+glm::dvec3 projected(std::span<const double> in, Slip slip = Slip::none) {
+    glm::dvec3 p = three(in);
+    const glm::dvec3 d = three(in.subspan(3)), lower = three(in.subspan(6)), upper = three(in.subspan(9));
+    const glm::dvec3 center = slip == Slip::no_center ? glm::dvec3(0) : three(in.subspan(12));
+    if (slip == Slip::unprojected) return d;
+    if (slip == Slip::clamped) p = glm::clamp(p, lower, upper);
+    double t = slip == Slip::farthest ? 0 : 1e300;
+    for (int a = 0; a < 3; ++a) {
+        if (d[a] == 0) continue;
+        const double here = ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a];
+        t = slip == Slip::farthest ? std::max(t, here) : std::min(t, here);
+    }
+    if (slip != Slip::behind) t = std::max(t, 0.0);
+    const glm::dvec3 point = slip == Slip::no_position ? t * d : p + t * d - center;
+    return point == glm::dvec3(0) && slip != Slip::zero_left ? d : point;
+}
+
+const std::pair<Slip, const char*> slips[] = {
+    {Slip::unprojected, "the ray begins at position, and the cube was drawn from center: the directions differ"},
+    {Slip::no_position, "that is the way from position to the wall: the cube is looked up from center"},
+    {Slip::no_center, "that is the way to the wall from the origin: the cube is looked up from center"},
+    {Slip::farthest, "the ray meets the nearest of the three walls that it goes towards"},
+    {Slip::behind, "outside the box, and the ray leads away: the point is position, not one behind it"},
+    {Slip::clamped,
+     "outside the box, and the ray leads away: the point is position as it is, not its nearest in the box"},
+    {Slip::zero_left, "the point is center itself, which is no direction: return the ray's"}};
+
+}  // namespace
+
 CHECK_EXERCISE("14.box_project",
                "for each axis the wall that the ray goes towards; the nearest of the three; from the center to there") {
     // A ray that meets a wall at once has no direction of its own; the lengths of results are free.
     const auto unit = [](glm::dvec3 v) { return v / glm::length(v); };
     Probe probe{.include = "14_environment/box_project.glsl",
                 .signature = "vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center)",
-                .truth = [unit](auto in) {
-                    const glm::dvec3 p = three(in), d = three(in.subspan(3)), lower = three(in.subspan(6)),
-                                     upper = three(in.subspan(9)), center = three(in.subspan(12));
-                    double t = 1e300;
-                    for (int a = 0; a < 3; ++a)
-                        if (d[a] != 0) t = std::min(t, ((d[a] > 0 ? upper[a] : lower[a]) - p[a]) / d[a]);
-                    const glm::dvec3 hit = p + std::max(t, 0.0) * d - center;
-                    return row_of(unit(hit == glm::dvec3(0) ? d : hit));
-                }};
+                .truth = [unit](auto in) { return row_of(unit(projected(in))); }};
     const auto add = [&](glm::dvec3 p, glm::dvec3 d, glm::dvec3 lower, glm::dvec3 upper, glm::dvec3 center) {
         Row row;
         for (const glm::dvec3 v : {p, d, lower, upper, center}) append(row, v);
         probe.inputs.push_back(row);
     };
     const glm::dvec3 low(-1, -2, -3), high(3, 2, 1);
+    add({0.5, 0.25, -0.5}, {1, 2, 0.5}, low, high, {1, -1, 0});  // a plain one, of three walls
     for (const glm::dvec3 d : {glm::dvec3(1, 0, 0),
                                {0, 1, 0},
                                {0, 0, 1},
@@ -158,40 +193,42 @@ CHECK_EXERCISE("14.box_project",
         add({0.5, 0.25, -0.5}, d, low, high, {0, 0, 0});
         add({0, 0, 0}, d, low, high, {0, 0, 0});
     }
-    add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});  // outside, away from it
-    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0});   // on the wall, from the cube's own middle
+    // Outside, away from the box: beyond a wall of each axis, and beyond two.
+    const glm::dvec3 center(0.5, -0.5, 0.25);
+    add({4, 1, 0.5}, {1, 0.25, 0}, low, high, center), add({-1.5, 1, 0.5}, {-1, 0.25, 0.5}, low, high, center);
+    add({1, 2.25, 0.5}, {0.5, 1, 0.25}, low, high, center), add({1, -2.5, 0.5}, {0.5, -0.5, 0}, low, high, center);
+    add({1, 1, 1.5}, {0, 0.25, 2}, low, high, center), add({1, 1, -3.25}, {0.5, 0.25, -1}, low, high, center);
+    add({4, 1, 2}, {1, -1, 0.5}, low, high, center), add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});
+    // The point is the cube's own middle: at once, along the way, and outside.
+    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0}), add({0, 0.5, 0}, {2, 0, 0}, low, high, {3, 0.5, 0});
+    add({4, 0, 0}, {1, 0.25, 0}, low, high, {4, 0, 0});
     Random random;
     for (int i = 0; i < 300; ++i) {
-        glm::dvec3 p, center;
+        glm::dvec3 p, middle, lower, upper;
         for (int a = 0; a < 3; ++a) {
-            p[a] = random.uniform(low[a] + 0.05, high[a] - 0.05);
-            center[a] = random.uniform(low[a] + 0.5, high[a] - 0.5);
+            lower[a] = i % 2 ? low[a] : random.uniform(-20, 0), upper[a] = i % 2 ? high[a] : random.uniform(1, 20);
+            const double side = upper[a] - lower[a];
+            p[a] = lower[a] + random.uniform(0.05, 0.95) * side, middle[a] = lower[a] + random.uniform(0.1, 0.9) * side;
         }
-        add(p, glm::dvec3(random.direction()) * random.logarithmic(0.1, 10), low, high, center);
+        add(p, glm::dvec3(random.direction()) * random.logarithmic(1e-5, 1e4), lower, upper, middle);
     }
     // Any length is right: compared as directions.
     const Table got = run_probe(check_device(), probe, 3);
     for (size_t i = 0; i < got.size(); ++i) {
-        const glm::dvec3 g = three(got[i]), want = three(probe.truth(probe.inputs[i]));
-        const double length = glm::length(g);
-        const bool right = std::isfinite(length) && length > 0 && glm::length(g / length - want) < 1e-4;
-        const glm::dvec3 d = three(std::span(probe.inputs[i]).subspan(3));
         const Row& in = probe.inputs[i];
-        bool along_axis = false, away = false;
-        for (size_t a = 0; a < 3; ++a) {
-            along_axis = along_axis || in[3 + a] == 0;
-            away = away || (in[3 + a] > 0 && in[a] > in[9 + a]) || (in[3 + a] < 0 && in[a] < in[6 + a]);
+        const glm::dvec3 g = three(got[i]), want = unit(projected(in));
+        const double length = glm::length(g);
+        const bool is_direction = std::isfinite(length) && length > 0;
+        const bool right = is_direction && glm::length(unit(g) - want) < 1e-4;
+        std::string hint;
+        for (const auto& [slip, words] : slips) {
+            const glm::dvec3 other = projected(in, slip);
+            const bool fits = slip == Slip::zero_left ? g == other : glm::length(unit(g) - unit(other)) < 1e-5;
+            if (hint.empty() && glm::length(unit(other) - want) > 1e-4 && fits) hint = words;
+            if (hint.empty() && slip == Slip::zero_left && length == 0) hint = words;
         }
-        const std::string hint =
-            !std::isfinite(length)                  ? "a component of the direction is 0"
-            : away                                  ? "outside the box, and the ray leads away: the point is position"
-            : glm::length(unit(d) - unit(g)) < 1e-5 ? "the ray begins at position, the cube's at center"
-            : glm::length(unit(g) + want) < 1e-3    ? "the wall behind the ray is nearer"
-            : three(in) == three(std::span(in).subspan(12))
-                ? "the point is center itself, which is no direction: return the ray's"
-            : along_axis
-                ? "a component of the direction is 0: the ray meets neither wall across that axis, leave it out"
-                : "";
+        if (hint.empty() && (in[3] == 0 || in[4] == 0 || in[5] == 0))
+            hint = "a component of the direction is 0: the ray meets neither wall across that axis, leave it out";
         check.expect(right, wrong_text(probe, i, got[i]) + " or another length", hint);
         if (!right) return;
     }

@@ -64,9 +64,8 @@ CHECK_EXERCISE("14.sh_project",
             for (size_t i = 0; i < 9; ++i) {
                 const double away = glm::length(got[i] - right[i]);
                 if (!(away < 1e-5 + 1e-5 * glm::length(right[i])))
-                    return fmt::format(
-                        "{}: coefficient {} is ({:.5g}, {:.5g}, {:.5g}), expected ({:.5g}, {:.5g}, {:.5g})", what, i,
-                        got[i].x, got[i].y, got[i].z, right[i].x, right[i].y, right[i].z);
+                    return fmt::format("{}: as coefficient {} it {}", what, i,
+                                       gave_text({&got[i].x, 3}, {&right[i].x, 3}));
             }
             return "";
         });

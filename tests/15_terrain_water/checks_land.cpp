@@ -81,6 +81,8 @@ struct ChunkTrial {
     glm::vec3 eye;
     float metres_per_m;
     glm::mat4 to_clip{0.0f};  ///< all in view, unless it says otherwise
+    float finest_error = 0;   ///< of every chunk of level 0
+    float error = 0;          ///< of every other one; 0: any
 };
 
 struct ChunkView {
@@ -99,7 +101,8 @@ class ChunkMap {
             const int side = 1 << (trial.top - level);
             for (int z = 0; z < side; ++z)
                 for (int x = 0; x < side; ++x) {
-                    float error = level == 0 ? 0.0f : float(random.logarithmic(0.1, 3)) * float(1 << level);
+                    const float any = float(random.logarithmic(0.1, 3)) * float(1 << level);
+                    float error = level == 0 ? trial.finest_error : trial.error > 0 ? trial.error : any;
                     for (int i = 0; i < 4 && level > 0; ++i)
                         error = std::max(error, at(2 * x + (i & 1), 2 * z + (i >> 1), level - 1));
                     errors_[size_t(level)].push_back(error);
@@ -213,7 +216,10 @@ CHECK_EXERCISE("15.chunk_level", "Drawn is what is not split, if its parent is, 
                                  {"an eye beside the map", 4, {900, 20, 100}, 0.02f, all},
                                  {"an eye on the ground", 4, {-100, 0, 90}, 0.1f, all},
                                  {"half of the map in view", 4, {40, 60, -30}, 0.05f, quarter},
-                                 {"one chunk is the whole map", 0, {0, 5, 0}, 0.01f, all}};
+                                 {"one chunk is the whole map", 0, {0, 5, 0}, 0.01f, all},
+                                 {"an error of the finest level too", 3, {20, 4, -10}, 0.05f, all, 2.0f},
+                                 {"one chunk with an error is the whole map", 0, {0, 5, 0}, 0.01f, all, 2.0f},
+                                 {"an error that is exactly the limit", 3, {0, 8, 0}, 0.5f, all, 0.0f, 4.0f}};
     Random random(4);
     for (const ChunkTrial& trial : trials) {
         const ChunkMap map(trial, random);
@@ -233,8 +239,10 @@ CHECK_EXERCISE("15.chunk_level", "Drawn is what is not split, if its parent is, 
         for (const Key& key : expected)
             if (wrong.empty() && !found.contains(key))
                 wrong = fmt::format("{} is not in the list of {}", name_of(key), found.size()),
-                hint = std::get<0>(key) == 0 ? "Level 0 is the finest: it is never split."
-                                             : "The one at the top has no parent.";
+                hint = std::get<0>(key) == 0           ? "Level 0 is the finest: it is never split."
+                       : std::get<0>(key) == trial.top ? "The one at the top has no parent."
+                       : trial.error > 0               ? "A chunk is split if its error is greater than the limit."
+                                                       : "It is not split, its parent is, and it is in view.";
         if (wrong.empty() && twice)
             wrong = "a chunk is in the list twice", hint = "Each thread appends its own chunk, once.";
         if (wrong.empty() && count != expected.size())

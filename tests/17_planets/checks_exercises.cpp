@@ -82,12 +82,17 @@ CHECK_EXERCISE("17.ring_phase", "two sides first: lit where sun_side and eye_sid
                 return "1 is back, the sun behind the camera";
             return "";
         }};
+    // The sun behind the camera, beside and before it, from either side; then the ring's edge.
+    for (const double cos_phase : {1.0, 0.0, -1.0})
+        for (const double side : {0.5, -0.5})
+            for (const double eye : {0.5, -0.5, 0.0})
+                probe.inputs.push_back({1, 2, 3, 4, 5, 6, 0.25, 0.5, 0.75, cos_phase, side, eye});
+    for (const double eye : {0.5, -0.5, 0.0}) probe.inputs.push_back({1, 2, 3, 4, 5, 6, 0.25, 0.5, 0.75, 0.5, 0, eye});
     Random random(3);
     for (int i = 0; i < 300; ++i) {
         Row row;
         for (int c = 0; c < 9; ++c) row.push_back(random.uniform(0, 2));
-        row.push_back(i < 3 ? i - 1 : random.uniform(-1, 1));
-        row.push_back(i == 5 ? 0 : random.uniform(-1, 1)), row.push_back(i == 6 ? 0 : random.uniform(-1, 1));
+        for (int c = 0; c < 3; ++c) row.push_back(random.uniform(-1, 1));
         probe.inputs.push_back(row);
     }
     // Nearly from the edge: a product of two small numbers is 0 long before either is.

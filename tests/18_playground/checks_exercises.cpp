@@ -53,9 +53,9 @@ CHECK_EXERCISE(
             if (!(glm::length(glm::cross(glm::dvec3(ray.direction), direction)) < 2e-5)) {
                 const glm::dvec4 flipped = back * glm::dvec4(2.0 * px.x / size.x - 1, 1 - 2.0 * px.y / size.y, 1, 1);
                 const glm::dvec3 other = glm::normalize(glm::dvec3(flipped) / flipped.w - glm::dvec3(camera.position));
-                return fmt::format("{}: the direction is {}, expected {}{}", what, text(ray.direction),
-                                   text(glm::vec3(direction)),
-                                   glm::dot(glm::dvec3(ray.direction), other) > 0.99999 ? ": y = -1 is the top" : "");
+                const glm::dvec3 got(ray.direction);
+                return fmt::format("{}: as the direction it {}{}", what, gave_text({&got.x, 3}, {&direction.x, 3}),
+                                   glm::dot(got, other) > 0.99999 ? ": y = -1 is the top" : "");
             }
             const double off = glm::length(glm::dvec3(ray.origin) - origin);
             if (!(off < 1e-3 * (1 + double(camera.near_m)) + 4e-6 * glm::length(origin)))
@@ -151,19 +151,21 @@ CHECK_EXERCISE("18.rotate_about_pivot",
 CHECK_EXERCISE(
     "18.id_buffer",
     "Item 0 must differ from nothing: item + 1. Look at a square, inside the image; keep the first of the nearest.") {
-    Probe codes{.include = "18_playground/id_buffer.glsl",
-                .before = "#include \"../tests/18_playground/known_ids.glsl\"\n",
-                .signature = "uint id_of(uint item)",
-                .inputs = {{0}, {1}, {2047}, {2048}, {16777215}, {16777216}, {16777217}, {1000000006}},
-                .truth = [](auto in) { return Row{in[0] + 1}; },
-                .macros = {{"IDS_WIDTH", "4"}, {"IDS_HEIGHT", "4"}, {"IDS_EVERY", "7"}},
-                .hint = [](auto in, auto out) -> std::string {
-                    if (in[0] == 0 && out[0] == 0) return "0 is what the image is cleared to: item 0 would be nothing";
-                    return "";
-                }};
+    Probe codes{
+        .include = "18_playground/id_buffer.glsl",
+        .before = "#include \"../tests/18_playground/known_ids.glsl\"\n",
+        .signature = "uint id_of(uint item)",
+        .inputs =
+            {{0}, {1}, {2047}, {2048}, {16777215}, {16777216}, {16777217}, {1000000006}, {2147483647}, {4294967294}},
+        .truth = [](auto in) { return Row{in[0] + 1}; },
+        .macros = {{"IDS_WIDTH", "4"}, {"IDS_HEIGHT", "4"}, {"IDS_EVERY", "7"}},
+        .hint = [](auto in, auto out) -> std::string {
+            if (in[0] == 0 && out[0] == 0) return "0 is what the image is cleared to: item 0 would be nothing";
+            return "";
+        }};
     check.probe(codes);
     codes.signature = "uint item_of(uint id)";
-    codes.inputs = {{1}, {2}, {2049}, {16777217}, {16777218}, {1000000007}};
+    codes.inputs = {{1}, {2}, {2049}, {16777217}, {16777218}, {1000000007}, {2147483648}, {4294967295}};
     codes.truth = [](auto in) { return Row{in[0] - 1}; };
     codes.hint = nullptr;
     check.probe(codes);
@@ -196,6 +198,8 @@ CHECK_EXERCISE(
                        return "nearer ones first; of equally near ones the upper, then the left";
                    }};
         Random random(4);
+        for (const double reach : {0.0, 2.0, 5.0})
+            near.inputs.push_back({double(width / 2), double(height / 2), reach});
         for (int y = -2; y < height + 2; ++y)
             for (int x = -2; x < width + 2; ++x)
                 near.inputs.push_back({double(x), double(y), std::floor(random.uniform(0, 6))});

@@ -33,6 +33,8 @@ CHECK_EXERCISE(
         {"a byte more than there may be", {{0, 40}, {0, 50}}, {0, 11}, false, 100, {false, 1}},
         {"room for the new step alone", {{0, 40}, {0, 50}}, {0, 100}, false, 100, {false, 2}},
         {"a step that is larger than all there may be", {{0, 40}}, {0, 1000}, false, 100, {false, 1}},
+        {"an old step of many bytes", {{0, 80}, {0, 10}}, {0, 20}, false, 60, {false, 1}},
+        {"an old step of few bytes", {{0, 10}, {0, 80}}, {0, 20}, false, 35, {false, 2}},
         {"a step that joins and is too large", {{0, 40}, {0, 5}, {3, 50}}, {3, 60}, false, 100, {true, 2}},
         {"a step that joins, with room", {{0, 40}, {3, 50}}, {3, 11}, false, 100, {true, 1}},
         {"sums beyond 32 bits", {{0, 3000000000u}, {0, 3000000000u}}, {0, 1}, false, 6000000001u, {false, 0}},
@@ -121,6 +123,14 @@ CHECK_EXERCISE(
         });
         if (check.failed) return;
     }
+    if (check.failed) return;
+    std::vector<Replaced> first, then;
+    check.expect_no_square("join_steps, entries", 2000, [&](size_t count) {
+        first.clear(), then.clear();
+        for (uint32_t i = 0; i < count; ++i)
+            first.push_back({i, 1, 2}), then.push_back({uint32_t(count) - 1 - i, 2, 3});
+        join_steps(first, then);
+    });
 }
 
 namespace {
@@ -149,8 +159,14 @@ CHECK_EXERCISE("18.sort_tree_moves",
     // 0 has 1 and 2; 1 has 3; 4 is alone; 5 has a parent, 6, that follows it.
     std::vector<TreeNode> nodes{{-1}, {0}, {0}, {1}, {-1}, {6}, {-1}};
     for (TreeNode& node : nodes) node.world = somewhere(random);
-    std::vector<TreeNode> flat = nodes;
+    std::vector<TreeNode> flat = nodes, turned_flat = nodes, tiny = nodes, mirrored = nodes;
     flat[4].world = glm::scale(glm::mat4(1.0f), {1, 0, 1});
+    turned_flat[4].world = glm::scale(glm::rotate(glm::mat4(1.0f), 0.7f, {1, 2, 3}), {1, 1, 0});
+    tiny[4].world = glm::scale(somewhere(random), glm::vec3(1e-4f));  // a determinant of 1e-12
+    mirrored[4].world = glm::scale(somewhere(random), {-1, 1, 1});
+    // 0 below 1, 1 below 2, 2 below 3.
+    std::vector<TreeNode> rising{{1}, {2}, {3}, {-1}, {-1}};
+    for (TreeNode& node : rising) node.world = somewhere(random);
     using Ids = std::vector<uint32_t>;
     std::vector<TreeCase> cases{{"nothing is selected", nodes, {}, 4, Ids{}},
                                 {"one node to another", nodes, {2}, 4, Ids{2}},
@@ -160,12 +176,18 @@ CHECK_EXERCISE("18.sort_tree_moves",
                                 {"a node and its child", nodes, {1, 3}, 4, Ids{1}},
                                 {"a node and its grandchild, the grandchild first", nodes, {3, 0}, 4, Ids{0}},
                                 {"a child whose parent stands after it", nodes, {5, 6}, 4, Ids{6}},
+                                {"a grandchild, with all above it after it", rising, {0, 2}, 4, Ids{2}},
+                                {"the child of a grandchild, with all above it after it", rising, {0, 3}, 4, Ids{3}},
+                                {"onto a grandchild that stands before it", rising, {3}, 0, std::nullopt},
                                 {"onto itself", nodes, {2}, 2, std::nullopt},
                                 {"onto its child", nodes, {0}, 1, std::nullopt},
                                 {"onto its grandchild", nodes, {4, 0}, 3, std::nullopt},
                                 {"onto a sibling", nodes, {1}, 2, Ids{1}},
                                 {"onto the parent that it has", nodes, {1}, 0, Ids{1}},
-                                {"onto a parent that scales to 0", flat, {2}, 4, std::nullopt}};
+                                {"onto a parent that scales to 0", flat, {2}, 4, std::nullopt},
+                                {"onto a turned parent that scales to 0", turned_flat, {2}, 4, std::nullopt},
+                                {"onto a parent that scales by 1e-4", tiny, {2}, 4, Ids{2}},
+                                {"onto a parent that mirrors", mirrored, {2}, 4, Ids{2}}};
     TreeCase chain{"a chain of 100,000, every other node selected", {}, {}, -1, Ids{1}},
         wide{"100,000 side by side", {}, {}, 0, Ids{}};
     for (int i = 0; i < 100000; ++i) {
@@ -205,4 +227,16 @@ CHECK_EXERCISE("18.sort_tree_moves",
         });
         if (check.failed) return;
     }
+    // A broom: a chain whose end has as many children as the chain has nodes, all of them selected, none above them.
+    std::vector<TreeNode> broom;
+    std::vector<uint32_t> bristles;
+    check.expect_no_square("sort_tree_moves, a chain with children at its end", 2000, [&](size_t count) {
+        broom.resize(count), bristles.clear();
+        const size_t half = count / 2;
+        for (size_t i = 0; i < count; ++i) {
+            broom[i] = {i < half ? int32_t(i) - 1 : int32_t(half) - 1, glm::mat4(1.0f)};
+            if (i >= half) bristles.push_back(uint32_t(i));
+        }
+        sort_tree_moves(broom, bristles, -1);
+    });
 }

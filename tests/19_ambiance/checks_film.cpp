@@ -15,6 +15,10 @@ CHECK_EXERCISE("19.fade_linear_light",
     Probe probe{.include = "19_ambiance/fade_linear_light.glsl",
                 .signature = "vec3 fade_linear_light(vec3 light, float black, float white)",
                 .bound = {.absolute = 1e-6, .relative = 1e-5}};
+    // Each fade alone, and with values outside of its range; the lamp's channels lie below 16, the sun's above.
+    for (const double level : {1.0, 1000.0})
+        for (const auto& [black, white] : {std::pair(0.5, 0.0), {0.0, 0.5}, {0.5, 0.5}, {-0.5, 0.0}, {0.0, 1.5}})
+            probe.inputs.push_back({level, 0.5 * level, 0.25 * level, black, white});
     for (int i = 0; i < 240; ++i) {
         const double level = i % 5 == 0 ? 0.0 : random.logarithmic(1e-3, 1e4);
         const glm::dvec3 light = level * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
@@ -49,18 +53,34 @@ std::string listed(const std::vector<int>& numbers) {
 }  // namespace
 
 CHECK_EXERCISE("19.warm", "those on the screen whatever happens; then, by the time at which they begin, what fits") {
-    Random random(4);
-    for (int i = 0; i < 300; ++i) {
+    struct Case {
         std::vector<OnScreen> scenes;
-        const int count = i % 9;
+        double now = 0, ahead = 0;
+        int most = 1;
+    };
+    const std::vector<OnScreen> four{{0, 5}, {5, 9}, {9, 12}, {12, 20}};
+    std::vector<Case> cases{{four, 2, 0, 1},
+                            {four, 5, 0, 1},
+                            {four, 2, 3, 2},
+                            {four, 2, 20, 2},
+                            {{{9, 12}, {5, 9}, {0, 5}}, 2, 20, 3},
+                            {{{1, 9}, {0, 8}, {2, 9}}, 4, 20, 1}};
+    Random random(4);
+    for (int i = 0; i < 340; ++i) {
+        Case one;
+        // Fades and split pictures: several begin at once. A short list's order survives a sort that keeps none.
+        const int count = i < 300 ? i % 9 : i - 290;
         for (int k = 0; k < count; ++k) {
-            const double from = std::floor(random.uniform(0, 40)) / 2;
-            scenes.push_back({from, from + 0.5 + std::floor(random.uniform(0, 12)) / 2});
+            const double from = std::floor(random.uniform(0, i < 300 ? 40 : 6)) / 2;
+            one.scenes.push_back({from, from + 0.5 + std::floor(random.uniform(0, 12)) / 2});
         }
-        const double now = i % 3 ? std::floor(random.uniform(0, 44)) / 2 : random.uniform(0, 22);
-        const double ahead = i % 5 ? std::floor(random.uniform(0, 20)) / 2 : 0;
-        const int most = 1 + i % 4;
-        std::string what = fmt::format("warm({{", 0);
+        one.now = i % 3 ? std::floor(random.uniform(0, i < 300 ? 44 : 8)) / 2 : random.uniform(0, 22);
+        one.ahead = i % 5 ? std::floor(random.uniform(0, 20)) / 2 : 0;
+        one.most = i < 300 ? 1 + i % 4 : 30;
+        cases.push_back(one);
+    }
+    for (const auto& [scenes, now, ahead, most] : cases) {
+        std::string what = "warm({";
         for (const OnScreen& one : scenes) what += fmt::format(" {:g}-{:g}", one.from_s, one.to_s);
         what += fmt::format(" }}, now {:g} s, {:g} s ahead, at most {})", now, ahead, most);
         check.call(what, [&]() -> std::string {

@@ -1,7 +1,9 @@
 // Checks of chapter 19's curves.
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "19_ambiance/exercises.h"
 #include "19_ambiance/truth.h"
@@ -23,14 +25,15 @@ CHECK_EXERCISE("19.catmull_rom",
                "three rounds of interpolation; each one divides by the distance of its own two knots, and "
                "where that is 0 the key itself is meant") {
     Random random(3);
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 132; ++i) {
         FourKeys keys;
         const double reach = random.logarithmic(1e-2, 1e5);
         double knot = random.uniform(-5, 5);
+        // Which keys stand where the one before does: none; p1; p3; both; p2; p1 and p2; p2 and p3; all.
+        const std::array<std::set<size_t>, 11> at_rest{
+            {{}, {}, {}, {}, {1}, {3}, {1, 3}, {2}, {1, 2}, {2, 3}, {1, 2, 3}}};
         for (size_t k = 0; k < 4; ++k) {
-            const int kind = i % 8;
-            const bool rests = k > 0 && ((kind == 4 && k == 1) || (kind == 5 && k == 3) || (kind == 6 && k != 2) ||
-                                         (kind == 7 && k == 2));
+            const bool rests = at_rest[size_t(i) % 11].contains(k);
             keys.points[k] = rests ? keys.points[k - 1] : any_point(random, reach);
             if (k > 0 && !rests) knot += i % 2 ? random.uniform(0.05, 3) : 1.0;
             keys.knots[k] = knot;
@@ -45,7 +48,7 @@ CHECK_EXERCISE("19.catmull_rom",
             check.call(what, [&]() -> std::string {
                 const glm::dvec3 got = catmull_rom(keys, t), right = truth::catmull_rom(keys, t);
                 if (glm::distance(got, right) <= 1e-9 * reach) return "";
-                const char* why = !(glm::length(got) < 1e300) ? "two knots are equal, and it divides by their distance"
+                const char* why = !(glm::length(got) < 1e300) ? "knots are equal, and it divides by their difference"
                                   : share == 0 || share == 1
                                       ? "the curve passes its second key at the second knot and its third at the third"
                                       : "";
@@ -69,9 +72,8 @@ CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added 
             if (got.size() != right.size()) return fmt::format("{} gave {} knots", what, got.size());
             for (size_t i = 0; i < got.size(); ++i)
                 if (!(std::abs(got[i] - right[i]) <= 1e-9 * right.back()))
-                    return fmt::format(
-                        "{}: knot {} is {:.9g}, expected {:.9g}; its point is {:.6g} from the one before", what, i,
-                        got[i], right[i], i ? glm::distance(points[i], points[i - 1]) : 0.0);
+                    return fmt::format("{}: as knot {} it {}; its point is {:.6g} from the one before", what, i,
+                                       gave_text(got[i], right[i]), i ? glm::distance(points[i], points[i - 1]) : 0.0);
             return "";
         });
         if (check.failed) return;
@@ -80,15 +82,27 @@ CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added 
 
 CHECK_EXERCISE("19.arc_length",
                "add up the lengths of the lines first; then look for the line in which the share lies") {
-    // A curve that rests in its middle: half of its length is covered from a third on.
-    const std::vector<glm::dvec3> rests{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-    for (const auto& [share, right] : {std::pair(0.25, 1.0 / 6), std::pair(0.5, 1.0 / 3), std::pair(0.75, 5.0 / 6)}) {
-        const std::string what = fmt::format("arc_length(points at x = 0, 1, 1 and 2, {})", share);
+    // Two lines of 1 and 3 m; then a curve that rests in its middle, once and for long: half of its length is covered
+    // from a third, or a sixth, on.
+    struct Line {
+        const char* name;
+        std::vector<double> x;
+        double share, right;
+    };
+    const Line lines[] = {
+        {"0, 1 and 4", {0, 1, 4}, 0.25, 1.0 / 2},       {"0, 1 and 4", {0, 1, 4}, 0.625, 3.0 / 4},
+        {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.25, 1.0 / 6}, {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.5, 1.0 / 3},
+        {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.75, 5.0 / 6}, {"0, 1, 1, 1, 1, 1 and 2", {0, 1, 1, 1, 1, 1, 2}, 0.5, 1.0 / 6},
+        {"0, 0, 0 and 1", {0, 0, 0, 1}, 0.5, 5.0 / 6}};
+    for (const Line& line : lines) {
+        const std::string what = fmt::format("arc_length(points at x = {}, share {})", line.name, line.share);
         check.call(what, [&]() -> std::string {
-            const double got = arc_length(rests, share);
-            if (std::abs(got - right) <= 1e-9) return "";
-            return what + " " + gave_text(got, right) +
-                   (share == 0.5 ? ": where several parameters reach it, the smallest" : "");
+            std::vector<glm::dvec3> points;
+            for (const double x : line.x) points.emplace_back(x, 0, 0);
+            const double got = arc_length(points, line.share);
+            if (std::abs(got - line.right) <= 1e-9) return "";
+            return what + " " + gave_text(got, line.right) +
+                   (line.share == 0.5 ? ": where several parameters reach it, the smallest" : "");
         });
         if (check.failed) return;
     }
@@ -120,13 +134,14 @@ CHECK_EXERCISE("19.up_without_roll",
                "the turn is about the axis at right angles to both views, by the angle between them") {
     Random random(11);
     for (int i = 0; i < 200; ++i) {
-        // Looking ahead, then straight up; then any angle; tiny ones and nearly opposite views last.
+        // Looking ahead, then straight up; turned around, not at all; any angle; tiny ones and nearly opposite views.
         const glm::dvec3 from = i == 0 ? glm::dvec3(0, 0, -1) : glm::normalize(glm::dvec3(random.direction()));
         const glm::dvec3 side =
             i == 0 ? glm::dvec3(0, 1, 0) : glm::normalize(glm::cross(from, glm::dvec3(random.direction())));
         const double angle = i == 0    ? 0.5 * M_PI
                              : i == 1  ? M_PI
                              : i == 2  ? 0.0
+                             : i == 3  ? M_PI - 3e-7
                              : i < 140 ? random.uniform(0, 3.1)
                              : i < 160 ? M_PI - random.logarithmic(2e-3, 0.1)
                                        : random.logarithmic(1e-9, 1e-2);

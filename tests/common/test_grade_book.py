@@ -162,6 +162,13 @@ class Platforms(Files):
         self.assertIn("02.lambert: wrong, 0 of 1. lambert(normal = (0, 1, 0)", ben[7])
         self.assertIn("02.phong: missing", ben[7])
 
+    def test_a_name_is_found_with_the_other_apostrophe(self):
+        file = self.folder / "list.csv"
+        file.write_text("First name,Last name\nZo\u00eb,O\u2019Neill\nAnn,D'Arc\n")
+        students = ["Zoe\u0308 O'Neill_7_assignsubmission_file_", "Ann D\u2019Arc"]
+        self.assertEqual(Roster(file, students).strangers, [])
+        self.assertEqual(Roster(file, ["Zoe O'Neill"]).strangers, ["Zoe O'Neill"])
+
     def test_a_list_of_another_platform(self):
         """Canvas's file has a name in each row, for any list."""
         roster = "Identifier,Full name,Grade,Feedback comments\nParticipant 1001,Ann Example,,\n"

@@ -82,7 +82,7 @@ class HandIns(unittest.TestCase):
         put("Ann Example_1001_assignsubmission_file_/work.zip", zip_of(course))
         put("Bea Example_1002_assignsubmission_file_/work.7z", by_libarchive("7zip", None, course))
         put("Cid Example_1003_assignsubmission_file_/lambert.glsl", RIGHT)
-        put("Dot Example_1004_assignsubmission_file_/work/deep/course/" + LAMBERT, RIGHT)
+        put("Dot Example_1004_assignsubmission_file_/my files/deep/course/" + LAMBERT, RIGHT)
         put("Eve Example_1005_assignsubmission_onlinetext_/onlinetext.html", b"<p>see the zip")
         put("seven.7z", by_libarchive("7zip", None, course))
         put("zst.tar.zst", by_libarchive("gnutar", "zstd", course))

@@ -19,8 +19,10 @@ namespace lightwalk::exercise {
 //     Y6 = 0.315392 (3 z² - 1)      Y7 = 1.092548 xz     Y8 = 0.546274 (x² - y²)
 //
 // The texels stand row by row from the upper edge: texels[r * width + c]. The result has
-// nine colours. Rows near the poles cover less of the sphere than rows at the horizon; the
-// solid angles of all texels add up to 4 pi.
+// nine colours. Rows near the poles cover less of the sphere than rows at the horizon: a
+// texel of row r has the solid angle 2 pi / width * (cos(pi r / height) - cos(pi (r + 1) /
+// height)), so that those of all texels add up to 4 pi. Tolerance: 1e-5 plus 1e-5 of the
+// coefficient.
 // [/sh_project]
 Sh9 sh_project(int /*width*/, int /*height*/, const std::vector<glm::vec3>& /*texels*/) { return Sh9(9); }
 

@@ -20,7 +20,7 @@ namespace lightwalk::exercise {
 // parallel.
 //
 // Where the lines are nearly parallel, s and the numerator are small differences of large
-// numbers. The same values without this loss of digits are, by Lagrange's identity,
+// numbers. Lagrange's identity gives the same values without this loss of digits:
 //
 //     s = dot(c, c),  numerator = dot(c, cross(w, d)),  c = cross(axis, d).
 //

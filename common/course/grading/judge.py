@@ -29,13 +29,14 @@ from grading.handout import starters
 from grading.judge_compile import compile_answer
 from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures, ToolFailed
 from grading.judge_tree import copy_without_answers, library, objects
+from grading.meter import Meter, current
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
 from tree import BUILD, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
-FREE_S = 15  # per exercise; time beyond that counts against a student's budget
+FREE_S = 15  # per exercise (meter.py); time beyond that counts against a student's budget
 BUDGET_S = 600
 TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
 CALL_S = 5  # of one call
@@ -108,6 +109,8 @@ class Judge:
             raise Failure("grading was stopped")
         running = sandbox.Running(*arguments, **options)
         self.running.add(running)
+        if meter := getattr(current, "meter", None):
+            meter.add(running)
         try:
             if self.stopped:  # just now
                 running.kill()
@@ -149,14 +152,15 @@ class Judge:
                 found = json.loads(kept.read_text())
                 self.spend(student, found.pop("over_s", 0))
                 return base | found
-        start_s = time.monotonic()
+        meter = Meter()
         try:
-            found = self.judge_fairly(exercise, data)
+            with meter:
+                found = self.judge_fairly(exercise, data)
             if self.stopped:  # an aborted run gives no verdict
                 raise Failure("grading was stopped")
         except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
             return base | {"state": "failed", "first_failure": f"could not be judged: {words_of(error)}"}
-        over_s = max(0, round(time.monotonic() - start_s - FREE_S))
+        over_s = max(0, round(meter.seconds - FREE_S))
         self.spend(student, over_s)
         found = {name: clean(value) for name, value in found.items()
                  if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}

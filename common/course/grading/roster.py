@@ -13,6 +13,7 @@ import csv
 import datetime
 import io
 import re
+import unicodedata
 from pathlib import Path
 
 from grading.submission import printable
@@ -84,8 +85,7 @@ class Roster:
                         if column.lower() in kinds and re.sub(r"\D", "", row[column]) == match["id"]:
                             return row
                 name = match["name"]
-        fits = [row for row in self.rows if name.casefold() in {row[column].strip().casefold() for column in columns}
-                | {self.name(row).casefold()}]
+        fits = [row for row in self.rows if folded(name) in {folded(row[column]) for column in columns} | {folded(self.name(row))}]
         return fits[0] if len(fits) == 1 else None
 
     def name(self, row: dict[str, str]) -> str:
@@ -107,6 +107,12 @@ class Roster:
 
     def of(self, student: str) -> dict[str, str]:
         return self.found.get(student, {})
+
+
+def folded(name: str) -> str:
+    """A name as it is compared. A list may write O'Neill with one apostrophe and the folder with the other, and archives of
+    some systems hold accents apart from their letters."""
+    return unicodedata.normalize("NFKC", re.sub("[\u2018\u2019\u02bc\u00b4`]", "'", name)).strip().casefold()
 
 
 def known_as(student: str) -> tuple[str, str]:

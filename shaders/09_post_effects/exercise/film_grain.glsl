@@ -2,7 +2,7 @@
 // Starter: the film has no grain.
 
 // [film_grain]
-// Returns a number from -1 to 1 (1 excluded) for a pixel of a frame of the film. The
+// Returns a number from -1 to 1 for a pixel of a frame of the film. The
 // numbers are uniformly distributed, hence of mean 0 and variance 1/3. They show no
 // pattern: neighbouring pixels, rows, columns, and the same pixel in consecutive frames
 // are uncorrelated, and (x, y) and (y, x) differ. The same pixel and frame always give

@@ -9,7 +9,7 @@
 // that axis.
 //
 // Where the texture is pinched to a point, a step has no length. No component of the
-// result is above most_texels, and a step of length 0 gives exactly most_texels. 1 / 0
-// is undefined in GLSL: do not divide before you limit.
+// result is above most_texels, and a step of length 0 gives most_texels, each to a part
+// in 100,000. 1 / 0 is undefined in GLSL: do not divide before you limit.
 // [/stretch_scale]
 vec2 stretch_scale(vec3 du_mm, vec3 dv_mm, float most_texels) { return vec2(1.0); }

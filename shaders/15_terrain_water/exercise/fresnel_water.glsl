@@ -13,7 +13,8 @@
 // c is therefore the cosine of the refracted ray: its sine is sin_t = eye_index / other_index *
 // sin_i by Snell's law, with sin_i the sine of the given angle. Where sin_t is 1 or more no
 // light gets through, and the result is 1 (total reflection: beyond 48.6 degrees). Where the
-// two indices are equal there is no surface: F0 is 0, and Schlick's formula holds unchanged.
+// two indices are equal F0 is 0, and Schlick's formula holds unchanged. GLSL's asin() and
+// acos() may be wrong by 1e-3: take sines and cosines from each other by sqrt() instead.
 //
 // Tolerance: 1e-4. Cosines within 0.02 of the onset of total reflection, where the formula is
 // steep, are not tested.

@@ -8,12 +8,13 @@
 // gerstner_slopes(): the derivatives of one wave's gerstner(), without the (x, 0, z), as a
 // matrix. The first column is the derivative by x, the third that by z; the second is 0.
 //
-// gerstner_normal(): the unit normal of the surface at a place. `slopes` is the sum of
-// gerstner_slopes() over all waves there. Level water, all slopes 0, has the normal (0, 1, 0).
-// The published shortcut, (-sum of D |k| A cos, 1 - sum of Q |k| A sin), is exact for a single
-// wave only: the tangents dP/dx and dP/dz have to be summed over all waves before their cross
-// product is taken. Where the surface folds the normal may point down. A cross product of
-// length 0, at a cusp, gives (0, 1, 0).
+// gerstner_normal(): the unit normal of the surface at a place, along dP/dz cross dP/dx.
+// `slopes` is the sum of gerstner_slopes() over all waves there. Level water, all slopes 0,
+// has the normal (0, 1, 0). The published shortcut, (-sum of D |k| A cos, 1 - sum of Q |k| A
+// sin), is exact for a single wave only: the tangents dP/dx and dP/dz have to be summed over
+// all waves before their cross product is taken. Where the surface folds over, this normal
+// points down: leave it so. A cross product whose length is exactly 0, at a cusp, gives (0, 1,
+// 0).
 //
 // Tolerance: 1e-5 plus 1e-4 of the value for slopes, 1e-4 for normals.
 // [/gerstner_normal]

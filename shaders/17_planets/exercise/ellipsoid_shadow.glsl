@@ -13,9 +13,9 @@
 //
 // Stretched along the pole by 1 / (1 - flattening), the ellipsoid becomes a sphere of the
 // radius `radius`, and straight lines stay straight. Decide which of the arguments have to
-// be stretched; to_light must have unit length afterwards. The stretch also turns the sun's
-// disc into an ellipse. Ignore this: the edge of the shadow does not move, and its penumbra
-// becomes at most 10% wider or narrower, which is accepted.
+// be stretched; sphere_visibility() takes unit vectors. The stretch also turns the sun's
+// disc into an ellipse. Ignore this: it makes the penumbra wider or narrower by up to the
+// flattening. Tolerance: 0.07.
 // [/ellipsoid_shadow]
 float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad) {
     return sphere_visibility(-point, radius, to_sun, sun_rad);

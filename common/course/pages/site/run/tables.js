@@ -154,7 +154,8 @@ const Tables = {
   },
 
   numbers(probe, words) {
-    return [...probe.whole_result ? new Int32Array(words.buffer, words.byteOffset, words.length) : new Float32Array(words.buffer, words.byteOffset, words.length)];
+    const kind = !probe.whole_result ? Float32Array : probe.signature.startsWith("u") ? Uint32Array : Int32Array;
+    return [...new kind(words.buffer, words.byteOffset, words.length)];
   },
 
   // As common/check/probe.cpp: how far a result is from the truth, in units of the bound.
@@ -193,8 +194,9 @@ const Tables = {
     return values.length === 1 ? Tables.number(values[0]) : `(${values.map(Tables.number).join(", ")})`;
   },
 
-  // The shortest decimal that is this float, as std::to_chars writes it.
+  // An integer whole, else the shortest decimal that is this float, as std::to_chars writes it.
   number(value) {
+    if (Number.isInteger(value) && Math.abs(value) < 9e15) return String(value || 0);
     const float = Math.fround(value);
     if (!Number.isFinite(float)) return Number.isNaN(float) ? "NaN" : float > 0 ? "infinity" : "-infinity";
     if (float === 0) return "0";

@@ -1,0 +1,54 @@
+"""The attacks on grading once more by a user, whose sandboxes are made in another way than root's.
+
+Run by root it builds what grading takes, and becomes nobody. Run by a user it has nothing to add to the other tests.
+"""
+# Builds: serve_main serve_01_obj serve_02_lambert_phong serve_03_attenuation judge_01_obj judge_02_lambert_phong judge_03_attenuation
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import graded_class
+from build.build import build
+from grading.judge import targets
+
+# What only whoever owns the build folder may do was done before: building, and drawing the seed.
+AS_USER = """
+import sys, unittest
+from grading import judge
+judge.build = lambda wanted: None
+judge.Judge.draw_seed = lambda self: 7
+unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
+"""
+MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_forged")
+
+
+def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
+    here = str(Path(__file__).parent)
+    paths = os.pathsep.join([here, str(graded_class.REAL / "common/course")])
+    user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    return subprocess.run([*user, sys.executable, *words], cwd=here, env=os.environ | {"PYTHONPATH": paths, "HOME": home},
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True)
+
+
+@unittest.skipUnless(os.geteuid() == 0, "a user's own tests are these already")
+@unittest.skipIf(graded_class.why_not(), graded_class.why_not())
+class AsUser(unittest.TestCase):
+    def test_each_attack_ends_as_it_does_for_root(self):
+        build(targets(list(graded_class.CHAPTERS)))
+        with tempfile.TemporaryDirectory() as home:
+            Path(home).chmod(0o777)
+            said = as_nobody(["-c", "import graded_class; print(graded_class.why_not())"], home)
+            if said.returncode or said.stdout.strip():
+                self.skipTest(f"nobody cannot read the course or contain anything here: {(said.stdout or said.stderr).strip()[-200:]}")
+            for module in MODULES:
+                with self.subTest(module):
+                    done = as_nobody(["-c", AS_USER, module], home)
+                    self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-6000:])
+
+
+if __name__ == "__main__":
+    unittest.main()
