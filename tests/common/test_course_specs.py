@@ -14,7 +14,7 @@ import tree  # noqa: E402
 from check import spec, variants  # noqa: E402
 
 LONGEST = 100
-WITHOUT_TABLE = 13  # chapters 01 to 13: their lists of variants have no table yet
+OLDER = 13  # chapters 01 to 13: not every list of variants has a table yet
 
 STARTER = """// Exercise 02.sum: a title. It is no sentence of the specification.
 
@@ -62,7 +62,9 @@ class Sentences(unittest.TestCase):
                         self.assertLessEqual(len(line), LONGEST, f"{tree.relative(starter)}:{number}: {exercise}")
 
     def test_each_sentence_is_tested(self):
-        self.assertEqual([line for chapter in tree.chapters()[WITHOUT_TABLE:] for line in spec.untested(chapter)], [])
+        for chapter in tree.chapters():
+            older = tree.chapters().index(chapter) < OLDER
+            self.assertEqual([line for line in spec.untested(chapter) if not (older and ": no table of" in line)], [])
 
 
 class Tables(unittest.TestCase):
