@@ -188,14 +188,14 @@ function(lightwalk_add_trials target name)
 endfunction()
 
 # A program of checks. Of its chapter it has the starters and what checks call: nothing else of the chapter, and none that
-# it builds on, is compiled for it. The checks of 01, 06 and 07 call more, and those of 18 chapter 01's camera.
+# it builds on, is compiled for it. The checks of 01, 06 and 07 call more, and those of 15 and 18 chapter 01's camera.
 function(lightwalk_checked target name)
   target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:chapter_${name},INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(${target} PRIVATE lightwalk)
   if(name MATCHES "^(01|06|07)_")
     target_link_libraries(${target} PRIVATE chapter_${name})
     return()
-  elseif(name MATCHES "^18_")
+  elseif(name MATCHES "^(15|18)_")
     target_link_libraries(${target} PRIVATE chapter_01_obj)
   endif()
   foreach(part exercises called)
