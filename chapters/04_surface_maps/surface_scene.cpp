@@ -2,23 +2,20 @@
 
 namespace lightwalk {
 
-SurfaceScene::SurfaceScene(Module& owner, std::string name)
-    : SurfaceScene(owner, std::move(name), "04_surface_maps/lit.frag") {}
+SurfacePipelines see_through(const char* fragment, Macros macros) {
+    macros.set("TRANSPARENT", "1");
+    return SurfacePipelines(
+        {.fragment = fragment, .depth_write = false, .blend = Blend::alpha, .macros = std::move(macros)});
+}
 
 SurfaceScene::SurfaceScene(Module& owner, std::string name, const char* fragment)
     : Drawing(owner, std::move(name)),
       maps(owner, "maps"),
       lights(owner, "lights"),
       shade_({.fragment = fragment}),
-      see_through_(see_through(fragment, {})),
+      see_through_(see_through(fragment)),
       see_through_tiles_(see_through(fragment, {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}})) {
     lights.method.change_default("every_light");
-}
-
-SurfacePipelines SurfaceScene::see_through(const char* fragment, Macros macros) {
-    macros.set("TRANSPARENT", "1");
-    return SurfacePipelines(
-        {.fragment = fragment, .depth_write = false, .blend = Blend::alpha, .macros = std::move(macros)});
 }
 
 void SurfaceScene::update(Frame& frame) {
@@ -27,7 +24,8 @@ void SurfaceScene::update(Frame& frame) {
 
 std::vector<With> SurfaceScene::given() const {
     std::vector<With> with{maps, lights};
-    with.insert(with.end(), shading_with.begin(), shading_with.end());
+    with.insert(with.end(), shading.with.begin(), shading.with.end());
+    if (shadows) with.emplace_back(*shadows);
     return with;
 }
 
@@ -38,7 +36,7 @@ std::vector<const Module*> SurfaceScene::made_of() const {
     return all;
 }
 
-std::vector<Batch> SurfaceScene::opaque_batches() const { return surfaces ? surfaces() : scene_->opaque().batches(); }
+std::vector<Batch> SurfaceScene::opaque_batches() const { return drawn ? drawn() : scene_->opaque().batches(); }
 
 std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std::vector<Batch> batches) const {
     return [this, &both, batches = std::move(batches)](Raster& pass) {
@@ -46,23 +44,19 @@ std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std:
     };
 }
 
-void SurfaceScene::record_light(Frame& frame, const View& view, const ImageView& depth) {
-    lights.record(frame, *scene_, view, depth);
-}
-
 // [draw]
-void SurfaceScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
+void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort) {
     // 1. Lights into the view's tiles or clusters, if one of these is the method. Tiles need the depth.
     if (lights.needs_depth())
-        frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading_reads, .with = {maps}},
-                     by(depth_));
-    record_light(frame, view, canvas.single_depth());
+        frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading.reads, .with = {maps}},
+                     by(depth_pipelines()));
+    sort();
 
     // 2. All opaque surfaces.
     frame.raster(
         "shade",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading_reads, .with = given()},
-        by(shading ? *shading : shade_));
+        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading.reads, .with = given()},
+        by(opaque_pipelines()));
 }
 // [/draw]
 
@@ -77,14 +71,14 @@ std::vector<Drawing::Transparent> SurfaceScene::transparent(const View& view) co
     return all;
 }
 
-const SurfacePipelines& SurfaceScene::see_through_pipelines() const {
-    return transparent_shading ? *transparent_shading : lights.method.is("tiled") ? see_through_tiles_ : see_through_;
+const SurfacePipelines& SurfaceScene::transparent_pipelines() const {
+    return shading.transparent ? *shading.transparent : lights.method.is("tiled") ? see_through_tiles_ : see_through_;
 }
 
 void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> items) const {
     std::vector<Batch> one_by_one;
     for (const Transparent& item : items) one_by_one.emplace_back(*scene_, item.item, 1u);
-    const SurfacePipelines& both = see_through_pipelines();
+    const SurfacePipelines& both = transparent_pipelines();
     maps.draw(pass, *scene_, one_by_one, both.loaded, both.displaced);
 }
 // [/transparent]
@@ -110,7 +104,7 @@ std::vector<Drawing::TransparentTriangle> SurfaceScene::transparent_triangles(co
 void SurfaceScene::draw_transparent_triangles(Raster& pass, uint32_t item, const Buffer& indices, uint32_t first,
                                               uint32_t count) const {
     const Batch batch(*scene_, item, 1);
-    pass.use(see_through_pipelines().loaded, maps.variant(batch.item()));
+    pass.use(transparent_pipelines().loaded, maps.variant(batch.item()));
     pass.offer("ambient", scene_->ambient());
     batch.bind(pass);
     pass.draw_indexed(indices, first, count, 1, item);

@@ -1,59 +1,80 @@
 #include "05_shadow_maps/lit_scene.h"
 
 #include <functional>
+#include <utility>
 
 #include "05_shadow_maps/holes.h"
 
 namespace lightwalk {
 
-std::vector<With> LitScene::given() const {
-    std::vector<With> with = SurfaceScene::given();
-    with.push_back(shadow);
-    return with;
+LitScene::LitScene(Module& owner, std::string name, std::optional<Shading> fixed)
+    : Drawing(owner, name), surfaces(owner, name, "05_shadow_maps/surface.frag"), shadow(owner, "shadow") {
+    surfaces.shadows = &shadow;
+    if (fixed)
+        shading = std::move(*fixed);
+    else
+        shaded_.emplace(
+            *this, "shaded", std::vector<std::string>{"raster", "visibility"}, "raster",
+            "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
+            "compute, once for each pixel of a visibility buffer; raster for displaced meshes and for several samples "
+            "per pixel");
+}
+
+std::vector<const Module*> LitScene::made_of() const {
+    std::vector<const Module*> all = surfaces.made_of();
+    all.push_back(this);
+    return all;
 }
 
 // A shading that somebody else gave is a fragment shader.
 // [visibility]
 bool LitScene::shades_seen(const Canvas& canvas) const {
-    return shaded && shaded->is("visibility") && !shading && VisibilityBuffer::suits(maps, canvas);
+    return shaded_ && shaded_->is("visibility") && !shading.opaque && VisibilityBuffer::suits(maps, canvas);
 }
 
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
-    if (!shades_seen(canvas)) return SurfaceScene::draw(frame, view, canvas);
-    draw_seen(frame, canvas, [&] { record_light(frame, view, canvas.single_depth()); });
+    if (!shades_seen(canvas)) return draw_lit(frame, view, canvas);
+    draw_seen(frame, canvas, [&] {
+        lights.record(frame, surfaces.scene(), view, canvas.single_depth());
+        record_shadows(frame, view);
+    });
 }
 
-void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& cells, int times) {
-    const std::vector<Batch> once = opaque_batches();
+void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
+    surfaces.draw_lit(frame, canvas, [&] {
+        lights.record(frame, surfaces.scene(), view, canvas.single_depth());
+        record_shadows(frame, view);
+    });
+}
+
+void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times) {
+    const std::vector<Batch> once = surfaces.opaque_batches();
     std::vector<Batch> drawn;
     for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
-    seen_.record(frame, *scene_, maps, drawn, canvas);
-    cells();
-    seen_.shade(frame, *scene_, maps, once, canvas, shade_seen_, given());
+    seen_.record(frame, surfaces.scene(), maps, drawn, canvas);
+    sort();
+    seen_.shade(frame, surfaces.scene(), maps, once, canvas, shade_seen_, surfaces.given());
 }
 // [/visibility]
-
-void LitScene::record_light(Frame& frame, const View& view, const ImageView& depth) {
-    SurfaceScene::record_light(frame, view, depth);
-    record_shadows(frame, view);
-}
 
 // [casters]
 // Casters with holes cut by textures are drawn with their maps; all others are solid.
 void LitScene::record_shadows(Frame& frame, const View& view) {
+    const Scene& scene = surfaces.scene();
     const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
     const auto draw = [&](Raster& pass, const DrawList& casters) {
         pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
-        maps.draw(pass, *scene_, casters.where(has_holes), caster_, caster_);
+        maps.draw(pass, scene, casters.where(has_holes), caster_, caster_);
     };
     const auto by = [&](const SurfacePipelines& both) {
         return [&](Raster& pass, const DrawList& casters) {
-            maps.draw(pass, *scene_, casters, both.loaded, both.displaced);
+            maps.draw(pass, scene, casters, both.loaded, both.displaced);
         };
     };
     Shadow::Casters casters{{maps}, draw, by(first_), by(passed_)};
-    casters.others_placed = holes_cut(maps, *scene_, frame.time_s);
-    shadow.record(frame, *scene_, lights, view, casters);
+    casters.others_placed = holes_cut(maps, scene, frame.time_s);
+    if (!scene.items.empty()) casting_.add_to(casters);  // else nothing would be shaded
+    shadow.record(frame, scene, lights, view, casters);
 }
 // [/casters]
 

@@ -48,7 +48,7 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
                        inside(scene.opaque()),
                        inside(scene.transparent()).where(has_shadow),
                        {view->view.view_projection, {}, casters.others_placed},
-                       !casters.others.empty()};
+                       !casters.others.empty() && may_show(casters.others, view->casters)};
             for (const DrawList* const list : {&one.casters, &one.passed})
                 for (const uint32_t i : list->items()) one.content.casters.emplace_back(i, scene.items[i].transform);
             std::ranges::sort(one.content.casters, {}, &std::pair<uint32_t, glm::mat4>::first);

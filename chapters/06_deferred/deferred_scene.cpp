@@ -1,21 +1,34 @@
 #include "06_deferred/deferred_scene.h"
 
+#include <utility>
+
 namespace lightwalk {
 
+DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed)
+    : Drawing(owner, name), lit(owner, name, std::move(fixed)), gbuffer(owner, "gbuffer") {
+    lights.method.change_default("clustered");
+}
+
+std::vector<const Module*> DeferredScene::made_of() const {
+    std::vector<const Module*> all = lit.made_of();
+    all.push_back(&gbuffer);
+    return all;
+}
+
 std::vector<With> DeferredScene::with(std::vector<With> modules) const {
-    modules.insert(modules.end(), shading_with.begin(), shading_with.end());
+    modules.insert(modules.end(), shading.with.begin(), shading.with.end());
     return modules;
 }
 
 std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both, std::vector<Batch> batches) const {
-    return [this, draw = by(both, std::move(batches))](Raster& pass) {
+    return [this, draw = surfaces.by(both, std::move(batches))](Raster& pass) {
         for (int i = 0; i < times; ++i) draw(pass);
     };
 }
 
 std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
     std::vector<Batch> kept;
-    for (const Batch& batch : opaque_batches()) {
+    for (const Batch& batch : surfaces.opaque_batches()) {
         const DrawItem& item = batch.item();
         if (stored != (maps.has_microfacets(item) || item.material.unlit)) kept.push_back(batch);
     }
@@ -44,26 +57,27 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
 
 void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     // 1. The shadow maps.
-    record_shadows(frame, view);
+    lit.record_shadows(frame, view);
 
     // 2. Depth alone, if requested.
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
-    const bool in_compute = !gbuffer.shows_loss() && shades_seen(canvas);  // a visibility buffer has depth itself
+    const bool in_compute = !gbuffer.shows_loss() && lit.shades_seen(canvas);  // a visibility buffer has depth itself
     if (depth_first || (forwards && !in_compute && lights.needs_depth()))
-        frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})},
-                     often_by(depth_, forwards ? opaque_batches() : batches_by_stored(true)));
+        frame.raster(
+            "depth", {.depth = canvas.depth_target(), .with = with({maps})},
+            often_by(surfaces.depth_pipelines(), forwards ? surfaces.opaque_batches() : batches_by_stored(true)));
 
     // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
     gbuffer.begin(frame, view, canvas.single_depth());
     if (forwards) return draw_forward(frame, view, canvas);
-    write_gbuffer(frame, view, canvas);
-    const glm::vec3 ambient = rest ? glm::vec3(0.0f) : scene_->ambient();
-    deferred_lights_.record(frame, *scene_, ambient, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
+    write_gbuffer(frame, canvas);
+    const glm::vec3 ambient = shading.rest ? glm::vec3(0.0f) : scene().ambient();
+    deferred_lights_.record(frame, scene(), ambient, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
     add_rest(frame, canvas);
     if (!gbuffer.show.is("picture")) return deferred_lights_.show(frame, canvas, gbuffer);
     draw_unstored(frame, view, canvas);
     // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
-    if (scene_->transparent().size() > 0) lights.record(frame, *scene_, view, canvas.depth(frame));
+    if (scene().transparent().size() > 0) lights.record(frame, scene(), view, canvas.depth(frame));
 }
 
 // Lit as they are drawn, by the lights of their own cells.
@@ -72,44 +86,42 @@ void DeferredScene::draw_unstored(Frame& frame, const View& view, Canvas& canvas
     if (batches.empty()) return;
     if (lights.needs_depth())
         frame.raster("depth of the unstored", {.depth = canvas.depth_target(), .with = with({maps})},
-                     often_by(depth_, batches));
-    lights.record(frame, *scene_, view, canvas.depth(frame));
+                     often_by(surfaces.depth_pipelines(), batches));
+    lights.record(frame, scene(), view, canvas.depth(frame));
     frame.raster(
         "unstored",
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow})},
-        often_by(shading ? *shading : shade_, batches));
+        often_by(surfaces.opaque_pipelines(), batches));
 }
 
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
-    const auto sort_lights = [&] { lights.record(frame, *scene_, view, canvas.single_depth()); };
+    const auto sort_lights = [&] { lights.record(frame, scene(), view, canvas.single_depth()); };
     const bool loss = gbuffer.shows_loss();
-    if (!loss && shades_seen(canvas)) return draw_seen(frame, canvas, sort_lights, times);
+    if (!loss && lit.shades_seen(canvas)) return lit.draw_seen(frame, canvas, sort_lights, times);
     sort_lights();
     const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
     frame.raster("forward",
                  {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
-                 often_by(loss      ? lost_
-                          : shading ? *shading
-                                    : shade_,
-                          opaque_batches()));
+                 often_by(loss ? lost_ : surfaces.opaque_pipelines(), surfaces.opaque_batches()));
 }
 
-void DeferredScene::write_gbuffer(Frame& frame, const View&, Canvas& canvas) {
+void DeferredScene::write_gbuffer(Frame& frame, Canvas& canvas) {
     const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
-    frame.raster("gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
-                 often_by(writing ? *writing : *pipelines[static_cast<size_t>(cull)], batches_by_stored(true)));
+    frame.raster(
+        "gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
+        often_by(shading.stored ? *shading.stored : *pipelines[static_cast<size_t>(cull)], batches_by_stored(true)));
     gbuffer.written();
 }
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
     const std::vector<Batch> stored = batches_by_stored(true);
-    const std::vector<Batch> batches = rest ? stored : emitting(*scene_, stored);
+    const std::vector<Batch> batches = shading.rest ? stored : emitting(scene(), stored);
     if (batches.empty()) return;
-    const SurfacePipelines& both = rest ? *rest : emission_;
+    const SurfacePipelines& both = shading.rest ? *shading.rest : emission_;
     frame.raster(
-        rest ? "ambient and emission" : "emission",
+        shading.rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
-        [&](Raster& pass) { maps.draw(pass, *scene_, batches, both.loaded, both.displaced); });
+        [&](Raster& pass) { maps.draw(pass, scene(), batches, both.loaded, both.displaced); });
 }
 // [/draw]
 

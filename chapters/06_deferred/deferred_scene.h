@@ -9,19 +9,16 @@ namespace lightwalk {
 // [deferred_scene]
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
 /// room for (microfacets, unlit ones) and transparent ones are drawn as LitScene draws them.
-struct DeferredScene : LitScene {
-    DeferredScene(Module& owner, std::string name) : LitScene(owner, std::move(name)), gbuffer(owner, "gbuffer") {
-        lights.method.change_default("clustered");
-    }
+struct DeferredScene : Drawing, ItemCaster {
+    DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
+    LitScene lit;
+    SurfaceScene& surfaces = lit.surfaces;
+    Maps& maps = lit.maps;
+    Lights& lights = lit.lights;
+    Shadow& shadow = lit.shadow;
+    Shading& shading = lit.shading;
     GBuffer gbuffer;
-
-    /// What `shading` makes of a surface beside the light of `lights` has no room in a G-buffer. So who gives one gives
-    /// these, too: `writing` puts into the G-buffer what lights need, and `rest` adds all else, emission and ambient light
-    /// included, once for each pixel in which something is seen.
-    const SurfacePipelines* writing = nullptr;
-    const SurfacePipelines* rest = nullptr;
-    static SurfacePipelines added(const char* fragment, Macros macros = {});
 
     int times = 1;             ///< how often every surface is drawn
     bool depth_first = false;  ///< depth alone before, so that each pixel is written once
@@ -32,23 +29,29 @@ struct DeferredScene : LitScene {
         left_out
     } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
 
+    void meet(const Drawings& drawings) override { lit.meet(drawings); }
+    std::vector<const Module*> made_of() const override;
+    void update(Frame& frame) override { lit.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     /// None before what a G-buffer holds.
-    std::vector<Transparent> transparent(const View& view) const override {
-        return gbuffer.show.is("picture") ? LitScene::transparent(view) : std::vector<Transparent>{};
-    }
+    const Drawing* transparent_part() const override { return gbuffer.show.is("picture") ? &surfaces : nullptr; }
+    const Maps& cut_by() const override { return maps; }
     // [/deferred_scene]
+
+    /// For Shading::rest: added to the light in a pixel.
+    static SurfacePipelines added(const char* fragment, Macros macros = {});
 
   private:
     void draw_alone(Frame& frame, const View& view, Canvas& canvas);
     void draw_forward(Frame& frame, const View& view, Canvas& canvas);
-    void write_gbuffer(Frame& frame, const View& view, Canvas& canvas);
+    void write_gbuffer(Frame& frame, Canvas& canvas);
     void add_rest(Frame& frame, Canvas& canvas);
     void draw_unstored(Frame& frame, const View& view, Canvas& canvas);
     /// The opaque surfaces that the G-buffer holds, or the others.
     std::vector<Batch> batches_by_stored(bool stored) const;
     std::function<void(Raster&)> often_by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     std::vector<With> with(std::vector<With> modules) const;
+    const Scene& scene() const { return surfaces.scene(); }
 
     DeferredLights deferred_lights_;
     Image own_color_, own_depth_;  ///< where others have drawn before

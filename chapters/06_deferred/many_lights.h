@@ -10,9 +10,9 @@ namespace lightwalk {
 // [many_lights]
 struct ManyLights : World {
     explicit ManyLights(Module& owner) : World(owner) {
-        objects.all_lights = [this](const Frame& frame) { return all_lights(frame); };
-        objects.surfaces = [this] { return screens.batches(scene()); };
-        objects.shading_with = {screens};
+        objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
+        objects.surfaces.drawn = [this] { return screens.batches(scene()); };
+        objects.shading.with = {screens};
     }
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
@@ -28,7 +28,8 @@ struct ManyLights : World {
   protected:
     // Pictures from other cameras, for the screens of the scene: the same objects, drawn forward.
     void record(Frame& frame) override {
-        screens.record(frame, scene(), [&](const View& from, Canvas& into) { objects.draw_lit(frame, from, into); });
+        screens.record(frame, scene(),
+                       [&](const View& from, Canvas& into) { objects.lit.draw_lit(frame, from, into); });
     }
 
     virtual std::vector<Light> all_lights(const Frame& frame) const {

@@ -51,7 +51,7 @@ struct Mipmaps : ModelChapter {
     // Chapter 04's surfaces, with levels or with the first ones alone.
     void draw_objects(Frame& frame, const View& view, const Image& into, bool levels) {
         textures.use(scene, levels);
-        objects.shading_reads = textures.reads();
+        objects.shading.reads = textures.reads();
         Canvas canvas(into, frame.depth, glm::vec4(scene.file.background, 1.0f));
         draw(frame, view, canvas, {objects});
     }

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "04_surface_maps/surface_scene.h"
+#include "04_surface_maps/surfaces.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"
@@ -11,7 +11,7 @@ using namespace lightwalk;
 
 struct BloomChapter : ModelChapter {
     Bloom bloom{*this, "bloom"};
-    SurfaceScene objects{*this, "objects"};
+    Surfaces world{*this};
     Choice source{
         *this, "source", {"scene", "spot"}, "scene", "Picture that blooms: the scene, or a single bright pixel"};
     Knob<float> spot_x{*this,
@@ -33,7 +33,6 @@ struct BloomChapter : ModelChapter {
 
     BloomChapter() {
         bloom.method.alone = true;  // --method is about bloom here
-        objects.maps.method.change_default("normal");
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
 
@@ -46,9 +45,9 @@ struct BloomChapter : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         // 1. A picture in linear light, with values above the white of a screen.
-        const View view = set_view(frame);
-        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-        source.is("spot") ? point.draw_spot(frame, spot_x) : draw(frame, view, canvas, {objects});
+        const View view = set_view(frame, world);
+        Canvas canvas(frame.hdr, frame.depth, world.background());
+        source.is("spot") ? point.draw_spot(frame, spot_x) : world.draw_light(frame, view, canvas);
 
         // 2. Its bloom.
         bloom.record(frame, frame.hdr);

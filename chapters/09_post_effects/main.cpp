@@ -1,19 +1,17 @@
 // Chapter 09: from light to the screen. Depth of field, exposure, tone curves and post effects.
 #include "01_obj/model_chapter.h"
-#include "06_deferred/deferred_scene.h"
 #include "08_bloom/bloom.h"
-#include "09_post_effects/depth_of_field.h"
 #include "09_post_effects/effect_count.h"
 #include "09_post_effects/post.h"
+#include "09_post_effects/through_lens.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct PostEffects : ModelChapter {
-    DepthOfField dof{*this, "dof"};
+    ThroughLens world{*this};
     Bloom bloom{*this, "bloom"};
     Post post{*this, "post"};
-    DeferredScene objects{*this, "objects"};
     Choice source{*this,
                   "source",
                   {"scene", "chart"},
@@ -28,9 +26,8 @@ struct PostEffects : ModelChapter {
     Pipeline chart = compute({.shader = "09_post_effects/chart.comp"});
 
     PostEffects() {
-        dof.method.alone = true;  // --method is about depth of field here: the others are fast and exact
-        bloom.method.change_default("none");
-        objects.maps.method.change_default("normal");
+        set_look(world, *this);
+        world.dof.method.alone = true;  // --method is about depth of field here: the others are fast and exact
     }
     std::string default_scene() const override { return "scenes/evening.json"; }
 
@@ -42,14 +39,14 @@ struct PostEffects : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const KnobsForFrame kept(post, reference, effects);
-        const View view = set_view(frame);
+        const View view = set_view(frame, world);
 
-        // 1. A picture in linear light: chapter 06's objects, with depth of field.
-        Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
+        // 1. A picture in linear light: chapter 06's objects, with depth of field (through_lens.h).
+        Canvas canvas(frame.hdr, frame.depth, world.background());
         if (source.is("chart"))
             draw_chart(frame);
         else
-            dof.record(frame, view, canvas, {objects});
+            world.draw_light(frame, view, canvas);
 
         // 2. Chapter 08's bloom.
         bloom.record(frame, frame.hdr);

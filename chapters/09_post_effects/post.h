@@ -71,10 +71,10 @@ struct Post : Module {
     // Tone mapping.
     Choice tone{*this,
                 "tone",
-                {"off", "clamp", "reinhard", "narkowicz", "hill", "neutral", "agx", "aces"},
+                {"off", "clamp", "reinhard", "film", "narkowicz", "hill", "neutral", "agx", "aces"},
                 "hill",
-                "Tone curve from light to display values: none, clamp, Reinhard, Narkowicz, Hill, Khronos Neutral, "
-                "AgX, ACES 1.0 (the reference that Narkowicz and Hill approximate)"};
+                "Tone curve from light to display values: none, clamp, Reinhard, film (1 - exp(-x)), Narkowicz, "
+                "Hill, Khronos Neutral, AgX, ACES 1.0 (the reference that Narkowicz and Hill approximate)"};
     Knob<bool> match{*this, "match", false,
                      "Equal brightness: every tone curve maps middle grey, 0.18, to the value that ACES gives it"};
 

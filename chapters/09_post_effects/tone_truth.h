@@ -55,6 +55,7 @@ inline glm::dvec3 tone(const std::string& name, glm::dvec3 radiance) {
     const glm::dvec3 c = glm::clamp(radiance, 0.0, 65504.0);
     if (name == "clamp") return glm::min(c, glm::dvec3(1));
     if (name == "reinhard") return c / (1.0 + c);
+    if (name == "film") return 1.0 - glm::exp(-c);
     if (name == "narkowicz") return glm::clamp(glm::dvec3(narkowicz(c.r), narkowicz(c.g), narkowicz(c.b)), 0.0, 1.0);
     if (name == "hill") return hill(c);
     if (name == "neutral") return neutral(c);

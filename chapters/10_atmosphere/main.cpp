@@ -1,20 +1,14 @@
 // Chapter 10: the atmosphere of a planet, from the ground to orbit.
 #include "01_obj/model_chapter.h"
 #include "09_post_effects/encode_film.h"
-#include "10_atmosphere/height_fog.h"
-#include "10_atmosphere/mountains.h"
-#include "10_atmosphere/preetham.h"
+#include "10_atmosphere/islands.h"
 #include "common/app/show_image.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct AtmosphereChapter : ModelChapter {
-    Atmosphere atmosphere{*this, "atmosphere"};
-    Planet planet{*this, "planet", atmosphere};
-    Mountains mountains{*this, "mountains", atmosphere, planet};
-    HeightFog fog{*this, "fog"};
-
+    Islands world{*this};
     Choice show{*this,
                 "show",
                 {"picture", "transmittance", "multiple", "sky", "doubt"},
@@ -24,21 +18,21 @@ struct AtmosphereChapter : ModelChapter {
     Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "Scale factor for the brightness of a displayed table"};
 
     AtmosphereChapter() {
-        atmosphere.method.alone = true;  // --method is about the air here
-        fog.method.change_default("none");
+        world.atmosphere.method.alone = true;  // --method is about the air here
     }
     std::string default_scene() const override { return "scenes/islands.json"; }
 
     // [frame]
     void frame(Frame& frame) override {
-        const View view = set_view(frame);
+        const View view = set_view(frame, world);
 
-        // 1. Mountains, the planet with the stars behind it, and the air and the fog in front.
-        Canvas canvas(frame.hdr, frame.depth);
-        draw(frame, view, canvas, {mountains, planet, atmosphere, fog});
+        // 1. Mountains, the planet with the stars behind it, and the air and the fog in front (islands.h).
+        Canvas canvas(frame.hdr, frame.depth, world.background());
+        world.draw_light(frame, view, canvas);
 
         // 2. A table or the standard error in place of the picture, if the knob says so.
-        if (const Image* table = atmosphere.table(show.text())) show_image(frame, *table, {.gain = glm::vec3(gain)});
+        if (const Image* table = world.atmosphere.table(show.text()))
+            show_image(frame, *table, {.gain = glm::vec3(gain)});
 
         // 3. Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);

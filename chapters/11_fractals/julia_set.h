@@ -11,7 +11,9 @@ struct JuliaSet : World {
     Julia julia{*this, "julia", environment};
 
     Drawings drawings() override { return {julia}; }
-    std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
+    std::vector<std::pair<std::string, std::string>> look() const override {
+        return {{"bloom.method", "none"}, {"post.tone", "film"}};
+    }
 };
 
 }  // namespace lightwalk

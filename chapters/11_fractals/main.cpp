@@ -4,6 +4,7 @@
 #include "01_obj/model_chapter.h"
 #include "09_post_effects/encode_film.h"
 #include "11_fractals/depth_error.h"
+#include "11_fractals/fractal.h"
 #include "11_fractals/normal_error.h"
 #include "common/app/knob_scope.h"
 #include "common/window/run.h"
@@ -11,24 +12,18 @@
 using namespace lightwalk;
 
 struct Fractals : ModelChapter {
-    Choice world{*this, "world", {"julia", "terrain"}, "julia", "Subject of the picture: a Julia set, or a landscape"};
+    Fractal world{*this};
+    Julia& julia = world.set.julia;
+    Terrain& terrain = world.terrain;
     Choice method{*this,
                   "method",
                   {"as_set", "fixed", "distance", "relaxed", "cone", "central", "analytic", "exact"},
                   "as_set",
                   "Method of the subject: julia.method or terrain.method as set there, or the one named here; exact is "
                   "the reference of both"};
-    EnvironmentLight environment{*this, "environment"};
-    Julia julia{*this, "julia", environment};
-    Terrain terrain{*this, "terrain"};
-    const Drawings worlds{julia, terrain};
     DepthError depth_error;
 
-    Fractals() {
-        method.alone = true;
-        julia.in_use = [this] { return world.is("julia"); };
-        terrain.in_use = [this] { return world.is("terrain"); };
-    }
+    Fractals() { method.alone = true; }
     std::string default_scene() const override { return "scenes/julia_sunset.json"; }
 
     // For the study: where rays end, and how normals lie, against double precision.
@@ -38,7 +33,7 @@ struct Fractals : ModelChapter {
         terrain.show.set("normals");
         Frame own(gpu);
         render(*this, own, {.size = size});
-        if (world.is("julia"))
+        if (world.subject.is("julia"))
             depth_error.measure(gpu, julia, camera, 0.0, error);
         else
             measure_normals(gpu, terrain, own, error);
@@ -49,7 +44,7 @@ struct Fractals : ModelChapter {
         explicit Chosen(Fractals& f) {
             const Choice& named = f.method;
             if (named.is("as_set")) return;
-            if (f.world.is("julia")) {
+            if (f.world.subject.is("julia")) {
                 const bool is_terrains = named.is("central") || named.is("analytic");
                 method.emplace(f.julia.method, is_terrains ? "exact" : named.text());
                 return;
@@ -63,9 +58,10 @@ struct Fractals : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const Chosen chosen(*this);
-        const View view = set_view(frame);
-        Canvas canvas(frame.hdr, world.is("julia") ? ImageView() : frame.depth);  // a set's depth would not be read
-        draw(frame, view, canvas, {worlds[world.index]});
+        const View view = set_view(frame, world);
+        // A set's depth would not be read.
+        Canvas canvas(frame.hdr, world.subject.is("julia") ? ImageView() : frame.depth, world.background());
+        world.draw_light(frame, view, canvas);
 
         // Linear light to the codes that a screen expects; bright light fades to white.
         encode_film(frame);

@@ -19,7 +19,6 @@ struct SkinChapter : ModelChapter {
         "Image shown: the picture; the maps of irradiance, one Gaussian, their sum, stretch, ambient occlusion or "
         "thickness; the specular reflection alone; or the borders of the charts"};
     Knob<int> level{*this, "level", 0, {0, 5}, "Gaussian to show (show level): 0 is the narrowest"};
-    Knob<float> dolly{*this, "dolly", 1.0f, {0.2f, 64.0f}, "Scale factor for the distance of the camera"};
 
     SkinChapter() {
         head.skin.method.alone = true;  // --method is about skin here
@@ -28,14 +27,13 @@ struct SkinChapter : ModelChapter {
 
     // For the study: how wide the widest Gaussian is on the screen, in pixels.
     void measure(Gpu&, glm::uvec2 size, nlohmann::json& error) override {
-        error["widest_px"] = Skin::widest_px(dolly * glm::length(camera.position - camera.target), camera, size.y);
+        error["widest_px"] =
+            Skin::widest_px(world.dolly * glm::length(camera.position - camera.target), camera, size.y);
     }
 
     // [frame]
     void frame(Frame& frame) override {
-        Camera there = camera;
-        there.position = glm::mix(camera.target, camera.position, dolly.value);
-        const View view = look_at(world, frame, scene, there);
+        const View view = set_view(frame, world);
 
         // 1. The light on the map of the skin, its blur, and the head in its environment (head.cpp).
         head.shown = show.is("specular")    ? Skin::Shown::specular

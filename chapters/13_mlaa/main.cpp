@@ -3,33 +3,18 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "11_fractals/julia.h"
-#include "11_fractals/terrain.h"
-#include "12_skin/head.h"
 #include "13_mlaa/edge_error.h"
 #include "13_mlaa/flicker.h"
 #include "13_mlaa/four_samples.h"
-#include "13_mlaa/half_plane.h"
 #include "13_mlaa/mlaa.h"
+#include "13_mlaa/outlines.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct MlaaChapter : ModelChapter {
     Mlaa antialias{*this, "mlaa"};
-    LitScene objects{*this, "objects"};
-    HalfPlane half_plane{*this, "half_plane"};
-    Choice world{*this,
-                 "world",
-                 {"objects", "julia", "terrain", "head", "half_plane"},
-                 "objects",
-                 "Picture to filter: the objects of the scene; a Julia set or landscape of chapter 11; the head of "
-                 "chapter 12; or a half-plane of black and white"};
-    Choice clip{*this,
-                "clip",
-                {"before", "after"},
-                "before",
-                "Clipping of light brighter than white: before or after pixels are mixed"};
+    Outlines world{*this};
     Choice show{*this,
                 "show",
                 {"picture", "edges", "lengths"},
@@ -41,28 +26,12 @@ struct MlaaChapter : ModelChapter {
     Knob<float> turn_deg_per_s{
         *this, "turn_deg_per_s", 0.0f, {-360.0f, 360.0f}, "Speed at which the camera turns to its left", "deg/s"};
 
-    EnvironmentLight environment{*this, "environment"};
-    Julia julia{*this, "julia", environment};
-    Terrain terrain{*this, "terrain"};
-    Head head{*this, "head", objects, environment};
-    const Drawings worlds{objects, julia, terrain, head, half_plane};
-    const SurfacePipelines surface{{.fragment = "13_mlaa/surface.frag"}};
-    const SurfacePipelines glass =
-        LitScene::see_through("13_mlaa/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
-    Pipeline cut_off = compute({.shader = "13_mlaa/clip.comp"});
     FourSamples four_samples{*this};
     EdgeError edge_error;
     Flicker flicker;
 
     MlaaChapter() {
         antialias.method.alone = true;  // --method is about edges here
-        objects.maps.method.change_default("normal");
-        objects.shading = &surface;
-        objects.shaded.reset();
-        objects.transparent_shading = &glass;
-        julia.in_use = [this] { return world.is("julia"); };
-        terrain.in_use = [this] { return world.is("terrain"); };
-        head.skin.in_use = [this] { return world.is("head"); };
     }
     std::string default_scene() const override { return "scenes/city.json"; }
 
@@ -77,18 +46,15 @@ struct MlaaChapter : ModelChapter {
     // The world, seen through one sample of each pixel, or four.
     void draw_light(Frame& frame, const View& view) {
         const auto draw_from = [&](const View& from) {
-            Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
-            if (antialias.method.is("msaa_4x") && world.is("objects")) four_samples.multisample(frame, canvas);
-            draw(frame, from, canvas, {worlds[world.index]});
+            Canvas canvas(frame.hdr, frame.depth, world.background());
+            if (antialias.method.is("msaa_4x") && world.has_triangles()) four_samples.multisample(frame, canvas);
+            world.draw_light(frame, from, canvas);
             if (antialias.method.is("taa")) canvas.depth(frame);
         };
         if (antialias.method.is("supersample_4"))
             four_samples.supersample(frame, view, draw_from);
         else
             draw_from(view);
-        if (clip.is("before") && !world.is("objects"))
-            frame.compute("clip", {.reads = {frame.hdr}, .writes = {frame.hdr}},
-                          [&](Compute& pass) { pass.use(cut_off).set("hdr", frame.hdr).dispatch_threads(frame.size); });
     }
 
     // At time 0 it stands where the scene puts it.
@@ -106,11 +72,11 @@ struct MlaaChapter : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         // 1. A picture in linear light, or the mean of four.
-        const View view = set_view(frame, walked(frame.time_s));
+        const View view = look_at(world, frame, scene, walked(frame.time_s));
         draw_light(frame, view);
 
         // 2. Anti-aliasing by a filter or over frames, unless the picture was drawn with several samples.
-        antialias.record(frame, frame.hdr, {view, frame.depth, world.is("objects") ? &scene : nullptr});
+        antialias.record(frame, frame.hdr, {view, frame.depth, world.has_triangles() ? &scene : nullptr});
 
         // 3. The edges or the lengths in place of the picture, if the knob says so.
         if (!show.is("picture")) antialias.show_edges(frame, frame.hdr, show.is("lengths"));

@@ -9,7 +9,7 @@ void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
     const Image& picture = *scene_->environment;
     const EnvironmentScale turn = environment_scale(*scene_, light_.intensity, light_.turn_deg);
     const bool has_ground = ground.is("projected"), shaded = has_ground && !scene_->items.empty();
-    if (shaded) shadow.record(frame, *scene_, turn, ground_y);
+    if (shaded) shadow.record(frame, *scene_, cut_by_, turn, ground_y);
     const ImageView behind = canvas.color_overwritten();
     const ImageView arriving = shaded ? ImageView(shadow.arriving) : ImageView(picture).mip(0);
     frame.compute("backdrop", {.reads = {picture, arriving}, .writes = {behind}}, [&](Compute& pass) {

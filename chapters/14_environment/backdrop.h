@@ -1,8 +1,8 @@
 // The environment's picture behind everything else, as a drawing.
 #pragma once
+#include "05_shadow_maps/casting.h"
 #include "14_environment/ground_shadow.h"
 #include "14_environment/image_light.h"
-#include "common/app/drawing.h"
 
 namespace lightwalk {
 
@@ -33,11 +33,13 @@ struct Backdrop : Drawing {
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     Phase drawn_in() const override { return Phase::backdrop; }
     std::vector<const Module*> made_of() const override { return {this, &light_}; }
+    void meet(const Drawings& drawings) override { cut_by_ = Casting(drawings).maps(); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
   private:
     const ImageLight& light_;
     const Scene* scene_ = nullptr;
+    const Maps* cut_by_ = nullptr;
     Pipeline fill_ = compute({.shader = "14_environment/backdrop.comp"});
 };
 

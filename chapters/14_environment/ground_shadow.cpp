@@ -59,7 +59,8 @@ void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
     picture_ = scene.environment ? small_picture(gpu, *scene.environment, 256) : ImageRgb();
 }
 
-void GroundShadow::record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y) {
+void GroundShadow::record(Frame& frame, const Scene& scene, const Maps* maps, const EnvironmentScale& turn,
+                          float ground_y) {
     arriving.fit(frame.gpu.device, {.name = path() + ".arriving",
                                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                                     .size = glm::uvec2(uint32_t(resolution.value)),

@@ -20,12 +20,12 @@ struct GroundShadow : Module {
                          "Directions that stand for the environment, each for an equal share of light"};
     Knob<int> resolution{*this, "resolution", 128, {8, 1024}, "Width and height of the map", "texels"};
     SceneRays rays{*this, "rays"};
-    Image arriving;              ///< made by record()
-    const Maps* maps = nullptr;  ///< of the objects: maps that cut holes; null: alpha below 0.5, at rest
+    Image arriving;  ///< made by record()
     // [/ground_shadow]
 
     void prepare(Gpu& gpu, Scene& scene) override;
-    void record(Frame& frame, const Scene& scene, const EnvironmentScale& turn, float ground_y);
+    /// `maps`: those that cut holes into what stands there; null: holes by an alpha below 0.5, at rest.
+    void record(Frame& frame, const Scene& scene, const Maps* maps, const EnvironmentScale& turn, float ground_y);
     const GroundShadowState& state() const { return state_; }
 
   private:

@@ -3,27 +3,29 @@
 namespace lightwalk {
 
 LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
-    : LitScene(owner, std::move(name)),
+    : Drawing(owner, name),
+      lit(owner, name, Shading{}),
       substances(owner, "substance"),
       paint(owner, "paint"),
-      rays(owner, "rays"),
-      light_(light) {
-    transparent_shading = &glass_;
-    shaded.reset();  // by fragment shaders alone
+      rays(owner, "rays") {
+    shading = {.opaque = &surface_, .transparent = &glass_, .with = {light, substances, paint}};
+}
+
+std::vector<const Module*> LitAround::made_of() const {
+    std::vector<const Module*> all = lit.made_of();
+    all.push_back(this);
+    return all;
 }
 
 void LitAround::update(Frame& frame) {
-    LitScene::update(frame);
+    lit.update_once(frame);
     paint.record(frame);
-    shading = occlusion.is("none") ? &surface_ : &occluded_;
-    if (!occlusion.is("none")) rays.record(frame, *scene_, &maps);
-}
-
-std::vector<With> LitAround::given() const {
-    std::vector<With> with = LitScene::given();
-    with.insert(with.end(), {light_, substances, paint});
-    if (!occlusion.is("none")) with.push_back(rays);
-    return with;
+    const bool occluded = !occlusion.is("none");
+    shading.opaque = occluded ? &occluded_ : &surface_;
+    std::erase_if(shading.with, [this](const With& one) { return &one.get() == &rays; });
+    if (!occluded) return;
+    rays.record(frame, surfaces.scene(), &maps);
+    shading.with.emplace_back(rays);
 }
 
 }  // namespace lightwalk

@@ -10,8 +10,13 @@ namespace lightwalk {
 
 // [lit_around]
 /// LitScene with an ImageLight as ambient light: the owner records the ImageLight before drawing.
-struct LitAround : LitScene {
+struct LitAround : Drawing, ItemCaster {
     LitAround(Module& owner, std::string name, const ImageLight& light);
+
+    LitScene lit;
+    SurfaceScene& surfaces = lit.surfaces;
+    Maps& maps = lit.maps;
+    Shading& shading = lit.shading;
 
     Choice occlusion{
         *this,
@@ -24,14 +29,15 @@ struct LitAround : LitScene {
     CarPaint paint;
     SceneRays rays;
 
+    void meet(const Drawings& drawings) override { lit.meet(drawings); }
+    std::vector<const Module*> made_of() const override;
     void update(Frame& frame) override;
+    void draw(Frame& frame, const View& view, Canvas& canvas) override { lit.draw(frame, view, canvas); }
+    const Drawing* transparent_part() const override { return &surfaces; }
+    const Maps& cut_by() const override { return maps; }
     // [/lit_around]
 
-  protected:
-    std::vector<With> given() const override;
-
   private:
-    const ImageLight& light_;
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
     SurfacePipelines occluded_{{.fragment = "14_environment/surface.frag",
                                 .macros = Macros{{"OCCLUDED", "1"}}.replace_file("14_environment/unoccluded.glsl",

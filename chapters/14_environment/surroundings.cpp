@@ -5,7 +5,6 @@ namespace lightwalk {
 Surroundings::Surroundings(Module& owner, Music* heard)
     : World(owner), sphere(*this, "sphere", light, heard ? *heard : music) {
     objects.maps.method.change_default("normal");
-    backdrop.shadow.maps = &objects.maps;
     music.in_use = [this, heard] { return !heard && sphere.shown; };
 }
 

@@ -3,7 +3,7 @@
 #include "10_atmosphere/atmosphere.h"
 #include "15_terrain_water/city_data.h"
 #include "15_terrain_water/ground.h"
-#include "15_terrain_water/sun_casting.h"
+#include "15_terrain_water/sun_shadow.h"
 #include "common/app/drawing.h"
 #include "common/base/made.h"
 #include "common/scene/mesh.h"
@@ -32,7 +32,7 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
 
 // [city]
 /// Comes after the ground. Buildings in water, below a height of 1 m, are omitted.
-struct City : Drawing, SunCaster, SunReceiver {
+struct City : Drawing, Caster, SunReceiver {
     City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}
 

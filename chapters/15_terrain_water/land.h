@@ -5,7 +5,7 @@
 #include "10_atmosphere/atmosphere.h"
 #include "11_fractals/ring_grid.h"
 #include "15_terrain_water/ground.h"
-#include "15_terrain_water/sun_casting.h"
+#include "15_terrain_water/sun_shadow.h"
 #include "common/app/drawing.h"
 
 namespace lightwalk {

@@ -27,7 +27,7 @@ void ReflectedRays::prepare(Gpu& gpu, Scene& scene) {
 }
 
 void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, const Image& met) {
-    objects.record(frame, *scene_, maps);
+    objects.record(frame, *scene_, maps_);
     if (!std::exchange(has_colors_, true)) {
         const std::vector<glm::vec3> of_items = triangle_colors(*scene_);
         std::vector<glm::vec3> colors(std::max<size_t>(of_items.size(), 1), glm::vec3(0.0f));

@@ -1,5 +1,6 @@
 // Reflected ray module: reflections in water, found by rays through ground, houses and objects.
 #pragma once
+#include "05_shadow_maps/casting.h"
 #include "05_shadow_maps/rays.h"
 #include "15_terrain_water/city.h"
 #include "15_terrain_water/land.h"
@@ -22,8 +23,8 @@ struct ReflectedRays : Module, WaterRays {
           atmosphere_(atmosphere) {}
 
     SceneRays objects{*this, "objects"};
-    const Maps* maps = nullptr;  ///< of the scene's objects: maps that cut holes; null: as in SceneRays
 
+    void meet(const Drawings& drawings) override { maps_ = Casting(drawings).maps(); }
     void prepare(Gpu& gpu, Scene& scene) override;
     void record(Frame& frame, const View& view, const Image& rays, const Image& met) override;
     // [/reflected_rays]
@@ -34,6 +35,7 @@ struct ReflectedRays : Module, WaterRays {
     City& city_;
     const Atmosphere& atmosphere_;
     const Scene* scene_ = nullptr;
+    const Maps* maps_ = nullptr;  ///< those that cut holes into the scene's objects
     Buffer colors_, none_, none_cells_;
     Image no_ground_;
     bool has_colors_ = false;

@@ -9,7 +9,6 @@ Shore::Shore(Module& owner) : World(owner) {
     light.method.change_default("mirror");
     light.radiance_alone = true;  // water looks along single directions
     water.tracer = &reflected;
-    reflected.maps = &objects.maps;
     probe.update.change_default("moved");
     probe.distant = true;
     probe.in_use = light.in_use = [this] { return !water.method.is("none"); };

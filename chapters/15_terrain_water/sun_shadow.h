@@ -1,12 +1,18 @@
 // Sun shadow module: the shadow that houses and objects cast in the light of an atmosphere's sun.
 #pragma once
-#include "05_shadow_maps/shadow.h"
+#include "05_shadow_maps/casting.h"
 #include "10_atmosphere/atmosphere.h"
-#include "15_terrain_water/sun_casting.h"
 
 namespace lightwalk {
 
+struct SunShadow;
+
 // [sun_shadow]
+/// A drawing that is shaded by houses and by the scene's objects.
+struct SunReceiver {
+    const SunShadow* shadowed_by = nullptr;  ///< set by SunShadow::record(); null: nothing casts
+};
+
 /// Chapter 05's cascades for the atmosphere's sun. record() for a view: its mirror image reads the same maps. Who casts and
 /// who receives is asked of the drawings. The ground's shadow on itself is its own (land.shadow).
 struct SunShadow : Module {

@@ -12,6 +12,7 @@ namespace lightwalk {
 /// that it hides.
 struct WaterRays {
     virtual ~WaterRays() = default;
+    virtual void meet(const Drawings&) {}  ///< as a drawing is told
     virtual void record(Frame& frame, const View& view, const Image& rays, const Image& met) = 0;
 };
 
@@ -77,6 +78,9 @@ struct Water : Drawing {
     bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
     void reflect(Frame& frame, const View& view, const Drawings& drawings);
+    void meet(const Drawings& drawings) override {
+        if (tracer) tracer->meet(drawings);
+    }
     void update(Frame& frame) override;
     Phase drawn_in() const override { return Phase::water; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

@@ -1,25 +1,21 @@
 #include "18_playground/workbench.h"
 
+#include <optional>
+
 #include "03_attenuation/scattered_lights.h"
+#include "common/app/knob_scope.h"
 
 namespace lightwalk {
 
 Workbench::Workbench(Module& owner) : World(owner) {
     objects.gbuffer.method.change_default("forward");
     objects.maps.method.change_default("normal");
-    objects.shading = &surface_;
-    objects.shaded.reset();
-    objects.transparent_shading = &glass_;
-    objects.writing = &write_, objects.rest = &rest_;
-    objects.shading_with = {light, substances, paint};
-    objects.all_lights = [this](const Frame& frame) { return all_lights(frame); };
-    backdrop.shadow.maps = &objects.maps;
+    objects.shading.with = {light, substances, paint};
+    objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
     sky.map.change_default("plain");
     water.method.change_default("none");
     fog.method.change_default("none");
-    probe.update.change_default("moved");
-    probe.distant = true;
-    atmosphere.in_use = sky.in_use = probe.in_use = [this] { return air.is("sky"); };
+    atmosphere.in_use = sky.in_use = [this] { return air.is("sky"); };
     backdrop.in_use = [this] { return !air.is("sky"); };
     water.in_use = [this] { return !water.method.is("none"); };
 }
@@ -35,8 +31,11 @@ std::vector<Light> Workbench::all_lights(const Frame& frame) {
 void Workbench::record(Frame& frame) {
     light.record(frame, scene());
     paint.record(frame);
-    // A sky has its sun: reflections show this sky instead of the scene's environment.
-    if (probe.in_use()) probe.record(frame, scene(), light, drawings());
+    // A sky has its sun: reflections show this sky instead of the scene's environment. In a room they may show the room.
+    probe.distant = air.is("sky");
+    std::optional<KnobScope> follows;
+    if (probe.distant && probe.update.is("off")) follows.emplace(probe.update, "moved");
+    probe.record(frame, scene(), light, {backdrop, objects, sky, atmosphere});
 }
 // [/workbench_record]
 

@@ -20,9 +20,10 @@ struct Workbench : World {
     Knob<int> scattered{*this, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene"};
 
     ImageLight light{*this, "environment"};
-    SceneProbe probe{*this, "probe"};  ///< of the sky
+    SceneProbe probe{*this, "probe"};  ///< of the sky, or of the room where that is asked
     Backdrop backdrop{*this, "backdrop", light};
-    DeferredScene objects{*this, "objects"};
+    DeferredScene objects{*this, "objects",
+                          Shading{.opaque = &surface_, .transparent = &glass_, .stored = &write_, .rest = &rest_}};
     Substances substances{*this, "substance"};
     CarPaint paint{*this, "paint"};
     Atmosphere atmosphere{*this, "atmosphere"};
@@ -42,7 +43,7 @@ struct Workbench : World {
     std::vector<Light> all_lights(const Frame& frame);
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
-    SurfacePipelines glass_ = LitScene::see_through("14_environment/surface.frag", all_);
+    SurfacePipelines glass_ = see_through("14_environment/surface.frag", all_);
     SurfacePipelines write_{{.fragment = "18_playground/write.frag"}};
     SurfacePipelines rest_ = DeferredScene::added("18_playground/rest.frag", all_);
 };

@@ -10,17 +10,20 @@
 namespace lightwalk {
 namespace {
 
-// The frame's clock is the scene's while it draws.
-class Clock {
+// The frame's clock, macros and uniform block are the part's while it draws.
+class OwnFrame {
   public:
-    Clock(Frame& frame, double time_s)
-        : frame_(frame), before_(std::exchange(frame.time_s, static_cast<float>(time_s))) {}
-    ~Clock() { frame_.time_s = before_; }
-    Clock(const Clock&) = delete;
+    OwnFrame(Frame& frame, double time_s, const FilmPart& part)
+        : frame_(frame),
+          time_before_(std::exchange(frame.time_s, static_cast<float>(time_s))),
+          root_before_(std::exchange(frame.root, &part)) {}
+    ~OwnFrame() { frame_.time_s = time_before_, frame_.root = root_before_; }
+    OwnFrame(const OwnFrame&) = delete;
 
   private:
     Frame& frame_;
-    const float before_;
+    const float time_before_;
+    const Given* const root_before_;
 };
 
 }  // namespace
@@ -82,7 +85,7 @@ void FilmPart::draw_by(const KnobSettings& way) {
 // [record]
 void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const Camera* flown) {
     const double clock_s = film_scene_.clock_at(time_s);
-    const Clock clock(frame, clock_s);
+    const OwnFrame own(frame, clock_s, *this);
     apply_knobs(clock_s);
 
     // 1. Its light, from where the camera is by now; the glare of what is bright.

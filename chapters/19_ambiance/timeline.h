@@ -22,7 +22,7 @@ namespace lightwalk {
 //   scenes       list, by from_s:
 //     name         required, each once
 //     kind         required: the world that draws it (planets, landscape, water, volume, julia, head, surroundings, lights,
-//                  street, workbench, descent)
+//                  street, workbench, descent, outlines, stage, islands, fractal, surfaces, lens)
 //     scene        required: its scene file
 //     from_s, to_s required. If a scene begins where the one before ends, the film cuts to it; if it begins earlier, the
 //                  film cross-fades to it while both are on. Never three at once; in a gap the screen is black.

@@ -1,8 +1,13 @@
 #include "19_ambiance/worlds.h"
 
-#include "11_fractals/julia_set.h"
+#include "04_surface_maps/surfaces.h"
+#include "05_shadow_maps/lit_stage.h"
+#include "09_post_effects/through_lens.h"
+#include "10_atmosphere/islands.h"
+#include "11_fractals/fractal.h"
 #include "11_fractals/landscape.h"
 #include "12_skin/portrait.h"
+#include "13_mlaa/outlines.h"
 #include "14_environment/surroundings.h"
 #include "15_terrain_water/shore.h"
 #include "16_volume/volume_world.h"
@@ -28,10 +33,12 @@ std::unique_ptr<World> make_surroundings(Module& owner, Music* heard) {
 
 const std::map<std::string, MakeWorld>& film_worlds() {
     static const std::map<std::string, MakeWorld> all{
-        {"planets", make<SolarSystem>},      {"landscape", make<Landscape>},   {"water", make<Shore>},
-        {"volume", make<VolumeWorld>},       {"julia", make<JuliaSet>},        {"head", make<Portrait>},
-        {"surroundings", make_surroundings}, {"lights", make<ClimbingLights>}, {"street", make<Street>},
-        {"workbench", make<Workbench>},      {"descent", make<Descent>}};
+        {"planets", make<SolarSystem>}, {"landscape", make<Landscape>},      {"water", make<Shore>},
+        {"volume", make<VolumeWorld>},  {"julia", make<JuliaSet>},           {"head", make<Portrait>},
+        {"outlines", make<Outlines>},   {"surroundings", make_surroundings}, {"lights", make<ClimbingLights>},
+        {"street", make<Street>},       {"workbench", make<Workbench>},      {"stage", make<LitStage>},
+        {"islands", make<Islands>},     {"fractal", make<Fractal>},          {"surfaces", make<Surfaces>},
+        {"lens", make<ThroughLens>},    {"descent", make<Descent>}};
     return all;
 }
 

@@ -19,8 +19,11 @@ void draw_sorted(Frame& frame, Canvas& canvas, std::vector<SeenThrough> all) {
 
 std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings) {
     std::vector<SeenThrough> all;
-    for (const Drawing& drawing : drawings)
-        for (const Drawing::Transparent& one : drawing.transparent(view)) all.push_back({&drawing, one});
+    for (const Drawing& drawing : drawings) {
+        const Drawing* const part = drawing.transparent_part();
+        if (!part) continue;
+        for (const Drawing::Transparent& one : part->transparent(view)) all.push_back({part, one});
+    }
     return all;
 }
 
@@ -132,6 +135,10 @@ void Drawing::shine_once(const Frame& frame) {
     if (std::exchange(shone_, frame.number()) != frame.number()) shine();
 }
 
+void Drawing::meet_once(const Frame& frame, const Drawings& all) {
+    if (std::exchange(met_, frame.number()) != frame.number()) meet(all);
+}
+
 void Drawing::update_once(Frame& frame) {
     shine_once(frame);
     if (std::exchange(updated_, frame.number()) != frame.number()) update(frame);
@@ -161,6 +168,7 @@ Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings
 
 void update(Frame& frame, const Drawings& drawings) {
     for (Drawing& drawing : drawings) drawing.shine_once(frame);
+    for (Drawing& drawing : drawings) drawing.meet_once(frame, drawings);
     for (Drawing& drawing : drawings) {
         if (const Drawing* light = drawing.lit_by(); light && !light->has_shone(frame))
             throw Failure("'{}' is lit by '{}', which this frame does not draw: add it to the drawings", drawing.path(),

@@ -9,7 +9,10 @@
 
 namespace lightwalk {
 
+class Drawing;
 class TransparencyMethod;
+
+using Drawings = std::vector<std::reference_wrapper<Drawing>>;
 
 // [phase]
 /// When a drawing is drawn, wherever it stands in a list: each phase needs the depth or the light that the earlier ones
@@ -94,6 +97,10 @@ class Drawing : public Module {
     /// The drawing that provides the sun and air; null: the scene's lights.
     virtual const Drawing* lit_by() const { return nullptr; }
 
+    /// Once a frame, before any update: all drawings of the frame's first list, itself included. Owners of shadow maps
+    /// look for casters there.
+    virtual void meet(const Drawings&) {}
+
     /// The modules with knobs or motion that change the picture.
     virtual std::vector<const Module*> made_of() const { return {this}; }
 
@@ -110,6 +117,8 @@ class Drawing : public Module {
         glm::vec3 middle;  ///< metres, world space
     };
     virtual std::vector<Transparent> transparent(const View&) const { return {}; }
+    /// The drawing that has its transparent surfaces; null: there are none now.
+    virtual const Drawing* transparent_part() const { return this; }
 
     /// Bindings of their pass, and the draw of some of them in this order. Their fragment shaders end with
     /// put_surface() of common/put_surface.glsl, by which the method handles colour and alpha.
@@ -132,13 +141,12 @@ class Drawing : public Module {
     /// shine() or update(), unless this frame has had it.
     void shine_once(const Frame& frame);
     void update_once(Frame& frame);
+    void meet_once(const Frame& frame, const Drawings& all);
     bool has_shone(const Frame& frame) const { return shone_ == frame.number(); }
 
   private:
-    uint64_t shone_ = 0, updated_ = 0;  ///< Frame::number
+    uint64_t shone_ = 0, met_ = 0, updated_ = 0;  ///< Frame::number
 };
-
-using Drawings = std::vector<std::reference_wrapper<Drawing>>;
 
 // [transparency]
 /// One transparent surface and its drawing.

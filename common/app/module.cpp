@@ -34,10 +34,20 @@ KnobList Module::all_knobs() const {
     return all;
 }
 
+KnobList Module::own_knobs() const {
+    KnobList own;
+    for (const Member& member : members_) {
+        if (member.knob) own.push_back(member.knob);
+        if (!member.module || !member.module->kind_.empty()) continue;
+        const KnobList more = member.module->own_knobs();
+        own.insert(own.end(), more.begin(), more.end());
+    }
+    return own;
+}
+
 Macros Module::macros() const {
     Macros macros;
-    for (const Member& member : members_)
-        if (member.knob) member.knob->add_macros(macros);
+    for (const KnobBase* knob : own_knobs()) knob->add_macros(macros);
     return macros;
 }
 
@@ -45,13 +55,14 @@ Macros Module::macros() const {
 std::vector<std::byte> Module::block(const Binding& binding) const {
     if (binding.name != (kind_.empty() ? "knobs" : kind_)) return {};
     std::vector<std::byte> bytes(binding.bytes);
+    const KnobList own = own_knobs();
     for (const BlockMember& member : binding.members) {
-        const auto it = std::find_if(members_.begin(), members_.end(),
-                                     [&](const Member& m) { return m.knob && m.knob->name == member.name; });
-        if (it == members_.end())
+        const auto it =
+            std::find_if(own.begin(), own.end(), [&](const KnobBase* knob) { return knob->name == member.name; });
+        if (it == own.end())
             throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
                           path_.empty() ? "the chapter" : "the module " + path_);
-        const std::vector<float> numbers = it->knob->numbers();
+        const std::vector<float> numbers = (*it)->numbers();
         if (numbers.size() != member.components)
             throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
                           member.components, numbers.size());

@@ -34,7 +34,7 @@ struct Gathering {
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
 class Module : public Given {
   public:
-    /// Without a name its members have the owner's paths, as if they were the owner's.
+    /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.
     Module(Module& owner, std::string name, std::string kind = "");
     ~Module() override;
     Module(const Module&) = delete;
@@ -102,6 +102,7 @@ class Module : public Given {
     Module() = default;  ///< a chapter: it has no owner and no name
 
   private:
+    KnobList own_knobs() const;  ///< and those of its modules without a name
     friend class KnobBase;
     friend class TargetBase;
     template <class Self, class Visit>

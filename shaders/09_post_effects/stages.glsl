@@ -49,6 +49,8 @@ vec3 tone(vec3 radiance) {
     return min(c, 1.0);
 #elif POST_TONE == POST_TONE_REINHARD
     return c / (1.0 + c);
+#elif POST_TONE == POST_TONE_FILM
+    return 1.0 - exp(-c);
 #elif POST_TONE == POST_TONE_NARKOWICZ
     return narkowicz(c);
 #elif POST_TONE == POST_TONE_HILL

@@ -9,7 +9,7 @@ using namespace lightwalk;
 
 namespace {
 
-const char* const curves[] = {"clamp", "reinhard", "narkowicz", "hill", "neutral", "agx", "aces"};
+const char* const curves[] = {"clamp", "reinhard", "film", "narkowicz", "hill", "neutral", "agx", "aces"};
 
 // 10 stops below middle grey to 8 above, in eight hues: grey, and the corners of the cube, a little desaturated.
 glm::vec3 chart_light(int x, int y) {

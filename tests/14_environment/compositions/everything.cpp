@@ -40,8 +40,8 @@ struct Everything : ModelChapter {
     Choice show{*this, "show", {"picture", "again"}, "picture", "The picture, or the same one drawn a second time"};
 
     Everything() {
-        objects.surfaces = [this] { return screens.batches(scene); };
-        objects.shading_with = {screens};
+        objects.surfaces.drawn = [this] { return screens.batches(scene); };
+        objects.shading.with.emplace_back(screens);
         terrain.own_sky = false;
         terrain.in_use = [this] { return world.is("terrain"); };
         julia.in_use = [this] { return world.is("julia"); };

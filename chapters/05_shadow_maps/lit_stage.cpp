@@ -1,0 +1,36 @@
+#include "05_shadow_maps/lit_stage.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lightwalk {
+
+std::vector<Light> LitStage::lamps() {
+    std::vector<Light> all = scene().lights();
+    for (Light& light : all) {
+        light.size_m *= lamp;
+        light.size_rad = std::min(light.size_rad * lamp, 1.5f);
+    }
+    return all;
+}
+
+// [shading]
+// Rays only where they are asked; a planet and its ring need no map.
+void LitStage::record(Frame& frame) {
+    const bool asks_rays = visibility.is("rays") || show.is("wrong"), plain = show.is("picture") && !asks_rays;
+    sphere_shadow.update(scene());
+    Shading shading;
+    if (sphere_shadow)
+        shading = {
+            .opaque = &sphere_shadow.ringed, .transparent = &sphere_shadow.ringed_transparent, .with = {sphere_shadow}};
+    else if (!plain)
+        shading.opaque = &shown_;
+    if (!plain) {
+        rays.record(frame, scene(), &objects.maps);
+        shading.with.emplace_back(rays);
+    }
+    objects.shading = std::move(shading);
+}
+// [/shading]
+
+}  // namespace lightwalk

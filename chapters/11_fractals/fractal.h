@@ -1,0 +1,26 @@
+// Fractal world: a Julia set, or a landscape under a sky of its own.
+#pragma once
+#include "11_fractals/julia_set.h"
+#include "11_fractals/terrain.h"
+
+namespace lightwalk {
+
+// [fractal]
+struct Fractal : World {
+    explicit Fractal(Module& owner) : World(owner) {
+        set.julia.in_use = [this] { return subject.is("julia"); };
+        terrain.in_use = [this] { return subject.is("terrain"); };
+    }
+
+    Choice subject{
+        *this, "world", {"julia", "terrain"}, "julia", "Subject of the picture: a Julia set, or a landscape"};
+    JuliaSet set{*this};
+    Terrain terrain{*this, "terrain"};
+
+    Drawings drawings() override { return subject.is("julia") ? set.drawings() : Drawings{terrain}; }
+    glm::vec4 background() const override { return {0.0f, 0.0f, 0.0f, 1.0f}; }
+    std::vector<std::pair<std::string, std::string>> look() const override { return set.look(); }
+};
+// [/fractal]
+
+}  // namespace lightwalk

@@ -1,0 +1,21 @@
+#include "13_mlaa/outlines.h"
+
+namespace lightwalk {
+
+Outlines::Outlines(Module& owner) : World(owner) {
+    objects.maps.method.change_default("normal");
+    julia.in_use = [this] { return subject.is("julia"); };
+    terrain.in_use = [this] { return subject.is("terrain"); };
+    head.skin.in_use = [this] { return subject.is("head"); };
+}
+
+// Surfaces clip their own light, each of a pixel's samples.
+void Outlines::draw_view(Frame& frame, const View& view, Canvas& canvas) {
+    draw(frame, view, canvas, drawings());
+    if (!clip.is("before") || subject.is("objects")) return;
+    const ImageView light = canvas.color(frame);
+    frame.compute("clip", {.reads = {light}, .writes = {light}},
+                  [&](Compute& pass) { pass.use(clip_).set("hdr", light).dispatch_threads(view.size); });
+}
+
+}  // namespace lightwalk
