@@ -178,14 +178,9 @@ void Shadow::copy_still(Frame& frame, const Scene& scene, const std::vector<Want
 }
 // [/still]
 
-// What maps depend on beside the casters.
-std::string Shadow::map_key() const {
-    std::string key = transparent.text();
-    if (!has_moments()) return key;
-    for (const KnobBase* knob :
-         std::initializer_list<const KnobBase*>{&method, &format, &blur, &blur_by, &exponent, &exponent_negative})
-        key += knob->text() + " ";
-    return key;
+std::optional<Shadow::BlurKey> Shadow::blur_key() const {
+    if (!has_moments()) return std::nullopt;
+    return BlurKey{method.index, format.index, blur_by.index, blur, exponent, exponent_negative};
 }
 
 // [record]
@@ -195,8 +190,7 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
     const uint32_t id = std::any_of(lights.begin(), lights.end(), has_cascades) ? view.id : 0;
     now_ = &by_view_[id];
     now_->eye = {view.eye, view.pixel_rad()};
-    const bool toggled = std::exchange(toggles_, Exercises::version()) != Exercises::version();
-    if (std::exchange(made_, map_key()) != map_key() || toggled) forget();
+    if (made_.from(transparent.index, blur_key(), Exercises::version())) forget();
     std::vector<ShadowLight> shadow_lights;
     std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters, shadow_lights);
     find_moving(wanted);

@@ -9,6 +9,7 @@
 #include "05_shadow_maps/map_layers.h"
 #include "05_shadow_maps/moments.h"
 #include "common/app/target.h"
+#include "common/base/made.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -18,6 +19,7 @@ namespace lightwalk {
 /// light: include it where a chapter without shadows includes 03_attenuation/unshadowed.glsl. A light casts a shadow
 /// where the scene says "shadow": true. After Lights::update(), record() for a view; then passes that draw this view may
 /// state it in `.with`, beside the lights.
+/// Large (21 functions, 13 members): one member for each target and table that its passes share.
 struct Shadow : Module {
     Shadow(Module& owner, std::string name);
 
@@ -177,7 +179,13 @@ struct Shadow : Module {
 
     bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
-    std::string map_key() const;
+    struct BlurKey {
+        size_t method, format, by;
+        int texels;
+        float exponent, exponent_negative;
+        bool operator==(const BlurKey&) const = default;
+    };
+    std::optional<BlurKey> blur_key() const;
 
     /// A view's shader data, uploaded after a change.
     template <class T>
@@ -206,8 +214,8 @@ struct Shadow : Module {
     /// Transmittance of the first transparent caster, and of all; depths of the first and the last.
     Image first_, first_depth_, passed_, last_depth_;
     MomentMaps moments_;
-    std::string made_;  ///< how
-    unsigned toggles_ = 0;
+    /// Maps depend on these beside the casters: whether transparent ones have shadows, moments and their blur, toggles.
+    Made<size_t, std::optional<BlurKey>, unsigned> made_;
 };
 
 }  // namespace lightwalk

@@ -13,6 +13,7 @@ namespace lightwalk {
 /// light. What lies beside no edge stays as it is, to the bit; a pixel that is mixed has no NaN, and alpha stays. The
 /// method taa changes every pixel, by what it saw in the frames before (taa.h). The methods from msaa_4x on are about how
 /// a picture is drawn: record() then does nothing (see drawing.h). Once per frame and module.
+/// Large (20 functions, 14 members): one member for each target and table that its passes share.
 struct Mlaa : Module {
     Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
         taa.in_use = [this] { return method.is("taa"); };

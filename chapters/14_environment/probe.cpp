@@ -1,7 +1,5 @@
 #include "14_environment/probe.h"
 
-#include <fmt/core.h>
-
 #include "01_obj/camera_view.h"
 #include "common/app/settings.h"
 
@@ -57,18 +55,20 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
                         const Draw& draw) {
     drawn_faces = 0;
     if (update.is("off")) return;
-    // Where the sky alone is drawn, objects may move.
-    std::string now = fmt::format("{} {} {}{}", distant ? 0 : scene.placed, Exercises::version(), settings_of(*this),
-                                  settings_of(light));
+    std::string settings = settings_of(*this) + settings_of(light);
     bool animated = false;
-    for (const Module* module : made_of) now += settings_of(*module), animated |= module->any_animated();
-    if (animated) now += fmt::format(" {}", frame.time_s);
-    const bool first = made_.empty();
-    if (update.is("moved") && now == made_) {
+    for (const Module* module : made_of) {
+        settings += settings_of(*module);
+        animated |= module->any_animated();
+    }
+    const bool first = !made_;
+    // Where the sky alone is drawn, objects may move.
+    const bool changed = made_.from(distant ? 0 : scene.placed, Exercises::version(), settings,
+                                    animated ? std::optional(frame.time_s) : std::nullopt);
+    if (update.is("moved") && !changed) {
         light.use(light.drawn);
         return;
     }
-    made_ = now;
     // The first time there is nothing in the other faces.
     const bool one = update.is("face") && !first;
     for (uint32_t face = 0; face < 6; ++face)

@@ -4,6 +4,7 @@
 
 #include "14_environment/image_light.h"
 #include "common/app/world.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -35,7 +36,7 @@ struct SceneProbe : Module {
 
     void record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings);
     void record(Frame& frame, const Scene& scene, ImageLight& light, World& world);
-    void prepare(Gpu&, Scene&) override { made_.clear(), next_face_ = 0; }
+    void prepare(Gpu&, Scene&) override { made_.forget(), next_face_ = 0; }
 
     int drawn_faces = 0;                               ///< of the last frame
     const Image& last_face() const { return color_; }  ///< mirrored from left to right
@@ -47,7 +48,7 @@ struct SceneProbe : Module {
                 const Draw& draw);
     void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw);
     Image color_, depth_;
-    std::string made_;
+    Made<uint64_t, unsigned, std::string, std::optional<float>> made_;  ///< placed, toggles, settings, time
     uint32_t next_face_ = 0;
     Pipeline to_face_ = compute({.shader = "14_environment/probe_face.comp"});
 };

@@ -7,6 +7,7 @@
 
 namespace lightwalk {
 
+/// Large (27 functions, 19 members): a document and what it means for a chapter.
 class Editor {
   public:
     Document document;

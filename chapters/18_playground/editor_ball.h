@@ -2,6 +2,7 @@
 #pragma once
 #include "18_playground/editor_part.h"
 #include "18_playground/preview.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
@@ -19,8 +20,8 @@ class MaterialBall : public EditorPart {
   private:
     static constexpr uint32_t size = 88;  ///< pixels
     std::optional<SceneFile> due_;
-    std::string key_;
-    const ImagePool* images_ = nullptr;  ///< of the scene that it was drawn for
+    Made<std::string> made_;        ///< the ball's scene
+    Made<const ImagePool*> files_;  ///< of the scene that it was drawn for
     Image8 picture_;
 };
 

@@ -31,6 +31,7 @@ bool can_be_opened(const std::filesystem::path& file);
 std::vector<std::filesystem::path> recent_files();
 void remember_file(const std::filesystem::path& file);
 
+/// Large (2 functions, 10 members): a list, its filter and its marks.
 class FileBrowser {
   public:
     bool shown = false;

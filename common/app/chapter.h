@@ -22,6 +22,7 @@ struct Command {
     std::function<int(const std::string& argument, const Options& options, std::unique_ptr<Gpu>& gpu)> run;
 };
 
+/// Large (9 functions, 9 members): the root: scene, camera, commands.
 class Chapter : public Module {
   public:
     std::string name;                    ///< NN_name

@@ -31,6 +31,7 @@ const char* name_of(Phase phase);
 // [canvas]
 /// Targets of one size that drawings share. The first pass that draws into one clears it, so no drawing clears
 /// another's result.
+/// Large (20 functions, 10 members): targets, and what has happened to them.
 class Canvas {
   public:
     /// `color`: RGBA16F, linear. `depth`: D32F, reversed, or none if a single drawing needs no depth test.

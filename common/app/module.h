@@ -32,6 +32,7 @@ struct Gathering {
 /// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
 /// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
+/// Large (28 functions, 6 members): the life of a module, which a chapter folds over.
 class Module : public Given {
   public:
     /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.

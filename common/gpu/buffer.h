@@ -8,6 +8,7 @@
 namespace lightwalk {
 
 /// Usable as storage, uniform, index and indirect buffer alike.
+/// Large (7 functions, 9 members): Vulkan's handles.
 class Buffer {
   public:
     struct Desc {

@@ -49,6 +49,7 @@ struct Doomed {
     VkDeviceMemory memory = VK_NULL_HANDLE;
 };
 
+/// Large (19 functions, 22 members): Vulkan's handles and limits.
 class Device {
   public:
     /// Throws InputError (no driver, no such device, validation layer missing) or Failure.

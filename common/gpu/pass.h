@@ -21,6 +21,7 @@ struct Drawable {
 
 /// Bindings by name. set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
 /// nothing is missing.
+/// Large (21 functions, 15 members): what a pass binds, and what it has bound.
 class Pass {
   public:
     Pass(Frame& frame, std::string name, VkCommandBuffer commands, std::vector<Stated> stated,

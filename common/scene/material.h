@@ -27,6 +27,7 @@ MapPlace flipped(const MapPlace& place);
 inline constexpr char alpha_if_any = 'd';
 
 /// A texture reference with the options of MTL and glTF.
+/// Large (2 functions, 12 members): one member for each key of a scene file.
 struct TextureMap {
     std::filesystem::path file;  ///< whole path; of an image inside a model file its name there; empty: no map
     int32_t image = -1;          ///< of Model::images, where the image lies inside the model file

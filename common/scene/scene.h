@@ -40,6 +40,7 @@ struct Sun {
     glm::vec3 sky{0.0f};                 ///< radiance from everywhere else, in the mean
 };
 
+/// Large (32 functions, 25 members): what shaders and drawings ask of a scene.
 class Scene : public Drawable {
   public:
     SceneFile file;

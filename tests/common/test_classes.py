@@ -1,6 +1,6 @@
-"""Classes are small: at most 25 functions and 8 members that are state. Knobs, modules and pipelines are declarations and
-do not count, nor do records, which have at most one function. Larger ones are listed with a reason, and may hardly
-grow."""
+"""Classes are small: at most 25 functions and 8 members that are state. Knobs, modules and pipelines are declarations and do not
+count, nor do names for another member's parts, nor records, which have at most one function. A larger class says so with its
+reason in the last line above its head, and may hardly grow: /// Large (30 functions, 9 members): the reason."""
 # Builds: nothing
 import re
 import unittest
@@ -8,33 +8,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FUNCTIONS, MEMBERS, ROOM = 25, 8, 2
-TARGETS = "one member for each target and table that its passes share"
-COMPOSED = "a composition: one member for each module and drawing"
-# Class: (functions, members, reason).
-LARGER = {
-    "Document": (39, 13, "the edits of a document: each is a step that can be undone"),
-    "Frame": (35, 29, "what one command buffer records, and its pools"),
-    "Window": (22, 38, "the loop of a window: the chapter's clock, its picture, its files"),
-    "Scene": (32, 25, "what shaders and drawings ask of a scene"),
-    "Editor": (27, 19, "a document and what it means for a chapter"),
-    "Skin": (27, 18, TARGETS), "FilmWindow": (27, 9, "each key of a film's window"), "Shadow": (21, 14, TARGETS),
-    "EditorWindow": (21, 12, "it places panels: one member each"), "Pass": (21, 15, "what a pass binds, and what it has bound"),
-    "Mlaa": (20, 14, TARGETS), "Device": (19, 22, "Vulkan's handles and limits"), "Atmosphere": (19, 16, TARGETS),
-    "Image": (17, 12, "an image and its views"), "Ground": (18, 10, TARGETS), "Water": (14, 13, TARGETS), "Volume": (15, 13, TARGETS),
-    "Swapchain": (13, 14, "Vulkan's handles"), "Planets": (13, 13, TARGETS), "Terrain": (13, 10, TARGETS),
-    "NeedPictures": (12, 21, "what one measurement has drawn"), "ImageLight": (11, 9, TARGETS), "Land": (14, 12, TARGETS),
-    "GizmoDrag": (12, 13, "where a drag began, and where it is"),
-    "SplitView": (11, 11, "the second chapter and its picture"), "City": (13, 9, TARGETS),
-    "CameraPath": (11, 9, "a spline and its lengths"), "SceneRays": (10, 11, TARGETS),
-    "SceneStore": (17, 9, "what is saved of a document, and beside it"), "LightVolumes": (3, 9, TARGETS),
-    "Module": (27, 6, "the life of a module, which a chapter folds over"), "Canvas": (20, 10, "targets, and what has happened to them"),
-    "Chapter": (9, 9, "the root: scene, camera, commands"), "TextureMap": (2, 12, "one member for each key of a scene file"),
-    "Buffer": (7, 9, "Vulkan's handles"), "ReflectedRays": (3, 11, TARGETS), "Unwrapped": (3, 11, TARGETS),
-    "BuiltPipeline": (3, 9, "Vulkan's handles"), "FileBrowser": (2, 10, "a list, its filter and its marks")}
 
 HEAD = re.compile(r"\b(?:class|struct)\s+(\w+)(?:\s+final)?\s*(?::[^;{]*)?\{")
 DECLARED = re.compile(r"^(?:static|constexpr)\b|^(?:(?:inline|mutable|const)\s+)*(?:Choice|Knob<[^>]*>|Pipeline|SurfacePipelines)(?!\w)")
 NO_MEMBER = re.compile(r"(?:using|friend|typedef|enum|static_assert|class|struct|template\s*<[^>]*>\s*(?:class|struct))\b")
+ALIAS = re.compile(r"^(?:const\s+)?[\w:]+&\s*\w+\s*=")  # a name for a part of another member
+LARGE = re.compile(r"/// Large \((\d+) functions, (\d+) members\): \w.*\.\n(?:template[^\n]*\n)?\s*$")
 BRACES, OWNED = "\x01", "\x02"  # for all that stands between two; of a member that registers with its class
 
 
@@ -69,37 +48,43 @@ def measure(text: str) -> tuple[int, int]:
             head = plain
         if "(" in plain:
             functions += 1
-        elif OWNED not in statement and not DECLARED.match(statement):
+        elif OWNED not in statement and not DECLARED.match(statement) and not ALIAS.match(statement):
             members += 1 + plain.count(",")
     return functions, members
 
 
-def classes(paths) -> dict[str, tuple[int, int, str]]:
+def classes(paths) -> dict[str, tuple[int, int, str, tuple[int, int] | None]]:
+    """{name: its functions and members, its file, and as how large it is announced}"""
     found = {}
     for path in paths:
-        text = bare(path.read_text())
+        source = path.read_text()
+        announced = {head[1]: tuple(map(int, said.groups())) for head in re.finditer(r"\b(?:class|struct)\s+(\w+)", source)
+                     if (said := LARGE.search(source[:head.start()][-300:]))}
+        text = bare(source)
         for head in HEAD.finditer(text):
             functions, members = measure(body(text, head.end()))
             if functions > 1 and (functions, members) > found.get(head[1], (0, 0))[:2]:
-                found[head[1]] = functions, members, str(path.relative_to(ROOT))
+                found[head[1]] = functions, members, str(path.relative_to(ROOT)), announced.get(head[1])
     return found
 
 
 class Classes(unittest.TestCase):
-    def test_they_are_small(self):
-        headers = sorted([*ROOT.glob("common/*/*.h"), *ROOT.glob("chapters/*/*.h"), *ROOT.glob("chapters/*/main.cpp")])
-        for name, (functions, members, path) in classes(headers).items():
-            most_functions, most_members, _ = LARGER.get(name, (FUNCTIONS, MEMBERS, ""))
-            with self.subTest(name=name, path=path):
-                room = ROOM if name in LARGER else 0
-                self.assertLessEqual(functions, max(most_functions + room, FUNCTIONS), "functions: split it, or say why not")
-                self.assertLessEqual(members, max(most_members + room, MEMBERS), "members: split it, or say why not")
+    @classmethod
+    def setUpClass(cls):
+        cls.found = classes(sorted([*ROOT.glob("common/*/*.h"), *ROOT.glob("chapters/*/*.h"), *ROOT.glob("chapters/*/main.cpp")]))
 
-    def test_what_is_listed_is_large(self):
-        headers = [*ROOT.glob("common/*/*.h"), *ROOT.glob("chapters/*/*.h"), *ROOT.glob("chapters/*/main.cpp")]
-        found = classes(headers)
-        small = [name for name in LARGER if name in found and found[name][0] <= FUNCTIONS and found[name][1] <= MEMBERS]
-        self.assertEqual(small, [], "they have become small: take them off the list")
+    def test_they_are_small(self):
+        for name, (functions, members, path, announced) in self.found.items():
+            most_functions, most_members = (count + ROOM for count in announced) if announced else (FUNCTIONS, MEMBERS)
+            with self.subTest(name=name, path=path):
+                self.assertLessEqual(functions, max(most_functions, FUNCTIONS), "functions: split it, or say why not")
+                self.assertLessEqual(members, max(most_members, MEMBERS), "members: split it, or say why not")
+
+    def test_a_class_that_is_announced_as_large_is_large(self):
+        small = [name for name, (functions, members, _, announced) in self.found.items()
+                 if announced and functions <= FUNCTIONS and members <= MEMBERS]
+        self.assertEqual(small, [], "they have become small: take the line away")
+        self.assertGreater(sum(1 for *_, announced in self.found.values() if announced), 20)  # the line is found
 
     def test_what_counts(self):
         text = bare("""class One : Base {
@@ -108,6 +93,7 @@ class Classes(unittest.TestCase):
             void h() const;  // not this();
             std::function<void(int)> told;
             Shadow shadow{*this, "shadow"};
+            Maps& maps = shadow.maps;
             Choice method{*this, "method", {"a", "b"}, "a", "which"};
             static constexpr int most = 3;
           private:
