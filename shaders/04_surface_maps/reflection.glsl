@@ -1,7 +1,7 @@
 // How a surface with maps reflects lights: by Blinn and Phong's model, or by microfacets where its material states
 // roughness.
 #include "02_lambert_phong/blinn_phong_light.glsl"
-#include "04_surface_maps/ggx_reflection.glsl"
+#include "04_surface_maps/microfacets.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
 // Reflectance at normal incidence of the surface being lit.

@@ -2,15 +2,28 @@
 #include "common/view_rays.h"
 #include "14_environment/image_light.glsl"
 #include "15_terrain_water/fresnel_water.glsl"
-#include "15_terrain_water/rough_reflectance.glsl"
 #include "15_terrain_water/water_facet.glsl"
 #include "15_terrain_water/water_reflection.glsl"
-#include "15_terrain_water/foam.glsl"
 
 layout(location = 0) in vec2 at_rest;
 layout(location = 1) in vec3 position;
 
 layout(location = 0) out vec4 color;
+
+uniform sampler2D foam_tile;
+
+const float WATER_INDEX = 1.333;  // refractive index
+
+// [rough_reflectance]
+// Mean reflectance of rough water from above: C. Bruneton et al., "Real-time Realistic Ocean Lighting", Eurographics 2010,
+// equation 23. `smooth_share` is the reflectance of level water at that cosine, `deviation` the standard deviation of the
+// slopes along the view: one axis.
+float rough_reflectance(float smooth_share, float cosine, float deviation) {
+    const float f0 = 0.0204;
+    float turned = pow(max(1.0 - cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0);
+    return f0 + (smooth_share - f0) * turned / (1.0 + 22.7 * pow(deviation, 1.5));
+}
+// [/rough_reflectance]
 
 // [refraction]
 // Light through the surface from below, after absorption, and light scattered by the water.
@@ -46,6 +59,20 @@ vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
     return water_now.sun * reflected * facets * n_dot_l / (4.0 * max(n_dot_v * n_dot_l, 0.02) + 1e-4);
 }
 // [/glitter]
+
+// [foam]
+// Share of the water that foam covers. `jacobian`: 1 at rest, below 0 where the surface folds. `depth_m`: of the water.
+float foam_share(vec2 at, float jacobian, float depth_m, float spacing) {
+    float folded = smoothstep(water_now.foam, water_now.foam - 0.5, jacobian);
+    float shore = water_now.shore_m > 0.0 ? 1.0 - smoothstep(0.0, water_now.shore_m, depth_m) : 0.0;
+    float amount = max(folded, 0.8 * shore);
+    if (amount <= 0.0) return 0.0;
+    float level = log2(max(spacing * water_now.foam_scale * float(textureSize(foam_tile, 0).x), 1.0));
+    float bubbles = textureLod(foam_tile, at * water_now.foam_scale, level).r;
+    // Little foam keeps the bubbles' borders alone; much fills them.
+    return amount * smoothstep(1.0 - amount, 1.6 - amount, bubbles + 0.35);
+}
+// [/foam]
 
 // [water]
 void main() {

@@ -45,7 +45,7 @@ glm::dvec3 direction(double polar, double around) {
 }
 
 Probe ggx() {
-    return {.include = "04_surface_maps/ggx_reflection.glsl",
+    return {.include = "04_surface_maps/microfacets.glsl",
             .before = R"(#include "common/structs.h"
                 Reflected reflect_by_ggx(Surface surface, vec3 f0, vec3 to_light);
                 Reflected ggx(vec3 to_light, vec3 f0, Surface surface) { return reflect_by_ggx(surface, f0, to_light); }
