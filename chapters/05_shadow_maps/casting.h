@@ -1,5 +1,6 @@
 // Shadows between drawings: some cast them, some receive them.
 #pragma once
+#include "04_surface_maps/maps.h"
 #include "05_shadow_maps/shadow.h"
 #include "common/app/drawing.h"
 

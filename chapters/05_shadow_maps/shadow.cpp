@@ -44,11 +44,12 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
                        });
             };
             const auto inside = [&](const DrawList& list) { return list.inside(view->casters).where(is_needed); };
+            const bool has_others = !casters.others.empty() && may_show(casters.others, view->casters);
             Wanted one{*view,
                        inside(scene.opaque()),
                        inside(scene.transparent()).where(has_shadow),
                        {view->view.view_projection, {}, casters.others_placed},
-                       !casters.others.empty() && may_show(casters.others, view->casters)};
+                       has_others};
             for (const DrawList* const list : {&one.casters, &one.passed})
                 for (const uint32_t i : list->items()) one.content.casters.emplace_back(i, scene.items[i].transform);
             std::ranges::sort(one.content.casters, {}, &std::pair<uint32_t, glm::mat4>::first);

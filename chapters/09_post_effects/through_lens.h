@@ -12,6 +12,7 @@ struct ThroughLens : World {
     DeferredScene objects{*this, "objects"};
 
     Drawings drawings() override { return {objects}; }
+    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }
     std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
 
   protected:

@@ -33,12 +33,16 @@ FilmPart::FilmPart(const FilmScene& scene, Music* heard)
     set_look(*world_, *this);
 }
 
-// By its path below the part, or by its name alone.
+// By its path below the part, or by its name alone: the world's before that of bloom and tones.
 KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
     if (const auto known = knobs_.find(name); known != knobs_.end()) return *known->second;
     const KnobList all = all_knobs();
     for (KnobBase* one : all)
         if (one->path() == name) return *(knobs_[name] = one);
+    try {
+        return *(knobs_[name] = &find_knob(world_->all_knobs(), name));
+    } catch (const InputError&) {  // it is the bloom's or the tones', or unclear
+    }
     try {
         return *(knobs_[name] = &find_knob(all, name));
     } catch (const InputError& e) { throw InputError("{}: {}", where, e.what()); }

@@ -63,7 +63,7 @@ def can_show(chapter: str, shot: dict) -> bool:
 def film_of(kind: str, scene: Path, shot: dict, method: str | None = None, film_knobs: dict | None = None) -> dict:
     """A film of one scene. Samples are left out: a film encodes each of them, a chapter their mean."""
     knobs = {(f"{method}.method" if name == "method" else name): value for name, value in shot.get("set", {}).items()
-             if name not in (film_knobs or {}) and name != "samples"}
+             if f"{method}.{name}" not in (film_knobs or {}) and name != "samples"}
     return {"duration_s": 5, "knobs": film_knobs or {"smoothed": 0}, "scenes": [
         {"name": "only", "kind": kind, "scene": str(scene), "from_s": 0, "to_s": 5, "clock_s": shot.get("time_s", 0),
          "knobs": knobs}]}
