@@ -51,10 +51,10 @@ struct MlaaChapter : ModelChapter {
             world.draw_light(frame, from, canvas);
             if (antialias.method.is("taa")) canvas.depth(frame);
         };
-        if (antialias.method.is("supersample_4"))
-            four_samples.supersample(frame, view, draw_from);
-        else
-            draw_from(view);
+        world.clips = !antialias.method.is("supersample_4");
+        if (world.clips) return draw_from(view);
+        four_samples.supersample(frame, view, draw_from);
+        world.clip_light(frame, frame.hdr);
     }
 
     // At time 0 it stands where the scene puts it.

@@ -10,12 +10,15 @@ Outlines::Outlines(Module& owner) : World(owner) {
 }
 
 // Surfaces clip their own light, each of a pixel's samples.
+void Outlines::clip_light(Frame& frame, const ImageView& light) const {
+    if (!clip.is("before") || subject.is("objects")) return;
+    frame.compute("clip", {.reads = {light}, .writes = {light}},
+                  [&](Compute& pass) { pass.use(clip_).set("hdr", light).dispatch_threads(glm::uvec2(light.size())); });
+}
+
 void Outlines::draw_view(Frame& frame, const View& view, Canvas& canvas) {
     draw(frame, view, canvas, drawings());
-    if (!clip.is("before") || subject.is("objects")) return;
-    const ImageView light = canvas.color(frame);
-    frame.compute("clip", {.reads = {light}, .writes = {light}},
-                  [&](Compute& pass) { pass.use(clip_).set("hdr", light).dispatch_threads(view.size); });
+    if (clips) clip_light(frame, canvas.color(frame));
 }
 
 }  // namespace lightwalk

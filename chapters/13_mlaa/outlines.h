@@ -30,6 +30,10 @@ struct Outlines : World {
     Terrain terrain{*this, "terrain"};
     Head head{*this, "head", objects, environment};
 
+    /// False: the picture is one of several, and the owner calls clip_light() with their mean.
+    bool clips = true;
+    void clip_light(Frame& frame, const ImageView& light) const;
+
     /// Whether triangles are drawn, which can be rasterised with several samples per pixel.
     bool has_triangles() const { return subject.is("objects"); }
 

@@ -10,23 +10,26 @@ namespace {
 
 /// Casts the shadow of a square of 2 m, and is not seen itself.
 struct Roof : Drawing, Caster {
-    explicit Roof(Module& owner) : Drawing(owner, "roof") {}
+    Roof(Module& owner, Gpu& gpu) : Drawing(owner, "roof") {
+        SceneFile file;
+        file.objects = {object_at(quad_file, {0, 0, 1})};
+        square_.load(gpu, std::move(file), test_model);
+    }
     void draw(Frame&, const View&, Canvas&) override {}
-    Bounds bounds() const override { return square.scene.bounds; }
+    Bounds bounds() const override { return square_.bounds; }
     uint64_t placed() const override { return 1; }
     std::vector<With> casts_with() const override { return {}; }
-    void cast(Raster& pass, const View&) const override { pass.use(cast_).draw(square.scene); }
-
-    TestScene square{{object_at(quad_file, {0, 0, 1})}};
+    void cast(Raster& pass, const View&) const override { pass.use(cast_).draw(square_); }
 
   private:
+    Scene square_;
     Pipeline cast_ = graphics({.vertex = "05_shadow_maps/caster.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 };
 
 /// A wall of 8 m that faces +z, in light that comes straight from there.
 struct OnWall : OnModules {
     LitScene objects{owner, "objects"};
-    Roof roof{owner};
+    Roof roof{owner, gpu};
     Scene scene;
     const View view = view_of({.position = {0, 0, 8}, .target = {0, 0, 0}, .near_m = 0.1f, .far_m = 50.0f}, {96, 96});
 
