@@ -22,10 +22,11 @@ KINDS = {"05_shadow_maps": ("stage", "shadow"), "06_deferred": ("lights", "gbuff
 # Knobs of a chapter outside its world: they show tables, edges or numbers in place of a picture, or draw it several times.
 ALONE = {"06_deferred": {"cull", "overdraw", "prepass"}, "08_bloom": {"source", "spot_x", "show", "level", "gain"},
          "09_post_effects": {"source", "reference", "effects"}, "10_atmosphere": {"show", "gain"}, "11_fractals": {"method"},
-         "12_skin": {"show", "level"}, "13_mlaa": {"show"},
+         "12_skin": {"show", "level"}, "13_mlaa": {"show", "walk_m_per_s", "turn_deg_per_s"},
          "18_playground": {"show", "select", "method", "picker.method", "mlaa.method"}}
-# Anti-aliasing that draws its picture with several samples; a film filters finished ones.
-SAMPLED = {"msaa_4x", "supersample_4"}
+# Anti-aliasing that draws its picture with several samples, or gathers them in frames before; a film filters finished ones,
+# and its scene has no frames before its first.
+SAMPLED = {"msaa_4x", "supersample_4", "taa"}
 SIZE = (96, 54)
 
 
