@@ -384,6 +384,9 @@ case("OBJ vertex colours", "obj_colors.obj", "red at the left, green at the righ
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "-1 -1 0 255 0 0\n1 -1 0 0 255 0\n1 1 0 0 255 0\n-1 1 0 255 0 0\n4 0 1 2 3\n")
 case("PLY vertex colours", "colors.ply", "red at the left, green at the right", halves=True)
+(HERE / "faint.ply").write_text((HERE / "colors.ply").read_text().replace(
+    "property uchar blue\n", "property uchar blue\nproperty uchar alpha\n").replace(" 0 0\n", " 0 0 0\n").replace(" 255 0\n", " 255 0 0\n"))
+case("PLY opacity 0 everywhere", "faint.ply", "drawn opaque", like="colors.ply")
 (HERE / "points.ply").write_text("ply\nformat ascii 1.0\nelement vertex 2\n" + "".join(
     f"property float {c}\n" for c in "xyz") + "end_header\n0 0 0\n1 1 1\n")
 case("PLY point cloud", "points.ply", "refused in words that help", refused="point cloud")

@@ -110,7 +110,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
 // Statements seen in one material.
 struct Said {
     std::optional<float> d, tr;
-    bool ns = false, ks = false, pr = false, pm = false;
+    bool ns = false, ks = false, ke = false, pr = false, pm = false;
 };
 
 struct Reader {
@@ -130,7 +130,8 @@ struct Reader {
         }
         const bool known = color_of(keyword) || number_of(keyword) || map_of(keyword) || keyword == "d" ||
                            keyword == "tr" || keyword == "illum" || is_left_out(keyword);
-        if (!known) return;
+        if (!known && materials.empty()) return;
+        if (!known) return materials.back().left_out.push_back(written);
         if (materials.empty()) throw InputError("{} before the first newmtl", written);
         Material& m = materials.back();
         if (glm::vec3 Material::*color = color_of(keyword)) {
@@ -138,7 +139,7 @@ struct Reader {
                 m.*color = *value;
             else
                 m.left_out.push_back(written + " as a spectrum or XYZ");
-            said.ks |= keyword == "ks";
+            said.ks |= keyword == "ks", said.ke |= keyword == "ke";
         } else if (float Material::*number = number_of(keyword)) {
             m.*number = take_float(rest, written);
             said.ns |= keyword == "ns", said.pr |= keyword == "pr", said.pm |= keyword == "pm";
@@ -171,6 +172,7 @@ struct Reader {
         if (has_maps) m.has_exponent = false;  // one exponent cannot say it
         if (m.roughness_map && !said.pr) m.roughness = 1;
         if (m.metalness_map && !said.pm) m.metalness = 1;
+        if (m.emissive_map && !said.ke) m.emissive = glm::vec3(1);
         m.unlit = m.illumination == 0;
         if (m.opacity_map && !m.opacity_map.channel) m.opacity_map.channel = alpha_if_any;
         if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
@@ -187,8 +189,12 @@ struct Reader {
              m.name, *said.tr);
     }
 
-    // 0 to 1; some programs count to 255.
+    // 0 to 1; some programs count to 255, and some write black beside a texture.
     void set_colors(Material& m) const {
+        if (m.diffuse_map && m.diffuse == glm::vec3(0.0f)) {
+            m.diffuse = glm::vec3(1);
+            warn("{}: material '{}': Kd 0 0 0 would make its map_Kd black; taken as 1 1 1", name, m.name);
+        }
         for (glm::vec3 Material::*color : {&Material::ambient, &Material::diffuse, &Material::specular}) {
             glm::vec3& c = m.*color;
             const float most = std::max({c.r, c.g, c.b});
@@ -231,22 +237,15 @@ struct Reader {
                            : nullptr;
     }
     static TextureMap Material::*map_of(const std::string& k) {
-        static const std::map<std::string, TextureMap Material::*> maps = {{"map_ka", &Material::ambient_map},
-                                                                           {"map_kd", &Material::diffuse_map},
-                                                                           {"map_ks", &Material::specular_map},
-                                                                           {"map_ke", &Material::emissive_map},
-                                                                           {"map_ns", &Material::shininess_map},
-                                                                           {"map_d", &Material::opacity_map},
-                                                                           {"map_opacity", &Material::opacity_map},
-                                                                           {"map_bump", &Material::bump_map},
-                                                                           {"bump", &Material::bump_map},
-                                                                           {"norm", &Material::normal_map},
-
-                                                                           {"map_kn", &Material::normal_map},
-                                                                           {"disp", &Material::displacement_map},
-                                                                           {"map_disp", &Material::displacement_map},
-                                                                           {"map_pr", &Material::roughness_map},
-                                                                           {"map_pm", &Material::metalness_map}};
+        static const std::map<std::string, TextureMap Material::*> maps = {
+            {"map_ka", &Material::ambient_map},      {"map_kd", &Material::diffuse_map},
+            {"map_ks", &Material::specular_map},     {"map_ke", &Material::emissive_map},
+            {"map_ns", &Material::shininess_map},    {"map_d", &Material::opacity_map},
+            {"map_opacity", &Material::opacity_map}, {"map_bump", &Material::bump_map},
+            {"bump", &Material::bump_map},           {"norm", &Material::normal_map},
+            {"map_normal", &Material::normal_map},   {"map_kn", &Material::normal_map},
+            {"disp", &Material::displacement_map},   {"map_disp", &Material::displacement_map},
+            {"map_pr", &Material::roughness_map},    {"map_pm", &Material::metalness_map}};
         const auto it = maps.find(k);
         return it == maps.end() ? nullptr : it->second;
     }

@@ -6,7 +6,8 @@
 namespace lightwalk {
 
 /// The file that a text in `folder` names, possibly written on Windows: quotes go, backslashes become slashes, of an
-/// absolute Windows path only the file's name is kept. Whether it exists is not looked at.
+/// absolute Windows path only the file's name is kept. If there is no such file: one in other capitals, or one of that name
+/// in `folder`.
 std::filesystem::path resolve_file(std::string_view written, const std::filesystem::path& folder);
 
 }  // namespace lightwalk

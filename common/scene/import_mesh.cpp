@@ -1,4 +1,5 @@
 // Meshes that Assimp has read.
+#include <algorithm>
 #include <cmath>
 
 #include "common/base/error.h"
@@ -66,6 +67,9 @@ Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
         }
         if (from.HasVertexColors(0)) to.colors.push_back(to_linear(from.mColors[0][i]));
     }
+    // Opacity 0 everywhere would make it vanish.
+    if (std::all_of(to.colors.begin(), to.colors.end(), [](const glm::vec4& color) { return color.a == 0.0f; }))
+        for (glm::vec4& color : to.colors) color.a = 1;
     for (unsigned i = 0; i < from.mNumFaces; ++i) {
         const aiFace& face = from.mFaces[i];
         if (face.mNumIndices != 3) continue;  // points and lines

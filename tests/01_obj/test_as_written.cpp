@@ -1,10 +1,15 @@
 // OBJ and MTL as other programs write them.
+#include <unistd.h>
+
 #include "01_obj/mtl.h"
 #include "agreement.h"
 #include "catch.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/scene/asset_path.h"
 
 using namespace lightwalk;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -96,8 +101,24 @@ TEST_CASE("mtl as written: colours of 255, maps of roughness, where textures lie
     CHECK(map.place.turn * glm::vec2(1, 1) + map.place.offset == glm::vec2(2.5f, 4.25f));
     CHECK(map.sampler.wrap == Wrap::clamp);
     CHECK(material_of("illum 0").unlit);
+    CHECK(material_of("map_Ke a.png").emissive == glm::vec3(1));
+    CHECK(material_of("Ke 0 0 0\nmap_Ke a.png").emissive == glm::vec3(0));
+    CHECK(material_of("Kd 0 0 0\nmap_Kd a.png").diffuse == glm::vec3(1));
+    CHECK(material_of("Kd 0 0 0").diffuse == glm::vec3(0));
+    CHECK(material_of("map_Normal a.png").normal_map);
     CHECK(material_of("map_d a.png").opacity_map.channel == alpha_if_any);
     CHECK(material_of("map_d -imfchan g a.png").opacity_map.channel == 'g');
     using Names = std::vector<std::string>;
     CHECK(material_of("refl -type sphere a.png\nTf 1 1 1\nPc 0.5\naniso 0").left_out == Names{"refl", "Pc"});
+    CHECK(material_of("map_ORM a.png").left_out == Names{"map_ORM"});
+}
+
+TEST_CASE("mtl as written: file names in other capitals, or of a folder that is gone") {
+    const fs::path folder = fs::temp_directory_path() / fmt::format("lightwalk_names_{}", getpid());
+    fs::create_directories(folder);
+    write_file(folder / "Wood.PNG", "");
+    for (const char* written : {"wood.png", "Wood.PNG", "textures/wood.png", "C:\\maps\\WOOD.png"})
+        CHECK(resolve_file(written, folder) == folder / "Wood.PNG");
+    CHECK(resolve_file("stone.png", folder) == folder / "stone.png");
+    fs::remove_all(folder);
 }
