@@ -71,7 +71,10 @@ bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, CuttingTim
         const size_t count = piece.from->sizes[i];
         Corner small[4];
         Corner* polygon = small;
-        if (count > 4) large.resize(count), polygon = large.data();
+        if (count > 4) {
+            large.resize(count);
+            polygon = large.data();
+        }
         for (size_t k = 0; k < count; ++k) {
             polygon[k] = from[k];
             if (!resolve(polygon[k], base, data, absent)) return false;
@@ -80,12 +83,17 @@ bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, CuttingTim
         if (count == 3) {
             std::copy_n(polygon, 3, out);
         } else if (count == 4 && surely_convex(at(0), at(1), at(2), at(3))) {
-            out[0] = polygon[0], out[1] = polygon[1], out[2] = polygon[2];
-            out[3] = polygon[0], out[4] = polygon[2], out[5] = polygon[3];
+            out[0] = polygon[0];
+            out[1] = polygon[1];
+            out[2] = polygon[2];
+            out[3] = polygon[0];
+            out[4] = polygon[2];
+            out[5] = polygon[3];
         } else {
             time.count(count, [&] { cut_polygon(cut, polygon, count, data.positions, out); });
         }
-        from += count, out += 3 * (count - 2);
+        from += count;
+        out += 3 * (count - 2);
     }
     return true;
 }
@@ -232,7 +240,10 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
         if (here) any_absent = true;
     });
     absent = any_absent;
-    if (in_range) collect_runs(pieces, bases, data), add_colors(pieces, bases, data);
+    if (in_range) {
+        collect_runs(pieces, bases, data);
+        add_colors(pieces, bases, data);
+    }
     return in_range;
 }
 

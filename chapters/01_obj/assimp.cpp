@@ -25,11 +25,16 @@ ObjData parse_assimp(std::string_view text, const std::string& name) {
         const uint32_t uv_base = static_cast<uint32_t>(data.uvs.size() / 2);
         const uint32_t normal_base = static_cast<uint32_t>(data.normals.size() / 3);
         for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-            std::memcpy(data.positions.room(3), &mesh.mVertices[i], 3 * sizeof(float)), data.positions.added(3);
-            if (mesh.HasTextureCoords(0))
-                std::memcpy(data.uvs.room(2), &mesh.mTextureCoords[0][i], 2 * sizeof(float)), data.uvs.added(2);
-            if (mesh.HasNormals())
-                std::memcpy(data.normals.room(3), &mesh.mNormals[i], 3 * sizeof(float)), data.normals.added(3);
+            std::memcpy(data.positions.room(3), &mesh.mVertices[i], 3 * sizeof(float));
+            data.positions.added(3);
+            if (mesh.HasTextureCoords(0)) {
+                std::memcpy(data.uvs.room(2), &mesh.mTextureCoords[0][i], 2 * sizeof(float));
+                data.uvs.added(2);
+            }
+            if (mesh.HasNormals()) {
+                std::memcpy(data.normals.room(3), &mesh.mNormals[i], 3 * sizeof(float));
+                data.normals.added(3);
+            }
         }
         data.runs.push_back({.first_triangle = static_cast<uint32_t>(data.triangles())});
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {

@@ -105,11 +105,14 @@ void print_json(const std::filesystem::path& path, size_t bytes, int runs, const
         if (!r.error.empty()) {
             entry["error"] = r.error;
         } else {
-            entry["ms_median"] = r.quantile(0.5), entry["ms_lower_quartile"] = r.quantile(0.25);
+            entry["ms_median"] = r.quantile(0.5);
+            entry["ms_lower_quartile"] = r.quantile(0.25);
             entry["ms_upper_quartile"] = r.quantile(0.75);
             entry["mb_per_s"] = static_cast<double>(bytes) / 1e3 / r.quantile(0.5);
-            entry["triangles"] = r.triangles, entry["max_ulp"] = r.largest_ulps;
-            entry["floats_wrong"] = r.floats_wrong, entry["floats_compared"] = r.floats_compared;
+            entry["triangles"] = r.triangles;
+            entry["max_ulp"] = r.largest_ulps;
+            entry["floats_wrong"] = r.floats_wrong;
+            entry["floats_compared"] = r.floats_compared;
             entry["index_agreement"] = r.index_agreement;
         }
         out["loaders"].push_back(entry);

@@ -37,7 +37,10 @@ std::optional<glm::vec3> take_color(std::string_view rest, std::string_view what
     std::string_view peek = rest;
     if (const std::string_view form = next_word(peek); form == "spectral" || form == "xyz") return {};
     glm::vec3 color(take_float(rest, what));
-    if (!next_value(peek).empty()) color.y = take_float(rest, what), color.z = take_float(rest, what);
+    if (!next_value(peek).empty()) {
+        color.y = take_float(rest, what);
+        color.z = take_float(rest, what);
+    }
     return color;
 }
 
@@ -54,7 +57,8 @@ void take_up_to_three(std::string_view& rest, std::string_view what, glm::vec3& 
         std::string_view after = rest;
         float number;
         if (parse_float(next_word(after), number) != FloatStatus::ok || trim(after).empty()) return;
-        value[i] = number, rest = after;
+        value[i] = number;
+        rest = after;
     }
 }
 
@@ -78,19 +82,22 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
             take_up_to_three(after, option, map.offset);
         else if (option == "-s")
             take_up_to_three(after, option, map.scale);
-        else if (option == "-t")
-            take_up_to_three(after, option, dropped), left_out.push_back("-t");
-        else if (option == "-mm")
-            map.base_gain.x = take_float(after, option), map.base_gain.y = take_float(after, option);
-        else if (option == "-clamp")
+        else if (option == "-t") {
+            take_up_to_three(after, option, dropped);
+            left_out.push_back("-t");
+        } else if (option == "-mm") {
+            map.base_gain.x = take_float(after, option);
+            map.base_gain.y = take_float(after, option);
+        } else if (option == "-clamp")
             map.clamp = take_switch(after, option);
         else if (option == "-blendu" || option == "-blendv")
             take_switch(after, option);
         else if (option == "-cc") {
             if (take_switch(after, option)) left_out.push_back("-cc");
-        } else if (option == "-boost" || option == "-texres")
-            take_float(after, option), left_out.emplace_back(option);
-        else if (option == "-type")
+        } else if (option == "-boost" || option == "-texres") {
+            take_float(after, option);
+            left_out.emplace_back(option);
+        } else if (option == "-type")
             next_word(after);
         else if (option == "-imfchan") {
             const std::string_view channel = next_word(after);
@@ -125,7 +132,8 @@ struct Reader {
         if (keyword == "newmtl") {
             if (trim(rest).empty()) throw InputError("newmtl without a name");
             finish();
-            materials.emplace_back().name = trim(rest), said = {};
+            materials.emplace_back().name = trim(rest);
+            said = {};
             return;
         }
         const bool known = color_of(keyword) || number_of(keyword) || map_of(keyword) || keyword == "d" ||
@@ -142,7 +150,9 @@ struct Reader {
             said.ks |= keyword == "ks", said.ke |= keyword == "ke";
         } else if (float Material::*number = number_of(keyword)) {
             m.*number = take_float(rest, written);
-            said.ns |= keyword == "ns", said.pr |= keyword == "pr", said.pm |= keyword == "pm";
+            said.ns |= keyword == "ns";
+            said.pr |= keyword == "pr";
+            said.pm |= keyword == "pm";
         } else if (TextureMap Material::*map = map_of(keyword)) {
             m.*map = take_map(rest, folder, m.left_out);
         } else if (keyword == "d") {

@@ -101,13 +101,16 @@ void Scanner::statement(std::string_view text) {
     if (keyword == "v") {
         const VertexLine vertex = read_vertex(rest);
         if (vertex.has_color) out_.colors.push_back({static_cast<uint32_t>(out_.positions.size() / 3), vertex.color});
-        std::memcpy(out_.positions.room(3), vertex.position, 3 * sizeof(float)), out_.positions.added(3);
+        std::memcpy(out_.positions.room(3), vertex.position, 3 * sizeof(float));
+        out_.positions.added(3);
     } else if (keyword == "vt") {
         read_floats(rest, 1, 3, values, "vt u v");
-        std::memcpy(out_.uvs.room(2), values, 2 * sizeof(float)), out_.uvs.added(2);
+        std::memcpy(out_.uvs.room(2), values, 2 * sizeof(float));
+        out_.uvs.added(2);
     } else if (keyword == "vn") {
         read_floats(rest, 3, 3, values, "vn x y z");
-        std::memcpy(out_.normals.room(3), values, 3 * sizeof(float)), out_.normals.added(3);
+        std::memcpy(out_.normals.room(3), values, 3 * sizeof(float));
+        out_.normals.added(3);
     } else if (keyword == "f" || keyword == "fo") {
         face(rest);
     } else if (keyword == "o") {
@@ -184,7 +187,9 @@ Counts count_elements(std::string_view text) {
     Statements statements(text);
     for (std::string_view statement; statements.next(statement);) {
         const std::string_view keyword = next_word(statement);
-        counts.positions += keyword == "v", counts.uvs += keyword == "vt", counts.normals += keyword == "vn";
+        counts.positions += keyword == "v";
+        counts.uvs += keyword == "vt";
+        counts.normals += keyword == "vn";
     }
     return counts;
 }

@@ -39,14 +39,17 @@ class VertexTable {
         int length = 0;
         // In the chain, entries of earlier meshes follow all entries of this one.
         for (uint32_t i = first_[corner.position]; i != none && i >= mesh_start_; i = entries_[i].next) {
-            if (entries_[i].uv == corner.uv && entries_[i].normal == corner.normal)
-                return is_new = false, i - mesh_start_;
+            if (entries_[i].uv == corner.uv && entries_[i].normal == corner.normal) {
+                is_new = false;
+                return i - mesh_start_;
+            }
             if (++length == longest_chain) return find_in_crowd(corner, is_new);
         }
         const uint32_t i = static_cast<uint32_t>(entries_.size());
         entries_.push_back({corner.uv, corner.normal, first_[corner.position]});
         first_[corner.position] = i;
-        return is_new = true, i - mesh_start_;
+        is_new = true;
+        return i - mesh_start_;
     }
     // [/find]
 

@@ -67,7 +67,11 @@ FramedMesh frame_mesh(const Mesh& mesh) {
         uint32_t vertex = mesh.indices[i];
         if (directed && sums[vertex].weight > 0.0f && sums[vertex].last.handedness != frame.handedness) {
             const auto [twin, added] = mirrored.emplace(vertex, static_cast<uint32_t>(sums.size()));
-            if (added) sums.emplace_back(), result.vertices.push_back(a), result.copies.push_back(vertex);
+            if (added) {
+                sums.emplace_back();
+                result.vertices.push_back(a);
+                result.copies.push_back(vertex);
+            }
             vertex = result.indices[i] = twin->second;
         }
         Sum& sum = sums[vertex];

@@ -67,18 +67,21 @@ void try_axis(Run begin, Run end, const Bounds& centers, int axis, Cut& best) {
     std::array<Bin, bin_count> bins;
     for (Run i = begin; i != end; ++i) {
         Bin& bin = bins[static_cast<size_t>(cut.bin_of(*i))];
-        bin.box.add(i->box), ++bin.count;
+        bin.box.add(i->box);
+        ++bin.count;
     }
     std::array<double, bin_count> upper_cost{};
     Bin upper;
     for (size_t i = bin_count - 1; i > 0; --i) {
-        upper.box.add(bins[i].box), upper.count += bins[i].count;
+        upper.box.add(bins[i].box);
+        upper.count += bins[i].count;
         upper_cost[i] = area(upper.box) * upper.count;
     }
     Bin lower;
     const auto total = static_cast<uint32_t>(end - begin);
     for (size_t i = 1; i < bin_count; ++i) {
-        lower.box.add(bins[i - 1].box), lower.count += bins[i - 1].count;
+        lower.box.add(bins[i - 1].box);
+        lower.count += bins[i - 1].count;
         cut.cost = area(lower.box) * lower.count + upper_cost[i];
         cut.bin = static_cast<int>(i);
         if (lower.count > 0 && lower.count < total && cut.cost < best.cost) best = cut;
@@ -91,7 +94,10 @@ uint32_t levels_of_halves(uint32_t count) { return std::bit_width((count + BVH_L
 // Where the upper side begins; `end` where the run is to be a leaf. `levels` may still come below.
 Run split(Run begin, Run end, uint32_t levels) {
     Bounds box, centers;
-    for (Run i = begin; i != end; ++i) box.add(i->box), centers.add(i->center);
+    for (Run i = begin; i != end; ++i) {
+        box.add(i->box);
+        centers.add(i->center);
+    }
     const auto count = static_cast<uint32_t>(end - begin);
     Cut best;
     if (levels_of_halves(count) < levels)
@@ -130,11 +136,13 @@ Bvh::Bvh(std::vector<RayTriangle> triangles) {
         const Run begin = boxed.begin() + task.first, end = begin + task.count;
         const auto below = static_cast<uint32_t>(split(begin, end, BVH_STACK - task.depth) - begin);
         if (below == task.count) {
-            nodes_[task.node].first = task.first, nodes_[task.node].count = task.count;
+            nodes_[task.node].first = task.first;
+            nodes_[task.node].count = task.count;
             continue;
         }
         const auto child = static_cast<uint32_t>(nodes_.size());
-        nodes_[task.node].first = child, nodes_[task.node].count = 0;
+        nodes_[task.node].first = child;
+        nodes_[task.node].count = 0;
         nodes_.resize(nodes_.size() + 2);
         tasks.push_back({child + 1, task.first + below, task.count - below, task.depth + 1});
         tasks.push_back({child, task.first, below, task.depth + 1});
@@ -172,13 +180,17 @@ void Bvh::set_boxes() {
         BvhNode& node = nodes_[i];
         Bounds box;
         if (node.count == 0) {
-            for (const BvhNode& child : {nodes_[node.first], nodes_[node.first + 1]})
-                box.add(child.lower), box.add(child.upper);
+            for (const BvhNode& child : {nodes_[node.first], nodes_[node.first + 1]}) {
+                box.add(child.lower);
+                box.add(child.upper);
+            }
         } else {
             for (uint32_t t = 0; t < node.count; ++t) box.add(box_of(triangles_[node.first + t]));
-            box.lower -= margin, box.upper += margin;
+            box.lower -= margin;
+            box.upper += margin;
         }
-        node.lower = box.lower, node.upper = box.upper;
+        node.lower = box.lower;
+        node.upper = box.upper;
     }
 }
 // [/refit]

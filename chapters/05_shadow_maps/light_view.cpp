@@ -19,16 +19,20 @@ glm::mat4 look_along(glm::vec3 eye, glm::vec3 direction, glm::vec3 up) { return 
 // Depth 1 at `near`, 0 at `far`; y down.
 glm::mat4 perspective(float tan_half, float near, float far) {
     glm::mat4 m(0.0f);
-    m[0][0] = 1.0f / tan_half, m[1][1] = -1.0f / tan_half;
-    m[2][2] = near / (far - near), m[3][2] = far * near / (far - near);
+    m[0][0] = 1.0f / tan_half;
+    m[1][1] = -1.0f / tan_half;
+    m[2][2] = near / (far - near);
+    m[3][2] = far * near / (far - near);
     m[2][3] = -1.0f;
     return m;
 }
 
 glm::mat4 parallel(float half_width, float near, float far) {
     glm::mat4 m(1.0f);
-    m[0][0] = 1.0f / half_width, m[1][1] = -1.0f / half_width;
-    m[2][2] = 1.0f / (far - near), m[3][2] = far / (far - near);
+    m[0][0] = 1.0f / half_width;
+    m[1][1] = -1.0f / half_width;
+    m[2][2] = 1.0f / (far - near);
+    m[3][2] = far / (far - near);
     return m;
 }
 // [/projections]
@@ -49,7 +53,8 @@ LightView perspective_view(glm::vec3 eye, glm::vec3 direction, glm::vec3 up, flo
         .view = {perspective(wide, near, far) * look, eye},
         .casters = perspective(wide, 1e-3f * near, far) * look,  // objects before the near plane cast shadows, too
         .data = {}};
-    v.data.near = near, v.data.far = far;
+    v.data.near = near;
+    v.data.far = far;
     v.data.to_distance = {1.0f / far, 1.0f / near - 1.0f / far};
     v.data.perspective = 1;
     v.data.texel = 2.0f * wide / static_cast<float>(options.resolution);
@@ -100,14 +105,17 @@ LightView parallel_view(glm::vec3 direction, Ball ball, const Bounds& scene, con
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
         const float depth = -(turn * glm::vec4(glm::mix(scene.lower, scene.upper, pick), 1.0f)).z;
-        near = std::min(near, depth), far = std::max(far, depth);
+        near = std::min(near, depth);
+        far = std::max(far, depth);
     }
     const float gap = std::max(1e-3f * (far - near), 1e-3f);
-    near -= gap, far += gap;
+    near -= gap;
+    far += gap;
     const glm::mat4 move = glm::translate(glm::mat4(1.0f), {-middle.x, -middle.y, 0.0f});
     LightView v{.view = {parallel(half_width, near, far) * move * turn, -near * direction}, .casters{}, .data = {}};
     v.casters = v.view.view_projection;
-    v.data.near = near, v.data.far = far;
+    v.data.near = near;
+    v.data.far = far;
     v.data.to_distance = {far, near - far};
     v.data.texel = texel;
     return finish(v);

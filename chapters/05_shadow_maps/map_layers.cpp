@@ -11,7 +11,8 @@ std::vector<uint32_t> moved_between(const MapContent& before, const MapContent& 
     for (auto i = a.begin(), j = b.begin(); i != a.end() || j != b.end();) {
         const uint32_t left = i == a.end() ? ~0u : i->first, right = j == b.end() ? ~0u : j->first;
         if (left != right || i->second != j->second) moved.push_back(std::min(left, right));
-        i += left <= right, j += right <= left;
+        i += left <= right;
+        j += right <= left;
     }
     return moved;
 }
@@ -42,7 +43,10 @@ std::vector<uint32_t> MapLayers::choose(uint32_t id, const std::vector<const Map
 
     const auto take = [&](uint32_t& layer, auto suits) {
         for (uint32_t i = 0; layer == none && i < layers_.size(); ++i)
-            if (suits(i)) layer = i, taken[i] = true;
+            if (suits(i)) {
+                layer = i;
+                taken[i] = true;
+            }
     };
     for (size_t i = 0; i < wanted.size(); ++i)
         take(chosen[i], [&](uint32_t layer) { return layers_[layer].content == *wanted[i]; });
@@ -54,7 +58,9 @@ std::vector<uint32_t> MapLayers::choose(uint32_t id, const std::vector<const Map
         take(layer, [&](uint32_t other) { return !taken[other] && (is_full || !of_another[other]); });
         if (layer != none) continue;
         layer = static_cast<uint32_t>(layers_.size());
-        layers_.emplace_back(), taken.push_back(true), of_another.push_back(false);
+        layers_.emplace_back();
+        taken.push_back(true);
+        of_another.push_back(false);
     }
     return chosen;
 }

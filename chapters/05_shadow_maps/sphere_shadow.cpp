@@ -18,7 +18,8 @@ std::pair<float, float> radii(const DrawItem& item) {
     float nearest = INFINITY, farthest = 0;
     for (const Vertex& vertex : item.model->model.meshes[item.mesh].vertices) {
         const float r = glm::length(glm::mat3(item.transform) * vertex.position);
-        nearest = std::min(nearest, r), farthest = std::max(farthest, r);
+        nearest = std::min(nearest, r);
+        farthest = std::max(farthest, r);
     }
     return {nearest, farthest};
 }

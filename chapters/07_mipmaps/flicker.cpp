@@ -39,7 +39,8 @@ double Flicker::measure(Chapter& chapter, Gpu& gpu, glm::uvec2 size, const Knobs
         double mean = 0, square = 0;
         for (int i = 0; i < pictures; ++i) {
             const double off = shown(found[size_t(i)].pixels[p]) - shown(truth[size_t(i)].pixels[p]);
-            mean += off / pictures, square += off * off / pictures;
+            mean += off / pictures;
+            square += off * off / pictures;
         }
         sum += std::sqrt(std::max(square - mean * mean, 0.0));
     }

@@ -17,7 +17,8 @@ void LevelView::record(Frame& frame, const LevelledMaps& maps, const MipChain& c
         exact_ =
             Image(frame.gpu.device, {.name = "exact level", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
         frame.gpu.upload(exact_, to_bytes(exact, exact_.desc.format));
-        shown_ = &entry, shown_level_ = m;
+        shown_ = &entry;
+        shown_level_ = m;
         text_ = fmt::format("{}: level {}, {}x{}", entry.name, m, size.x, size.y);
     }
     const ImageView found = (chain.method.is("none") ? entry.plain.mip(0) : entry.levels.mip(m)).codes();

@@ -109,7 +109,8 @@ class Bench {
             if (!errors[method].empty()) point["error"]["level_rmse"] = std::sqrt(sum);
             result_["points"].push_back(point);
         }
-        from_ = Buffer(), to_ = Buffer();
+        from_ = Buffer();
+        to_ = Buffer();
     }
 
   private:

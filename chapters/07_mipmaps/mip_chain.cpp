@@ -49,7 +49,8 @@ void MipChain::record(Frame& frame, const ImageView& image, Content what, float 
 // Blits with a linear filter, available everywhere. They know sRGB, but neither normals nor alpha.
 void MipChain::record_blits(Frame& frame, const ImageView& image) {
     ImageView smaller = image;
-    smaller.first_mip += 1, smaller.mips -= 1;
+    smaller.first_mip += 1;
+    smaller.mips -= 1;
     frame.transfer("mips by blits", {.reads = {image.mip(0)}, .writes = {smaller}}, [&](VkCommandBuffer commands) {
         for (uint32_t m = 1; m < image.mips; ++m) {
             const ImageView from = image.mip(m - 1), to = image.mip(m);
@@ -123,7 +124,10 @@ void MipChain::record_single_pass(Frame& frame, const ImageView& image, Macros v
             };
             if (base > 0) pass.wait();
             dispatch(split ? "SIX" : "ALL", tiles);
-            if (split) pass.wait(), dispatch("REST", {1, 1});
+            if (split) {
+                pass.wait();
+                dispatch("REST", {1, 1});
+            }
             next_counter_ += image.layers;
             base += made;
         }

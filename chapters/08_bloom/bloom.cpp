@@ -118,7 +118,10 @@ const Pipeline& Bloom::pipeline_of(const Step& step) const {
 // [blur]
 void Bloom::record_blur(Frame& frame) {
     ComputeAccess access{.reads = {dispatch_}, .with = {*this}};
-    for (const Image& image : images_) access.reads.push_back(image), access.writes.push_back(image);
+    for (const Image& image : images_) {
+        access.reads.push_back(image);
+        access.writes.push_back(image);
+    }
     frame.compute("bloom blur", access, [&](Compute& pass) {
         for (size_t i = 0; i < plan_.steps.size(); ++i) {
             const Step& step = plan_.steps[i];

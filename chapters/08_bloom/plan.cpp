@@ -117,7 +117,9 @@ class Planner {
         const int into = step.into;
         step.into = middle;
         plan_.steps.push_back(step);
-        step.from = middle, step.into = into, step.direction = {0, 1};
+        step.from = middle;
+        step.into = into;
+        step.direction = {0, 1};
         plan_.steps.push_back(ends ? last(step) : step);
     }
 
@@ -165,7 +167,8 @@ class Planner {
 
     void rounds(Step step, int count) {
         for (int i = 0; i < count; ++i) {
-            step.from = i == 0 ? 0 : second(), step.into = second();
+            step.from = i == 0 ? 0 : second();
+            step.into = second();
             two_lines(step, between(), i == count - 1);
         }
     }
@@ -247,7 +250,8 @@ double tap_variance(const std::vector<glm::dvec2>& offsets_and_weights, double p
     double weight = 0, mean = 0, square = 0;
     for (const glm::dvec2& tap : offsets_and_weights) {
         const double at = phase + tap.x, f = at - std::floor(at);
-        weight += tap.y, mean += tap.y * tap.x;
+        weight += tap.y;
+        mean += tap.y * tap.x;
         square += tap.y * (tap.x * tap.x + f * (1 - f));  // a linear filter adds f (1 - f)
     }
     return square / weight - (mean / weight) * (mean / weight);

@@ -12,7 +12,8 @@ double relative_l2(const ImageRgb& found, const ImageRgb& exact) {
     double off = 0, all = 0;
     for (size_t i = 0; i < exact.pixels.size(); ++i) {
         const double a = double(found.pixels[i].g), b = double(exact.pixels[i].g);
-        off += (a - b) * (a - b), all += b * b;
+        off += (a - b) * (a - b);
+        all += b * b;
     }
     return all > 0 ? std::sqrt(off / all) : std::sqrt(off);
 }

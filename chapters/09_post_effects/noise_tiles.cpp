@@ -59,7 +59,10 @@ std::vector<float> blue_noise(int side) {
     Numbers random{1};
     const size_t all = points.on.size(), first = all / 10;
     for (size_t placed = 0; placed < first;)
-        if (const auto at = static_cast<size_t>(random.next() * double(all)); !points.on[at]) points.flip(at), ++placed;
+        if (const auto at = static_cast<size_t>(random.next() * double(all)); !points.on[at]) {
+            points.flip(at);
+            ++placed;
+        }
     for (size_t turn = 0; turn < all; ++turn) {
         const size_t from = points.tightest(true);
         points.flip(from);
@@ -101,9 +104,11 @@ std::vector<float> film_clumps(int side) {
                 sum += weights[j][i] *
                        white[size_t((at / side + j + side - 3) % side * side + (at % side + i + side - 3) % side)];
         clumps.push_back(float(sum));
-        mean += sum, square += sum * sum;
+        mean += sum;
+        square += sum * sum;
     }
-    mean /= double(clumps.size()), square /= double(clumps.size());
+    mean /= double(clumps.size());
+    square /= double(clumps.size());
     const double scale = std::sqrt(1.0 / 3.0 / (square - mean * mean));
     for (float& one : clumps) one = float((double(one) - mean) * scale);
     return clumps;

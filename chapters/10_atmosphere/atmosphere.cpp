@@ -94,9 +94,12 @@ void Atmosphere::make_images(Device& device) {
     const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
     const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
-        if (image.fit(device,
-                      {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true}))
-            lasting_made_.forget(), sky_made_.forget();
+        if (image.fit(
+                device,
+                {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true})) {
+            lasting_made_.forget();
+            sky_made_.forget();
+        }
     };
     table(transmittance_, " transmittance", {256, 64}, 0);
     table(multiple_, " multiple scattering", {32, 32}, 0);
@@ -195,9 +198,11 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
         const auto so_far = [&](Image& image, const char* name) {
             image.fit(frame.gpu.device,
                       {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size});
-            access.reads.push_back(image), access.writes.push_back(image);
+            access.reads.push_back(image);
+            access.writes.push_back(image);
         };
-        so_far(light_so_far_, " light so far"), so_far(through_so_far_, " through so far");
+        so_far(light_so_far_, " light so far");
+        so_far(through_so_far_, " through so far");
     }
     frame.compute("atmosphere", access, [&](Compute& pass) {
         for (const PathPart& part : parts) {

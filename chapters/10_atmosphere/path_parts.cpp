@@ -45,7 +45,8 @@ std::vector<PathPart> path_parts(const PathWork& work, const Air& air) {
     const auto most_places = std::max(1, static_cast<int>(most_rounds / of_a_place));
     for (int first = 0; first < work.places; first += most_places)
         parts.push_back({.first_place = first, .end_place = std::min(first + most_places, work.places)});
-    parts.front().begins = 1, parts.back().ends = 1;
+    parts.front().begins = 1;
+    parts.back().ends = 1;
     return parts;
 }
 

@@ -35,11 +35,16 @@ void DepthError::measure(Gpu& gpu, const Julia& julia, const Camera& camera, dou
             const glm::dvec2 range = truth::within_ball(glm::dvec3(rays.eye), direction(x, y), bound);
             if (range.x > range.y) continue;
             const glm::vec4& march = found[y * size.x + x];
-            met += 1, steps += double(march.y), capped += march.z == 2;
+            met += 1;
+            steps += double(march.y);
+            capped += march.z == 2;
         }
 
     nlohmann::json key{size.x, size.y, time_s, exact.slice};
-    for (int i = 0; i < 3; ++i) key.push_back(camera.position[i]), key.push_back(camera.target[i]);
+    for (int i = 0; i < 3; ++i) {
+        key.push_back(camera.position[i]);
+        key.push_back(camera.target[i]);
+    }
     for (int i = 0; i < 4; ++i) key.push_back(exact.c[i]);
     std::vector<double>& depths = known_[key.dump()];
     const bool fresh = depths.empty();
@@ -56,7 +61,8 @@ void DepthError::measure(Gpu& gpu, const Julia& julia, const Camera& camera, dou
             const glm::vec4& march = found[pixel.y * size.x + pixel.x];
             const bool hits = march.z != 0;
             if (!hits && right < 0) continue;
-            judged += 1, misjudged += hits != (right >= 0);
+            judged += 1;
+            misjudged += hits != (right >= 0);
             sum += hits == (right >= 0) ? std::min(std::fabs(double(march.x) - right), most_m) : most_m;
         }
     error["depth_error"] = judged > 0 ? sum / judged : 0;

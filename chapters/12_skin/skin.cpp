@@ -164,7 +164,10 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
     };
     const auto draw_fragments = [&] {
         frame.raster("matt", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
-                     [&](Raster& pass) { draw(pass, is_other, matt_), draw(pass, is_eye, eye_pass_); });
+                     [&](Raster& pass) {
+                         draw(pass, is_other, matt_);
+                         draw(pass, is_eye, eye_pass_);
+                     });
         RasterTargets targets{.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with};
         if (on_screen) {
             screen_.fit(frame.gpu.device, canvas.size());

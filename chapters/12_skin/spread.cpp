@@ -21,7 +21,10 @@ void Spread::record(Frame& frame, const Maps& maps, int gaussians) {
     make(frame, sum_, "skin sum", size, half4);
     levels_.resize(sum.size());
     std::vector<const Image*> levels;
-    for (Image& level : levels_) make(frame, level, "skin level", size, half4), levels.push_back(&level);
+    for (Image& level : levels_) {
+        make(frame, level, "skin level", size, half4);
+        levels.push_back(&level);
+    }
 
     // 1. Each Gaussian from the one before it. Levels that an answer leaves out are black.
     if (!Exercises::uses_solution("12.blur_irradiance"))

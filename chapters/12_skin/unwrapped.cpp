@@ -63,9 +63,13 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
                  {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});
     };
     constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
-    image(raw_position_, "raw position", float4), image(position, "position", float4);
-    image(raw_normal_, "raw normal", half4), image(normal, "normal", half4);
-    image(raw_albedo_, "raw albedo", half4), image(albedo, "albedo", half4), image(stretch, "stretch", half4);
+    image(raw_position_, "raw position", float4);
+    image(position, "position", float4);
+    image(raw_normal_, "raw normal", half4);
+    image(normal, "normal", half4);
+    image(raw_albedo_, "raw albedo", half4);
+    image(albedo, "albedo", half4);
+    image(stretch, "stretch", half4);
     image(raw_stretch_, "raw stretch", half4);
     frame.raster("unwrap",
                  {.color = {clear(raw_position_, glm::vec4(0)), clear(raw_normal_, glm::vec4(0)),

@@ -29,7 +29,10 @@ void Substances::prepare(Gpu& gpu, Scene& scene) {
         own.metalness = in_scene ? 0.0f : item.material.metalness;
         own.paint = item.material.name == "paint" && !in_scene ? 1u : 0u;
         for (const Bumps& bumps : all_bumps)
-            if (item.material.name == bumps.material) own.bumps_per_m = bumps.per_m, own.bump_depth = bumps.depth;
+            if (item.material.name == bumps.material) {
+                own.bumps_per_m = bumps.per_m;
+                own.bump_depth = bumps.depth;
+            }
     }
     if (substances.empty()) substances.emplace_back();
     substances_ = gpu.upload("substances", substances);

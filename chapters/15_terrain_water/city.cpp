@@ -137,7 +137,9 @@ void City::cast(Raster& pass, const View& light) const {
 
 void City::bind(Pass& pass) const {
     if (boxes_.empty()) return;
-    pass.offer("city_boxes", buffer_), pass.offer("city_cells", cells_), pass.offer("city_grid", grid_);
+    pass.offer("city_boxes", buffer_);
+    pass.offer("city_cells", cells_);
+    pass.offer("city_grid", grid_);
 }
 
 // Blocks in a row that the view may see are one draw.

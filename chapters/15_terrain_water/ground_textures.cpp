@@ -18,7 +18,8 @@ float random_at(int x, int y, int period, uint32_t seed) {
         return static_cast<uint32_t>(i < 0 ? i + period : i >= period ? i - period : i);
     };
     uint32_t h = wrapped(x) * 0x9E3779B1u ^ wrapped(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du, h = (h ^ (h >> 12)) * 0x297A2D39u;
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    h = (h ^ (h >> 12)) * 0x297A2D39u;
     return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.0f;
 }
 
@@ -36,7 +37,8 @@ class Octaves {
             const float at = v * static_cast<float>(octave.period), part = glm::fract(at);
             const int cell = static_cast<int>(std::floor(at));
             octave.across = part * part * (3.0f - 2.0f * part);
-            octave.here.clear(), octave.next.clear();
+            octave.here.clear();
+            octave.next.clear();
             for (int x = 0; x <= octave.period; ++x) {
                 octave.here.push_back(random_at(x, cell, octave.period, octave.seed));
                 octave.next.push_back(random_at(x, cell + 1, octave.period, octave.seed));
@@ -109,7 +111,10 @@ class Crowns {
 /// Ground cover: albedo and height at points of one row after the other.
 struct Grass {
     Octaves patches{4, 4, 0.6f, 11}, blades{64, 3, 0.8f, 23};
-    void to_row(float v) { patches.to_row(v), blades.to_row(v); }
+    void to_row(float v) {
+        patches.to_row(v);
+        blades.to_row(v);
+    }
     glm::vec4 at(glm::vec2 uv) const {
         const float patch = patches.at(uv.x), blade = blades.at(uv.x);
         const float dry = glm::smoothstep(0.45f, 0.7f, patch);
@@ -183,8 +188,10 @@ void add_layer(Material material, std::vector<glm::u8vec4>& texels, std::vector<
 
 void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
     std::vector<glm::u8vec4> texels, slopes;
-    add_layer(Grass(), texels, slopes), add_layer(Forest(), texels, slopes);
-    add_layer(Rock(), texels, slopes), add_layer(Snow(), texels, slopes);
+    add_layer(Grass(), texels, slopes);
+    add_layer(Forest(), texels, slopes);
+    add_layer(Rock(), texels, slopes);
+    add_layer(Snow(), texels, slopes);
     const auto upload = [&](Image& image, const char* name, const std::vector<glm::u8vec4>& from) {
         image = Image(gpu.device, {.name = name,
                                    .format = VK_FORMAT_R8G8B8A8_UNORM,
@@ -193,7 +200,8 @@ void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
                                    .layers = 4});
         gpu.upload(image, std::as_bytes(std::span(from)));
     };
-    upload(materials, "ground materials", texels), upload(bumps, "ground bumps", slopes);
+    upload(materials, "ground materials", texels);
+    upload(bumps, "ground bumps", slopes);
 }
 
 }  // namespace lightwalk

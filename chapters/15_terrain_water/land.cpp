@@ -119,7 +119,10 @@ void Land::draw_rays(Frame& frame, const View& view, Canvas& canvas, const PerVi
 }
 
 void Land::bind(Pass& pass) const {
-    if (materials_) pass.offer("materials", materials_), pass.offer("material_bumps", bumps_);
+    if (materials_) {
+        pass.offer("materials", materials_);
+        pass.offer("material_bumps", bumps_);
+    }
     if (ground_.exists()) pass.offer("heights_between", ground_.heights(), linear_clamp);
 }
 

@@ -54,7 +54,8 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
 
     // 4. The sky behind it and the air in front; then transparent surfaces, always back to front by object.
     Canvas canvas(color_, depth_);
-    canvas.color_overwritten(), canvas.depth_overwritten();
+    canvas.color_overwritten();
+    canvas.depth_overwritten();
     if (!air.empty()) draw_opaque(frame, plain, canvas, air);
     draw_transparent(frame, clipped, below, solid);
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "15_terrain_water/exercises.h"
+
 namespace lightwalk {
 namespace {
 
@@ -14,7 +16,9 @@ double most_k(int part) { return part == 2 ? 0.5 * M_PI * texels / double(Ocean:
 
 // From 0 to 1, never either: D. Stafford's variant 13 of MurmurHash3's finalizer, 2011.
 double random_at(uint64_t n) {
-    n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9u, n = (n ^ n >> 27) * 0x94d049bb133111ebu, n ^= n >> 31;
+    n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9u;
+    n = (n ^ n >> 27) * 0x94d049bb133111ebu;
+    n ^= n >> 31;
     return (double(n >> 11) + 0.5) * 0x1p-53;
 }
 
@@ -43,16 +47,12 @@ std::vector<OceanWave> Ocean::waves(int part) const {
     const auto amplitude = [&](int x, int z) {
         const double kx = step * x, kz = step * z, k = std::hypot(kx, kz);
         if (k <= least_k(part) || k > most_k(part) || k == 0) return glm::dvec2(0);
-        // Spread as the square of the cosine to the wind; none runs against it.
         const double along = (kx * std::cos(wind_rad) + kz * std::sin(wind_rad)) / k;
         if (along <= 0) return glm::dvec2(0);
-        const double omega = std::sqrt(gravity * k), spread = 2 / M_PI * along * along;
-        // Over wave vectors: dω/dk / k of the density over ω. Half of the variance, for h(-k) adds as much.
-        const double density =
-            jonswap(omega, double(wind_m_s), 1000 * double(fetch_km)) * spread * 0.5 * gravity / omega / k;
+        const double density = jonswap(std::sqrt(gravity * k), double(wind_m_s), 1000 * double(fetch_km));
         const auto place = static_cast<uint64_t>((z + texels) * 4 * texels + x + texels) +
                            (static_cast<uint64_t>(shape.value) << 32) + (static_cast<uint64_t>(part) << 24);
-        return normal_pair(place) * std::sqrt(0.5 * 0.5 * density * step * step);
+        return normal_pair(place) * wave_amplitude(density, k, along, step);
     };
     std::vector<OceanWave> all;
     for (int row = 0; row < texels; ++row)
@@ -81,7 +81,7 @@ void Ocean::make(Frame& frame) {
     fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, 6, 1);
     fit(moved_, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
     fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
-    if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value)) return;
+    if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value, Exercises::version())) return;
     std::vector<OceanWave> all;
     height_variance_ = 0;
     for (int part = 0; part < 3; ++part) {
@@ -89,7 +89,8 @@ void Ocean::make(Frame& frame) {
         for (const OceanWave& wave : waves(part)) {
             // The variance of a sum over k and -k of amplitudes with these squares.
             const double square = double(glm::dot(wave.forward, wave.forward) + glm::dot(wave.backward, wave.backward));
-            height_variance_ += square, slopes += square * double(glm::dot(wave.k, wave.k));
+            height_variance_ += square;
+            slopes += square * double(glm::dot(wave.k, wave.k));
             all.push_back(wave);
         }
         slope_variance_[part] = static_cast<float>(slopes);

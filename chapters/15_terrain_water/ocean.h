@@ -40,7 +40,7 @@ struct Ocean : Module {
     void make(Frame& frame);
     Image fields_, moved_, sloped_;
     Buffer waves_;
-    Made<float, float, float, int> made_;  ///< wind, fetch, its direction, shape
+    Made<float, float, float, int, unsigned> made_;  ///< wind, fetch, its direction, shape, toggles
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
     Pipeline spectrum_ = compute({.shader = "15_terrain_water/ocean_spectrum.comp"});

@@ -167,7 +167,10 @@ void Water::bind(Pass& pass) const {
     pass.offer("ocean_moved", method.is("fft") ? ImageView(ocean.moved()) : ImageView(black_).as_array());
     pass.offer("ocean_sloped", method.is("fft") ? ImageView(ocean.sloped()) : ImageView(black_).as_array());
     pass.offer("foam_tile", foam_tile_);
-    if (behind_) pass.offer("behind", behind_, nearest_clamp), pass.offer("behind_depth", behind_depth_, nearest_clamp);
+    if (behind_) {
+        pass.offer("behind", behind_, nearest_clamp);
+        pass.offer("behind_depth", behind_depth_, nearest_clamp);
+    }
 }
 
 // [follow_rays]
@@ -176,7 +179,8 @@ void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
         image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = canvas.size()});
     };
-    fit(rays_, " rays", VK_FORMAT_R32G32B32A32_SFLOAT), fit(met_, " met", VK_FORMAT_R16G16B16A16_SFLOAT);
+    fit(rays_, " rays", VK_FORMAT_R32G32B32A32_SFLOAT);
+    fit(met_, " met", VK_FORMAT_R16G16B16A16_SFLOAT);
     RasterTargets targets{
         .color = {clear(rays_, glm::vec4(0.0f))}, .depth = canvas.depth_target(), .reads = {black_}, .with = {*this}};
     if (method.is("fft")) targets.reads = {ocean.moved(), ocean.sloped()};
