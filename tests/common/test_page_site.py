@@ -14,7 +14,6 @@ from pathlib import Path
 
 from browser import CHROMIUM, Browser
 from contrast import CONTRAST
-from firefox import FIREFOX, Firefox
 from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -226,33 +225,6 @@ class InBrowser(Solving):
             browser.evaluate("document.querySelector('[data-md-toggle=search]').click()")
             browser.wait("(field => { field.focus(); field.value = 'half vector'; field.dispatchEvent(new Event('keyup', {bubbles: true}));"
                          "return document.querySelectorAll('.md-search-result__link').length; })(document.querySelector('[data-md-component=search-query]'))")
-
-
-@unittest.skipUnless(FIREFOX, "Firefox is not installed")
-class InFirefox(Solving):
-    def test_an_exercise_and_a_picture_from_a_file_on_a_phone_and_in_the_dark(self):
-        with Firefox(390, 844, dark=True) as browser:
-            browser.open(site() / "02_lambert_phong.html")
-            self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390])
-            self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
-            self.solve(browser, "02.lambert", LAMBERT)
-            self.press(browser, "02.lambert", "See it in the picture")
-            browser.wait(f"{DRAWN_BY % 0} && Program.all[0].mine.size && Program.all[0].said.textContent === ''")
-            browser.wait(f"{COLORS % 0} > 20")
-            browser.evaluate("[...document.querySelectorAll('.states-link')].pop().click()")
-            browser.wait("[...document.images].some(one => one.src.includes('/states/') && one.naturalWidth > 300)")
-
-    def test_it_is_kept_for_reading_without_a_network(self):
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        address = f"http://127.0.0.1:{server.server_port}/"
-        with Firefox() as browser:
-            browser.open(f"{address}index.html")
-            browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
-            server.shutdown()
-            server.server_close()
-            browser.open(f"{address}16_volume.html")
-            self.assertIn("Lightwalk", browser.evaluate("document.title"))
 
 
 class OnDisk(unittest.TestCase):

@@ -20,8 +20,17 @@ const Live = {
 
   async get(path) {
     const answer = await fetch(new URL(path, Live.base));
-    if (!answer.ok) throw new Error((await answer.text()).trim());
+    if (!answer.ok) throw new Error(Live.words(await answer.text()));
     return answer.json();
+  },
+
+  // The words of a refusal, which is JSON; other errors are text.
+  words(text) {
+    try {
+      return JSON.parse(text).error ?? text;
+    } catch {
+      return text.trim();
+    }
   },
 
   async put(path, value) {
