@@ -4,6 +4,7 @@
 #include "05_shadow_maps/rays.h"
 #include "14_environment/image_light.h"
 #include "14_environment/paint.h"
+#include "14_environment/screen_occlusion.h"
 #include "14_environment/substances.h"
 
 namespace lightwalk {
@@ -18,13 +19,13 @@ struct LitAround : Drawing, ItemCaster {
     Maps& maps = lit.maps;
     Shading& shading = lit.shading;
 
-    Choice occlusion{
-        *this,
-        "occlusion",
-        {"none", "rays"},
-        "none",
-        "Occlusion of environment light: ignored, or found by a ray for each sample, for diffuse light and "
-        "for the reflection 'sampled'"};
+    Choice occlusion{*this,
+                     "occlusion",
+                     {"none", "screen_space", "rays"},
+                     "none",
+                     "Occlusion of environment light: ignored; found in the depth buffer (screen_space); or by a ray "
+                     "for each sample, for diffuse light and for the reflection 'sampled'"};
+    ScreenOcclusion screen_occlusion;
     Substances substances;
     CarPaint paint;
     SceneRays rays;
@@ -32,7 +33,7 @@ struct LitAround : Drawing, ItemCaster {
     void meet(const Drawings& drawings) override { lit.meet(drawings); }
     std::vector<const Module*> made_of() const override;
     void update(Frame& frame) override;
-    void draw(Frame& frame, const View& view, Canvas& canvas) override { lit.draw(frame, view, canvas); }
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
     const Drawing* transparent_part() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
     // [/lit_around]
@@ -42,6 +43,9 @@ struct LitAround : Drawing, ItemCaster {
     SurfacePipelines occluded_{{.fragment = "14_environment/surface.frag",
                                 .macros = Macros{{"OCCLUDED", "1"}}.replace_file("14_environment/unoccluded.glsl",
                                                                                  "14_environment/occluded.glsl")}};
+    SurfacePipelines screen_occluded_{{.fragment = "14_environment/surface.frag",
+                                       .macros = Macros{{"SCREEN_OCCLUDED", "1"}}.replace_file(
+                                           "14_environment/all_open.glsl", "14_environment/screen_occlusion.glsl")}};
     SurfacePipelines glass_ =
         see_through("14_environment/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
 };

@@ -5,6 +5,7 @@
 #include "14_environment/coated.glsl"
 #include "14_environment/image_light.glsl"
 #include "14_environment/paint.glsl"
+#include "14_environment/all_open.glsl"
 
 // [paint_lights]
 // Paint under the scene's lights, by its table; each light's radiance is that of a matt white surface.
@@ -36,6 +37,12 @@ Leaving leaving(CoatedSurface c) {
     vec3 around = diffuse_of_samples(m.position, normal, uint(image_light.samples));
 #else
     vec3 around = diffuse_light(m.position, normal);
+#endif
+#ifdef SCREEN_OCCLUDED
+    Openness open = screen_openness(normal, m.facing);
+    around = with_bounces(open.visibility, c.is_paint ? paint_albedo(n_dot_v, 0) : c.albedo) *
+             diffuse_light(m.position, normal);
+    reflected.specular *= reflected_share(open, reflect(-to_eye, normal), c.alpha);
 #endif
     Leaving light = Leaving(c.albedo * reflected.diffuse_share * around * m.substance.occlusion,
                             reflected.specular * m.substance.occlusion + m.glow);

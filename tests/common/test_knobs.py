@@ -49,7 +49,7 @@ SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json
           "lamp": "mapped", "shadow.transparent": "glass",
           # Chapter 09's own scene has no light with cascades.
           **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
-          "paint.": "scenes/paint_close.json", "music.": "scenes/beat.json", "sphere.": "scenes/beat.json",
+          "mlaa.taa.": "scenes/passing.json", "screen_occlusion.": "scenes/contact.json", "paint.": "scenes/paint_close.json", "music.": "scenes/beat.json", "sphere.": "scenes/beat.json",
           "planets.clouds": "scenes/earth_portrait.json", "planets.waves": "scenes/earth_portrait.json",
           "planets.air": "scenes/earth_portrait.json", "planets.night": "scenes/earth_night.json",
           "planets.relief": "scenes/moon.json", "planets.sun": "scenes/sun.json", "planets.flow": "scenes/jupiter.json",
@@ -73,8 +73,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return ["on", "off"]
     if "options" in knob:
         return knob["options"]
-    if knob["name"] in ("samples", "dof.views"):
-        return ["2", "7"]  # the end is 4,096 or 65,536 pictures
+    if knob["name"] in ("samples", "dof.views", "mlaa.taa.warm_up"):
+        return ["2", "7"]  # the end is 256, 4,096 or 65,536 pictures
     if knob["name"] == "select":
         return ["-1", "0"]  # numbers of objects
     if knob["range"] == [-360, 360]:
@@ -119,7 +119,11 @@ USED_WITH = {
     "post.saturation_by": ["post.saturation=on"], "post.greyscale_by": ["post.greyscale=on"],
     "post.invert_by": ["post.invert=on"], "post.vignette_": ["post.vignette=on"], "post.scan_": ["post.scanlines=on"],
     "post.fade_": ["post.fade=on"], "post.gamma_by": ["post.gamma=on"], "post.grain_by": ["post.grain=white"],
-    "mlaa.search": ["mlaa.method=fxaa_like"], "viewer.": ["show=level"], "half_plane.": ["world=half_plane"],
+    "mlaa.search": ["mlaa.method=fxaa_like"], "mlaa.taa.": ["mlaa.method=taa"],
+    "mlaa.taa.in_motion": ["mlaa.method=taa", "walk_m_per_s=1.5"], "mlaa.taa.resample": ["mlaa.method=taa", "walk_m_per_s=1.5"],
+    "mlaa.taa.reject": ["mlaa.method=taa", "mlaa.taa.clipping=none", "walk_m_per_s=1.5"],
+    "walk_m_per_s": ["time=0.5"], "turn_deg_per_s": ["time=0.5"],
+    "screen_occlusion.": ["objects.occlusion=screen_space"], "viewer.": ["show=level"], "half_plane.": ["world=half_plane"],
     "terrain.": ["world=terrain"], "julia.": ["world=julia"], "environment.": ["world=julia"], "skin.": ["world=head"],
     "fog.": ["fog.method=height", "fog.density=0.0001"], "planet.": [], "atmosphere.turbidity": ["atmosphere.method=preetham"],
     "spot_x": ["source=spot"], "level": ["show=level"], "gain": ["show=spread"], "backdrop": ["world=head"],
