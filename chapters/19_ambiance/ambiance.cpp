@@ -73,7 +73,6 @@ void Ambiance::frame(Frame& frame) {
     View view;
     const Scene* seen = &scene;
     if (reel.is_open()) {
-        reel.keeps_depth = antialias.method.is("taa");
         reel.record(frame, time_s, camera);
         seen = reel.alone() ? &reel.alone()->drawn() : nullptr;
         if (seen) view = reel.alone()->view();

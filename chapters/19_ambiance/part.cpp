@@ -96,7 +96,7 @@ void FilmPart::record(Frame& frame, double time_s, Timeline::Faded faded, const 
     view_ = look_at(*world_, frame, scene_, flown ? *flown : camera_at(time_s));
     Canvas canvas(frame.hdr, frame.depth, world_->background());
     world_->draw_light(frame, view_, canvas);
-    if (keeps_depth) canvas.depth(frame);
+    canvas.depth(frame);  // cleared where nothing has one
     bloom_.record(frame, frame.hdr);
 
     // 2. The film's fade, in linear light and before the tone curve: the brightest areas disappear last.

@@ -37,10 +37,9 @@ class FilmPart : public Module {
     /// Sets knobs over the scene file's and its tracks' values, instead of earlier ones; {}: none.
     void draw_by(const KnobSettings& way);
 
-    /// What record() drew, for methods that follow surfaces; its depth is whole where `keeps_depth` was set before.
+    /// View and scene of record(), for methods that follow surfaces.
     const View& view() const { return view_; }
     const Scene& drawn() const { return scene_; }
-    bool keeps_depth = false;
 
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since

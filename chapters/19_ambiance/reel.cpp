@@ -143,7 +143,6 @@ void Reel::record(Frame& frame, double time_s, const Camera& flown) {
     alone_ = shown.size() == 1 ? parts_.at(shown[0].scene).get() : nullptr;
     for (size_t i = 0; i < shown.size(); ++i) {
         const bool by_hand = fly && i + 1 == shown.size();
-        parts_.at(shown[i].scene)->keeps_depth = keeps_depth;
         parts_.at(shown[i].scene)->record(frame, time_s, film_.faded(time_s), by_hand ? &flown : nullptr);
         if (i + 1 < shown.size()) keep(frame);
     }

@@ -58,7 +58,6 @@ struct Reel : Module {
 
     /// The one scene that record() drew in this frame; null where there was none, or two were mixed.
     const FilmPart* alone() const { return alone_; }
-    bool keeps_depth = false;  ///< FilmPart::keeps_depth
 
     /// Since when the same scenes have been shown: the latest cut, or end of a cross-fade.
     double steady_from_s(double time_s) const;

@@ -13,7 +13,7 @@ class ColdStart(ChapterPictures):
 
     def picture(self, name, *options):
         file = self.folder / f"{name}.png"
-        self.run_program("--scene", "scenes/passing.json", "--method", "taa", "--set", "mlaa.taa.frames=6", "--size", "96x54",
+        self.run_program("--scene", "scenes/passing.json", "--method", "taa", "--set", "mlaa.taa.warm_up=6", "--size", "96x54",
                          *options, "--screenshot", file)
         return file.read_bytes()
 
@@ -26,7 +26,7 @@ class ColdStart(ChapterPictures):
     def test_gathers(self):
         """More frames make another picture, and samples gather further shifts."""
         six = self.picture("six")
-        self.assertNotEqual(six, self.picture("one", "--set", "mlaa.taa.frames=1"))
+        self.assertNotEqual(six, self.picture("one", "--set", "mlaa.taa.warm_up=1"))
         self.assertNotEqual(six, self.picture("samples", "--samples", "2"))
 
 
