@@ -17,7 +17,6 @@ using KnobSettings = std::vector<std::pair<std::string, std::string>>;
 /// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no
 /// state of its own: its picture follows from the time and the size alone. It has no owner, like a chapter: its knobs
 /// are the film's to set, and come and go with it.
-/// Large (9 functions, 9 members): a scene, its world, and the knobs set on it for a time.
 class FilmPart : public Module {
   public:
     /// `scene` must stay; `heard`: the film's music; null: the scene's own.

@@ -13,7 +13,6 @@ bool is_film_file(const std::filesystem::path& file);
 
 // [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
-/// Large (18 functions, 9 members): a film, the scenes of it that are ready, and their choices.
 struct Reel : Module {
     Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
 

@@ -60,7 +60,7 @@ class Film(unittest.TestCase):
             time.sleep(0.002)
 
     def test_parts_join_without_a_seam_and_each_frame_is_its_picture(self):
-        """With temporal anti-aliasing too, whose frames start cold."""
+        """With temporal anti-aliasing as well."""
         films = []
         for method in ("mlaa", "taa"):
             for name, *frames in (("whole.raw", "43", "49"), ("first.raw", "43", "46"), ("second.raw", "46", "49")):
