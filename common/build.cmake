@@ -129,7 +129,7 @@ function(lightwalk_chapters)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     # What checks call: the references, and what these and the starters call. Objects, for the checks and for the chapter.
     set(called ${sources})
-    list(FILTER called INCLUDE REGEX "/solution/|/12_skin/sums\\.cpp$|/14_environment/spectrum\\.cpp$")
+    list(FILTER called INCLUDE REGEX "/solution/|/12_skin/sums\\.cpp$|/1[45]_[a-z_]*/spectrum\\.cpp$")
     if(called)
       list(REMOVE_ITEM sources ${called})
       add_library(called_${chapter} OBJECT ${called})

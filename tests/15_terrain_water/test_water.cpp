@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "15_terrain_water/exercises.h"
+#include "15_terrain_water/spectrum.h"
 #include "common/gpu/glsl.h"
 #include "water_fixture.h"
 
