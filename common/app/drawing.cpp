@@ -74,22 +74,6 @@ void Canvas::begin_color() {
     if (!color_begun_) color_.image->shown_in = 0;
 }
 
-namespace {
-
-/// A raster pass without draws takes up to a hundred times as long.
-void clear_by_transfer(Frame& frame, const char* pass, const ImageView& view, VkClearValue to) {
-    frame.transfer(pass, {.reads = {}, .writes = {view}}, [&](VkCommandBuffer commands) {
-        const VkImageSubresourceRange range = view.range();
-        const VkImageLayout layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-        if (range.aspectMask & VK_IMAGE_ASPECT_DEPTH_BIT)
-            vkCmdClearDepthStencilImage(commands, view.image->handle, layout, &to.depthStencil, 1, &range);
-        else
-            vkCmdClearColorImage(commands, view.image->handle, layout, &to.color, 1, &range);
-    });
-}
-
-}  // namespace
-
 Attachment Canvas::color_target() {
     begin_color();
     const ImageView& target = colors_ ? colors_ : color_;
@@ -105,18 +89,12 @@ Attachment Canvas::depth_target() {
 Attachment Canvas::depth_read_only() const { return read_only(depths_ ? depths_ : depth_); }
 
 const ImageView& Canvas::color(Frame& frame) {
-    if (!color_begun_ && !colors_) {
-        begin_color();
-        color_begun_ = true;
-        clear_by_transfer(frame, "clear", color_,
-                          {.color = {.float32 = {background_.r, background_.g, background_.b, background_.a}}});
-    }
     if (!color_begun_) frame.raster("clear", {.color = {color_target()}}, [](Raster&) {});
     return color_;
 }
 
 const ImageView& Canvas::depth(Frame& frame) {
-    if (!std::exchange(depth_begun_, true)) clear_by_transfer(frame, "clear depth", depths_ ? depths_ : depth_, {});
+    if (!depth_begun_) frame.raster("clear depth", {.depth = depth_target()}, [](Raster&) {});
     return depth_;
 }
 

@@ -65,7 +65,8 @@ void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
     vec3 albedo = m.substance.mixed.diffuse, map = m.substance.mixed.specular;
     vec3 n = m.surface.normal, v = m.surface.to_eye, position = m.position;
-    float rough = skin.roughness * map.g, scale = skin.specular_scale * map.r;
+    float rough = skin.roughness * (map.g > 0.0 ? map.g : 1.0);  // also of a material without a map
+    float scale = skin.specular_scale * map.r;
     vec2 at = image_uv(uv);
     float occlusion = textureLod(skin_occlusion, at, 0.0).r;
     float thickness = 1e3;

@@ -59,11 +59,6 @@ def tearDownModule():
         site.folder.cleanup()
 
 
-def complaints(browser: Browser) -> list[str]:
-    """Without Chromium's messages about reading a picture back."""
-    return [one for one in browser.complaints if "ReadPixels" not in one]
-
-
 class Solving(unittest.TestCase):
     def press(self, browser, exercise: str, button: str):
         browser.evaluate(f"[...Exercise.all.get('{exercise}').element.querySelectorAll('button')].find(one => one.textContent === '{button}').click()")
@@ -99,7 +94,7 @@ class InBrowser(Solving):
                 self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$")
                 browser.open(site() / f"{page}.html")
                 self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$", "the browser did not keep it")
-                self.assertEqual(complaints(browser), [])
+                self.assertEqual(browser.complaints, [])
 
     def test_every_program_is_drawn_edited_and_reset(self):
         scenes = running.scenes()
@@ -118,7 +113,7 @@ class InBrowser(Solving):
                     browser.wait(f"Program.all[{at}].said.textContent.includes('no_such') && document.querySelector('.run-message') ? 1 : 0")
                     browser.evaluate(f"Program.all[{at}].reset()")
                     browser.wait(f"Program.all[{at}].said.textContent === ''")
-                    self.assertEqual(complaints(browser), [])
+                    self.assertEqual(browser.complaints, [])
 
     def test_each_place_of_an_answer_is_in_its_program(self):
         for name, scene in running.scenes().items():
@@ -189,7 +184,7 @@ class InBrowser(Solving):
             # Far from its picture, a name brings a copy into the corner.
             browser.evaluate("window.link = [...document.querySelectorAll('.states-link')].pop(); link.scrollIntoView({block: 'center', behavior: 'instant'}); link.click(); 0")
             browser.wait("document.querySelector('.states-dock img')?.naturalWidth > 300")
-            self.assertEqual(complaints(browser), [])
+            self.assertEqual(browser.complaints, [])
 
     def test_a_point_of_a_chart_shows_its_picture(self):
         with Browser(1280, 900) as browser:
@@ -199,7 +194,7 @@ class InBrowser(Solving):
             browser.evaluate("document.querySelector('.states-chart button').click()")
             browser.wait("document.querySelector('.states-dock img')?.naturalWidth === 480")
             self.assertIn("quartiles", browser.evaluate("document.querySelector('.states-dock').textContent"))
-            self.assertEqual(complaints(browser), [])
+            self.assertEqual(browser.complaints, [])
 
     def test_every_text_can_be_read_in_light_and_in_dark(self):
         for dark in (False, True):
@@ -216,7 +211,7 @@ class InBrowser(Solving):
             for page in [Path("index"), *part(lessons(), 6)]:
                 browser.open(f"{address}{page.stem}.html")
                 self.assertLess(browser.evaluate(LOADED), MOST_PAGE_BYTES, page)
-                self.assertEqual(complaints(browser), [])
+                self.assertEqual(browser.complaints, [])
             browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
             self.end()
             for page in ("16_volume", "index"):

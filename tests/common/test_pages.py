@@ -124,12 +124,12 @@ class Pages(TheCourse):
 @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
 class InBrowser(TheCourse):
     def test_every_page_is_whole_and_keeps_to_itself(self):
-        with Browser() as browser:
+        with Browser(webgl=True) as browser:
             for page in self.looked_at():
                 self.look(browser, page)
 
     def test_every_lesson_fits_a_phone(self):
-        with Browser() as browser:
+        with Browser(webgl=True) as browser:
             browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
             formulas = 0
             for page in part(self.lessons, 3):
@@ -159,7 +159,7 @@ class InBrowser(TheCourse):
 
     def test_on_a_phone_in_the_dark(self):
         """Colours are the theme's and alike in all pages; whether a lesson fits a phone is seen with the rest of it."""
-        with Browser(dark=True) as browser:
+        with Browser(dark=True, webgl=True) as browser:
             browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
             for page in (self.folder / "index.html", self.lessons[-1]):
                 browser.open(page)
@@ -168,7 +168,7 @@ class InBrowser(TheCourse):
             self.assertEqual(browser.complaints, [])
 
     def test_search_finds_and_leads_there(self):
-        with Browser() as browser:
+        with Browser(webgl=True) as browser:
             for words, page in (("half vector", "02_lambert_phong.html"), ("clusters", "03_attenuation.html")):
                 browser.open(self.folder / "index.html")
                 hits = browser.evaluate(ASK % json.dumps(words))
@@ -179,7 +179,7 @@ class InBrowser(TheCourse):
             self.assertEqual(browser.evaluate((ASK % '"xyzzyplugh"').replace("20000", "2000")), [])
 
     def test_an_exercises_address_opens_at_it(self):
-        with Browser() as browser:
+        with Browser(webgl=True) as browser:
             browser.open(self.folder / "open" / "02.phong.html")
             until = "new Promise(f => { const t = setInterval(() => { if (scrollY > 500) { clearInterval(t); f(true); } }, 50);" \
                     " setTimeout(() => f(false), 15000); })"
@@ -291,7 +291,7 @@ class SmallCourse(Course):
     @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
     def test_what_a_lesson_may_contain(self):
         self.course("docs")
-        with Browser() as browser:
+        with Browser(webgl=True) as browser:
             browser.open(self.site / "01_obj.html")
             self.assertEqual([browser.evaluate(BROKEN), browser.evaluate(UNSET), browser.evaluate(LEFT_OVER)], [[], [], []])
             count = "document.querySelectorAll('article %s').length"
