@@ -116,7 +116,8 @@ class Exporter {
             if (const auto use = use_of(item, object, slot)) into[key] = textures_.texture(*use);
             return into.contains(key);
         };
-        json& pbr = own["pbrMetallicRoughness"];
+        own["pbrMetallicRoughness"] = json::object();  // filled below: keys keep their order, and references do not hold
+        json pbr;
         pbr["baseColorFactor"] = {m.diffuse.x, m.diffuse.y, m.diffuse.z, m.opacity};
         const glm::vec2 numbers = metalness_and_roughness(item);
         const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
@@ -128,6 +129,7 @@ class Exporter {
             pbr["baseColorTexture"] = textures_.texture(color, *opacity);
         else if (color)
             pbr["baseColorTexture"] = textures_.texture(*color);
+        own["pbrMetallicRoughness"] = pbr;
         if (set(own, "normalTexture", MapSlot::normal)) own["normalTexture"]["scale"] = m.normal_scale;
         if (!by_orm && set(own, "occlusionTexture", MapSlot::occlusion))
             own["occlusionTexture"]["strength"] = m.occlusion_strength;

@@ -1,6 +1,6 @@
 // [minimal]
-// Deferred shading: first store each pixel's surface, then light the stored pixels, tile by tile. Forward shading, which
-// lights each fragment as it is drawn, must give the same picture. The camera looks along -z; metres.
+// Deferred shading: first store each pixel's surface, then light the stored pixels, tile by tile. Forward shading,
+// which lights each fragment as it is drawn, must give the same picture. The camera looks along -z; metres.
 #include <cmath>
 #include <cstdio>
 #include <glm/glm.hpp>

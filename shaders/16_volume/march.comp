@@ -8,6 +8,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar) uniform VolumeBlock { float glow, shine, threshold, shell_strength, shell_bumps, shell_scale; int light_steps, truth_samples; } volume;
 #include "16_volume/shading.glsl"
+#include "16_volume/exact_reads.glsl"
 #include "16_volume/exact.glsl"
 #include "16_volume/shell.glsl"
 #include "16_volume/skip.glsl"

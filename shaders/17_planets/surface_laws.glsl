@@ -52,8 +52,10 @@ float sent_of_white_sky(int law, SurfaceLaw surface, float mu) {
     return 1.0;
 }
 
-// Light of a place, in that of a white one that faces the sun. Albedo is bounded so that no more is sent than arrives.
+// Light of a place, in that of a white one that faces the sun. Albedo is bounded, all colours alike, so that no more is
+// sent than arrives.
 vec3 reflected(SurfaceLaw surface, vec3 albedo, float cosine, float mu, float cos_phase) {
     int law = PLANETS_METHOD == PLANETS_METHOD_OWN ? surface.law : PLANETS_METHOD;  // numbered as the knob's values
-    return min(albedo, 1.0 / sent_of_white_sky(law, surface, mu)) * reflected_by(law, surface, cosine, mu, cos_phase);
+    float most = max(albedo.r, max(albedo.g, albedo.b)) * sent_of_white_sky(law, surface, mu);
+    return albedo / max(most, 1.0) * reflected_by(law, surface, cosine, mu, cos_phase);
 }

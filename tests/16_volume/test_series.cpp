@@ -8,7 +8,8 @@ TEST_CASE_METHOD(DeviceTest, "opacities near 0 become depths and back to the las
                 .before =
                     "#define VOLUME_METHOD 1\n#define VOLUME_METHOD_EXACT 1\n#define TRANSFER_TEXELS 256\n"
                     "const float REFERENCE_M = 0.01;\nstruct { float brightest; } volume_now;\n"
-                    "float density_at(vec3 at) { return 0.0; }\nvec4 classified(float density) { return vec4(0.0); }\n"
+                    "float exact_density_at(vec3 at) { return 0.0; }\n"
+                    "vec4 exactly_classified(float density) { return vec4(0.0); }\n"
                     "vec3 radiance_at(vec3 at, vec3 along, vec3 color) { return color; }\n",
                 .signature = "float depth_of_opacity(float opacity)",
                 .inputs = {},

@@ -75,7 +75,7 @@ TEST_CASE(
     editor.window.editor.add_model(editor.window, "models/plane.obj");
     editor.draw();
     editor.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
-    CHECK(editor.window.take_notice() == "exported " + file.string());
+    CHECK(editor.window.take_notice() == "exported " + file.string() + "; left out: light from all sides");
     const auto first = names();
     REQUIRE(first.size() == 3);
     CHECK(first.at("plane") != first.at("left"));
