@@ -116,7 +116,7 @@ class Exporter {
             if (const auto use = use_of(item, object, slot)) into[key] = textures_.texture(*use);
             return into.contains(key);
         };
-        own["pbrMetallicRoughness"] = json::object();  // filled below: keys keep their order, and references do not hold
+        own["pbrMetallicRoughness"] = json::object();  // its place: what is inserted later moves it
         json pbr;
         pbr["baseColorFactor"] = {m.diffuse.x, m.diffuse.y, m.diffuse.z, m.opacity};
         const glm::vec2 numbers = metalness_and_roughness(item);
