@@ -68,6 +68,8 @@ def meant(knobs: list[dict], words: str, last: dict | None) -> tuple[dict | None
     name, value = given.groups() if given else (text, None)
     if knob := find(knobs, name):
         return knob, value, True
+    if words.strip().startswith("--"):  # an option of the program
+        return None, None, False
     if last and (text in options(last) or is_number(last) and NUMBER.fullmatch(text)):
         return last, text, False
     owners = [knob for knob in knobs if knob["type"] == "choice" and text in knob["options"]]
