@@ -78,6 +78,7 @@ class Newcomer(unittest.TestCase):
         began = time.monotonic()
         inside = self.environment()
         menu = Session(server, self.root / "course", ["run"], self.folder,
+                       LIGHTWALK_BUILD=str(self.root / "build"),  # a test's own is another
                        **{name: inside[name] for name in ("HOME", "CCACHE_DIR")}, **own_cache(self.folder))
         self.addCleanup(menu.close)
         print(f"the menu, after {time.monotonic() - began:.0f} s")
