@@ -57,7 +57,7 @@ struct MlaaChapter : ModelChapter {
         world.clip_light(frame, frame.hdr);
     }
 
-    // At time 0 it stands where the scene puts it.
+    // At time 0 it stands where the scene puts it, to the bit.
     Camera walked(float time_s) const {
         Camera moved = camera;
         const glm::vec3 ahead = camera.target - camera.position;
@@ -65,7 +65,7 @@ struct MlaaChapter : ModelChapter {
         const glm::mat4 turned =
             glm::rotate(glm::mat4(1.0f), glm::radians(turn_deg_per_s * time_s), glm::normalize(camera.up));
         moved.position += walk_m_per_s * time_s * right;
-        moved.target = moved.position + glm::vec3(turned * glm::vec4(ahead, 0.0f));
+        moved.target += walk_m_per_s * time_s * right + (glm::vec3(turned * glm::vec4(ahead, 0.0f)) - ahead);
         return moved;
     }
 
