@@ -26,7 +26,10 @@ struct Obj : ModelChapter {
                          return run_load_bench(file, 5, options.json);
                      }},
                     {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
-                     [this](const std::string& file, const Options&, auto&) { return dump_mesh(file, loader()), 0; }}};
+                     [this](const std::string& file, const Options&, auto&) {
+                         dump_mesh(file, loader());
+                         return 0;
+                     }}};
     }
     std::string default_scene() const override { return "scenes/bunny.json"; }
     Loader loader() const override { return loader_from_name(method.text()); }

@@ -64,8 +64,10 @@ void Finish::prepare(Gpu& gpu, Scene& scene) {
         if (!is_lathe_file(file)) continue;
         if (!made.contains(file)) made[file] = make(gpu, find_asset(file));
         const Maps& maps = made[file];
-        item.maps[MapSlot::diffuse] = maps.diffuse, item.maps[MapSlot::specular] = maps.specular;
-        item.maps[MapSlot::emissive] = maps.emissive, item.maps[MapSlot::gloss] = maps.gloss;
+        item.maps[MapSlot::diffuse] = maps.diffuse;
+        item.maps[MapSlot::specular] = maps.specular;
+        item.maps[MapSlot::emissive] = maps.emissive;
+        item.maps[MapSlot::gloss] = maps.gloss;
         item.maps[MapSlot::occlusion] = maps.occlusion;
     }
 }

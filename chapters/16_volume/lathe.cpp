@@ -91,7 +91,10 @@ std::vector<Stretch> parts_of(const Lathe& lathe) {
         parts.push_back({from, to, glm::vec2(way.y, -way.x) / more, length, length + more});
         length += more;
     }
-    for (Stretch& part : parts) part.v_from /= length, part.v_to /= length;
+    for (Stretch& part : parts) {
+        part.v_from /= length;
+        part.v_to /= length;
+    }
     return parts;
 }
 
@@ -168,8 +171,10 @@ Lathe read_lathe(const std::filesystem::path& file) {
     keys.number("glow", lathe.glow, 0, 1);
     keys.number("glow_strength", lathe.glow_strength, 0, 1e4);
     keys.number("seed", lathe.seed, 0, 1e6);
-    keys.color("albedo", lathe.albedo), keys.color("second", lathe.second);
-    keys.color("specular", lathe.specular), keys.color("second_specular", lathe.second_specular);
+    keys.color("albedo", lathe.albedo);
+    keys.color("second", lathe.second);
+    keys.color("specular", lathe.specular);
+    keys.color("second_specular", lathe.second_specular);
     keys.color("glow_color", lathe.glow_color);
     keys.nothing_else();
     const size_t joins = lathe.profile.size() - (lathe.closed ? 0u : 1u);

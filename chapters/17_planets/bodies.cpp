@@ -23,19 +23,25 @@ SurfaceLaw law(int which, glm::vec3 tint = white) {
 // Frost that glosses as the map says, or caps that stay white between dust of another tint.
 SurfaceLaw with_ice(float gloss, glm::vec3 tint = white) {
     SurfaceLaw surface = law(LAW_MINNAERT, tint);
-    surface.gloss = gloss, surface.ice = gloss > 0 ? 0.0f : 1.0f;
+    surface.gloss = gloss;
+    surface.ice = gloss > 0 ? 0.0f : 1.0f;
     return surface;
 }
 
 SurfaceLaw clouds(float k, glm::vec3 terminator, glm::vec3 tint = white) {
     SurfaceLaw surface = law(LAW_MINNAERT, tint);
-    surface.minnaert = k, surface.terminator = terminator, surface.relief = 0;
+    surface.minnaert = k;
+    surface.terminator = terminator;
+    surface.relief = 0;
     return surface;
 }
 
 SurfaceLaw wrapped(float w, float k, glm::vec3 terminator, glm::vec3 tint = white) {
     SurfaceLaw surface = law(LAW_WRAPPED, tint);
-    surface.wrap = w, surface.wrap_power = k, surface.terminator = terminator, surface.relief = 0;
+    surface.wrap = w;
+    surface.wrap_power = k;
+    surface.terminator = terminator;
+    surface.relief = 0;
     return surface;
 }
 
@@ -101,14 +107,20 @@ Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad) {
             .ground = glm::vec3(0.2f)};
     const auto set = [&](glm::vec3 molecules, float molecules_m, glm::vec3 dust, glm::vec3 taken, float dust_m,
                          float top_m) {
-        air.rayleigh = per_m(molecules), air.rayleigh_height = molecules_m;
-        air.mie = per_m(dust), air.mie_extinction = per_m(taken), air.mie_height = dust_m, air.top = top_m;
+        air.rayleigh = per_m(molecules);
+        air.rayleigh_height = molecules_m;
+        air.mie = per_m(dust);
+        air.mie_extinction = per_m(taken);
+        air.mie_height = dust_m;
+        air.top = top_m;
     };
     switch (body) {
         case BodyId::earth:  // chapter 10's
             set({5.802f, 13.558f, 33.1f}, 8000, glm::vec3(3.996f), glm::vec3(4.44f), 1200, 1e5f);
             air.mie_g = 0.76f;
-            air.layer = per_m({0.65f, 1.881f, 0.085f}), air.layer_center = 25000, air.layer_width = 15000;
+            air.layer = per_m({0.65f, 1.881f, 0.085f});
+            air.layer_center = 25000;
+            air.layer_width = 15000;
             break;
         case BodyId::mars:  // dust of optical depth 0.25 that takes blue away; molecules are too few to show
             set(glm::vec3(0.0f), 0, {20.0f, 15.5f, 10.0f}, {21.0f, 18.5f, 16.0f}, 11000, 6e4f);

@@ -144,7 +144,8 @@ std::vector<glm::vec4> ring_strip(BodyId body, int texels) {
         for (int i = 0; i < texels; ++i) {
             const double r = static_cast<double>(rings.inner) + (i + 0.5) * width;
             if (r < part.inner_m || r > part.outer_m) continue;
-            sum += -std::log(1 - std::min(at(r).a / 255.0, 0.97)), n += 1;
+            sum += -std::log(1 - std::min(at(r).a / 255.0, 0.97));
+            n += 1;
         }
         for (int i = 0; i < texels; ++i) {
             const double r = static_cast<double>(rings.inner) + (i + 0.5) * width;
@@ -170,7 +171,8 @@ std::vector<glm::vec4> ring_table(const std::vector<glm::vec4>& strip, int table
     double products = 0, squares = 0;
     for (int i = 0; i < 200; ++i) {
         const double cosine = (i + 0.5) / 200, share = 0.5 + 0.5 * cosine;
-        products += share * (scattering::particle_phase(cosine) - forward * (1 - share)), squares += share * share;
+        products += share * (scattering::particle_phase(cosine) - forward * (1 - share));
+        squares += share * share;
     }
     const double mu = std::sin(elevation_rad);
     const double phase = table == 0 ? products / squares : table == 1 ? forward : scattering::particle_phase(0.6);

@@ -78,7 +78,8 @@ Rotation rotation_of(BodyId body, double days) {
     Rotation rotation = rotations[static_cast<size_t>(body)];
     if (body != BodyId::neptune) return rotation;
     const double n = (357.85 + 52.316 * days / 36525) * degree;
-    rotation.right_ascension += 0.70 * std::sin(n), rotation.declination -= 0.51 * std::cos(n);
+    rotation.right_ascension += 0.70 * std::sin(n);
+    rotation.declination -= 0.51 * std::cos(n);
     rotation.meridian -= 0.48 * std::sin(n);
     return rotation;
 }

@@ -47,7 +47,8 @@ Rectangle pixels_of(const View& view, glm::dvec3 center, double reach_m) {
         }
         const glm::dvec3 at = edge / along - corner;
         const glm::dvec2 place(glm::dot(at, right) / (pixel * pixel), glm::dot(at, down) / (pixel * pixel));
-        least = glm::min(least, place), most = glm::max(most, place);
+        least = glm::min(least, place);
+        most = glm::max(most, place);
     }
     if (behind == points) return {};
     if (behind) return all;
@@ -62,7 +63,8 @@ Rectangle pixels_of(const View& view, glm::dvec3 center, double reach_m) {
 void Planets::prepare(Gpu& gpu, Scene&) {
     pool_ = std::make_unique<ImagePool>(gpu);
     maps_.clear();
-    white_ = pool_->constant(glm::vec4(0.5f, 0.5f, 0.5f, 1.0f)), flat_ = pool_->constant({0.5f, 0.5f, 1.0f, 1.0f});
+    white_ = pool_->constant(glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
+    flat_ = pool_->constant({0.5f, 0.5f, 1.0f, 1.0f});
     for (size_t i = 0; i < body_count; ++i) {
         const auto body = static_cast<BodyId>(i);
         const bool pair = (at.is("earth") && body == BodyId::moon) || (at.is("moon") && body == BodyId::earth);
@@ -215,8 +217,10 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
                                              const std::shared_ptr<Image>& otherwise) {
                           pass.offer(name, image ? *image : *otherwise, around_it);
                       };
-                      offer("body_map", of.color, white_), offer("normal_map", of.normals, flat_);
-                      offer("night_map", of.night, white_), offer("water_map", of.water, white_);
+                      offer("body_map", of.color, white_);
+                      offer("normal_map", of.normals, flat_);
+                      offer("night_map", of.night, white_);
+                      offer("water_map", of.water, white_);
                       offer("cloud_map", of.clouds, white_);
                       if (of.rings) pass.offer("ring_tables", *of.rings, linear_clamp);
                       pass.dispatch_threads(glm::uvec2(around.end - around.first));

@@ -11,7 +11,9 @@ namespace {
 float at_corner(glm::ivec3 cell, uint32_t layer) {
     uint32_t h = static_cast<uint32_t>(cell.x) * 73856093u ^ static_cast<uint32_t>(cell.y) * 19349663u ^
                  static_cast<uint32_t>(cell.z) * 83492791u ^ layer * 2654435761u;
-    h = (h ^ (h >> 16)) * 0x7feb352du, h = (h ^ (h >> 15)) * 0x846ca68bu, h ^= h >> 16;
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    h ^= h >> 16;
     return static_cast<float>(h >> 8) * (2.0f / 16777215.0f) - 1.0f;
 }
 

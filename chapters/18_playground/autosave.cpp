@@ -140,7 +140,8 @@ std::string drop_gone_files(nlohmann::json& scene) {
             return false;
         } catch (const InputError&) {
             gone += (gone.empty() ? "" : ", ") + file.filename().string();
-            return from.erase(found), true;
+            from.erase(found);
+            return true;
         }
     };
     if (!scene.is_object()) return gone;

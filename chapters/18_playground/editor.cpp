@@ -64,7 +64,10 @@ void Editor::open(Chapter& chapter, Gpu& gpu, const std::filesystem::path& file,
     // The previous scene's settings do not carry over; those of the command line hold for all.
     std::vector<std::pair<KnobBase*, std::string>> knobs;
     for (KnobBase* knob : chapter.all_knobs())
-        if (!is_no_setting(*knob) && !knob->pinned) knobs.emplace_back(knob, knob->text()), knob->reset();
+        if (!is_no_setting(*knob) && !knob->pinned) {
+            knobs.emplace_back(knob, knob->text());
+            knob->reset();
+        }
     try {
         if (give) give(chapter.scene);
         load_scene(chapter, gpu, file);
@@ -137,7 +140,8 @@ LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     try {
         const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
-        loads = live.loads, shown_instances_ = chapter.scene.instances.handle;
+        loads = live.loads;
+        shown_instances_ = chapter.scene.instances.handle;
         recovered_from_.reset();
         if (done == LiveScene::Done::replaced) without_.clear();
         return done;
@@ -153,7 +157,8 @@ LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::stri
         document.mark_all_changed();
         const LiveScene::Done done = live.update(
             gpu, document, chapter.scene, [&](const auto& file) { return chapter.load_model(file); }, &without);
-        loads |= live.loads, shown_instances_ = chapter.scene.instances.handle;
+        loads |= live.loads;
+        shown_instances_ = chapter.scene.instances.handle;
         return done;
     };
     std::vector<std::string> without, earlier;
@@ -171,7 +176,10 @@ LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::stri
     if (undone && fault != without.end()) {
         notice = *fault;
     } else {
-        if (undone) document.redo(), done = show(without);
+        if (undone) {
+            document.redo();
+            done = show(without);
+        }
         if (without_ != without && !without.empty()) notice = without.front() + "; drawn without it";
         without_ = without;
     }
@@ -185,7 +193,8 @@ bool Editor::undo(Chapter& chapter) {
     if (!name) return false;
     std::string what = "undone: " + *name;
     document.undo();
-    return follow_steps(chapter, std::move(what)), true;
+    follow_steps(chapter, std::move(what));
+    return true;
 }
 
 bool Editor::redo(Chapter& chapter) {
@@ -194,7 +203,8 @@ bool Editor::redo(Chapter& chapter) {
     if (!name) return false;
     std::string what = "done again: " + *name;
     document.redo();
-    return follow_steps(chapter, std::move(what)), true;
+    follow_steps(chapter, std::move(what));
+    return true;
 }
 
 void Editor::go_to(Chapter& chapter, size_t done) {

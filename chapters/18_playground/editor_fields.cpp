@@ -28,13 +28,17 @@ void draw_short(float value) {
 }  // namespace
 
 void EditorFields::begin_frame() {
-    if (!ImGui::IsAnyItemActive()) refused_.clear(), stops_drag_ = false;
+    if (!ImGui::IsAnyItemActive()) {
+        refused_.clear();
+        stops_drag_ = false;
+    }
     drags_ = false;
 }
 
 void EditorFields::take_drag_back() {
     editor.document.take_back(editor.gesture);
-    stops_drag_ = true, drags_ = false;
+    stops_drag_ = true;
+    drags_ = false;
 }
 
 // Dear ImGui applies each typed digit. Here a typed value counts once, when its field is left by Enter, Tab or a
@@ -103,7 +107,8 @@ bool EditorFields::takes(const char* label, float* values, int count, const floa
     for (int i = 0; i < count; ++i)
         if (!(values[i] >= lower && values[i] <= upper)) {
             refuse(fmt::format("{}: {:g} is out of range, {:g} to {:g}", label, values[i], lower, upper));
-            return std::copy(before, before + count, values), false;
+            std::copy(before, before + count, values);
+            return false;
         }
     return true;
 }
@@ -175,7 +180,10 @@ bool EditorFields::choice(const char* label, std::initializer_list<const char*> 
     bool changed = false;
     float i = 0.0f;
     for (const char* option : names) {
-        if (ImGui::Selectable(option, !mixed && i == index)) index = i, changed = true;
+        if (ImGui::Selectable(option, !mixed && i == index)) {
+            index = i;
+            changed = true;
+        }
         log_place(std::string("option.") + option);
         ++i;
     }

@@ -119,8 +119,14 @@ void SceneFiles::draw_answers(Question asked, int pressed) {
         return yes;
     };
     if (asked == Question::close) {
-        if (answer("save", GLFW_KEY_ENTER)) save(), closes_ = !editor.store.has_unsaved(editor.document);
-        if (answer("discard")) editor.store.forget_autosave(), closes_ = true;
+        if (answer("save", GLFW_KEY_ENTER)) {
+            save();
+            closes_ = !editor.store.has_unsaved(editor.document);
+        }
+        if (answer("discard")) {
+            editor.store.forget_autosave();
+            closes_ = true;
+        }
         answer("stay", GLFW_KEY_ESCAPE);
     } else if (asked == Question::overwrite) {
         if (answer("overwrite", GLFW_KEY_ENTER)) save(true);

@@ -29,7 +29,10 @@ void StepsPanel::draw(float scale) {
                 log_place(fmt::format("step.{}", i));
                 ImGui::PopID();
             }
-        if (done != editor.document.done()) ++editor.gesture, editor.go_to(view_.chapter, done);
+        if (done != editor.document.done()) {
+            ++editor.gesture;
+            editor.go_to(view_.chapter, done);
+        }
     }
     ImGui::End();
 }

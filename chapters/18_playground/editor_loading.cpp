@@ -45,7 +45,11 @@ void LoadingPanel::note_pace(double start, double own_s) {
     Pace& pace = *pace_;
     const double frame_s = start - std::exchange(pace.last, start);  // of the one before
     pace.own_longest_s = std::max(pace.own_longest_s, own_s);
-    if (!pace.shown) return ++pace.frames, void(pace.longest_s = std::max(pace.longest_s, frame_s));
+    if (!pace.shown) {
+        ++pace.frames;
+        pace.longest_s = std::max(pace.longest_s, frame_s);
+        return;
+    }
     log_event(
         fmt::format("loading took {:.2f} s: {} frames, the longest {:.0f} ms, then one of {:.0f} ms that shows "
                     "all of it; loading had at most {:.0f} ms of a frame",

@@ -14,7 +14,9 @@ float EditorWindow::covered_px(glm::uvec2 picture, float scale) const {
 }
 
 bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
-    view_.picture = picture, view_.covered_px = covered_px(picture, scale), view_.automatic = automatic;
+    view_.picture = picture;
+    view_.covered_px = covered_px(picture, scale);
+    view_.automatic = automatic;
     const bool changed = std::exchange(view_.changed, false);
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;

@@ -16,7 +16,12 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
     if (view.size.x == 0) return false;
     const bool pressed = input.left && !was_down_, released = !input.left && was_down_;
     was_down_ = input.left;
-    if (pressed) ++editor.gesture, press_px_ = cursor_px, moved_px_ = 0.0f, pressed_on_picture_ = over_picture;
+    if (pressed) {
+        ++editor.gesture;
+        press_px_ = cursor_px;
+        moved_px_ = 0.0f;
+        pressed_on_picture_ = over_picture;
+    }
     if (input.left || released) moved_px_ = std::max(moved_px_, glm::length(cursor_px - press_px_));
     const auto place = gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local);
     if (!editor.drag) {
@@ -66,9 +71,10 @@ void EditorPointer::take_picked() {
 void EditorPointer::choose_at(glm::vec2 cursor_px, bool add) {
     view_.changed = true;
     const auto light_id = editor.light_at(view_.chapter.view_now, cursor_px);
-    if (!light_id)
-        adds_ = add, view_.chapter.click = glm::ivec2(cursor_px);
-    else if (add)
+    if (!light_id) {
+        adds_ = add;
+        view_.chapter.click = glm::ivec2(cursor_px);
+    } else if (add)
         editor.selection.toggle(*light_id);
     else
         editor.selection.set({*light_id});

@@ -47,7 +47,10 @@ void SettingsPanel::draw_rows() {
         const bool there = is_there(facet.name), is_chosen = editor.selection.has(root_entry) && chosen == facet.name;
         ImGui::Indent(13.0f);
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-        if (ImGui::Selectable(facet.name, is_chosen)) editor.selection.set({root_entry}), chosen = facet.name;
+        if (ImGui::Selectable(facet.name, is_chosen)) {
+            editor.selection.set({root_entry});
+            chosen = facet.name;
+        }
         if (!there) ImGui::PopStyleColor();
         log_place(std::string("entry.") + facet.name);
         help_on_hover(facet.help);
@@ -106,17 +109,23 @@ void SettingsPanel::draw() {
 // True: `settings` are others now.
 bool SettingsPanel::draw_camera(SceneSettings& settings) {
     bool changed = false;
-    if (tool_button("take this view", "The scene's own camera becomes the one that is shown"))
-        settings.camera = view_.chapter.camera, changed = true;
+    if (tool_button("take this view", "The scene's own camera becomes the one that is shown")) {
+        settings.camera = view_.chapter.camera;
+        changed = true;
+    }
     ImGui::SameLine();
-    if (tool_button("go there", "The view becomes the scene's own"))
-        view_.chapter.camera = settings.camera, view_.changed = true;
+    if (tool_button("go there", "The view becomes the scene's own")) {
+        view_.chapter.camera = settings.camera;
+        view_.changed = true;
+    }
     Camera& own = settings.camera;
     changed |= fields_.numbers("position", "Position of the camera, in metres", own.position, 0.01f);
     changed |= fields_.numbers("target", "Point in the middle of the picture, in metres", own.target, 0.01f);
     float degrees = glm::degrees(own.fov_y_rad);
-    if (fields_.number("field of view", "Vertical field of view, in degrees", degrees, 0.2f, 1.0f, 170.0f))
-        own.fov_y_rad = glm::radians(degrees), changed = true;
+    if (fields_.number("field of view", "Vertical field of view, in degrees", degrees, 0.2f, 1.0f, 170.0f)) {
+        own.fov_y_rad = glm::radians(degrees);
+        changed = true;
+    }
     changed |= fields_.number("near", "Distance of the near plane, in metres", own.near_m, 0.001f, 1e-5f, 1e5f);
     changed |= fields_.number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
     return changed;
@@ -128,7 +137,9 @@ bool SettingsPanel::draw_environment(SceneSettings& settings) {
     ImGui::SetNextItemWidth(-short_label_px);
     if (text_field("image", image, "none") && image != settings.environment.image) try {
             if (!image.empty()) find_asset(image);
-            settings.environment.image = image, settings.environment.where = "environment", changed = true;
+            settings.environment.image = image;
+            settings.environment.where = "environment";
+            changed = true;
         } catch (const InputError& e) { editor.notice = e.what(); }
     changed |=
         fields_.number("brightness", "Factor of the image's light", settings.environment.intensity, 0.01f, 0.0f, 1e6f);

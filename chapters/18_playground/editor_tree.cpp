@@ -24,8 +24,10 @@ void TreePanel::draw() {
     };
     if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
     begin_padded_child("tree", {0.0f, ImGui::GetContentRegionAvail().y * 0.45f});
-    if (ImGui::Selectable("scene", editor.selection.has(root_entry) && settings_.chosen.empty()))
-        editor.selection.set({root_entry}), settings_.chosen.clear();
+    if (ImGui::Selectable("scene", editor.selection.has(root_entry) && settings_.chosen.empty())) {
+        editor.selection.set({root_entry});
+        settings_.chosen.clear();
+    }
     log_place("entry.scene");
     if (ImGui::BeginDragDropTarget()) {
         if (ImGui::AcceptDragDropPayload("entries")) say(reparent(editor.document, editor.selection.ids, root_entry));
@@ -121,12 +123,16 @@ void TreePanel::drag_and_drop(EntryId id, const std::string& shown_as) {
 // [/tree]
 
 void TreePanel::begin_renaming(EntryId id) {
-    renaming_.id = id, renaming_.text = editor.document.at(id).name(), renaming_.begins = true;
+    renaming_.id = id;
+    renaming_.text = editor.document.at(id).name();
+    renaming_.begins = true;
     editor.tree.show(editor.document, id);
     followed_ = no_entry;  // scrolls to its line, even during a search
     const std::vector<TreeRow>& rows = editor.tree.rows(editor.document);
-    if (std::none_of(rows.begin(), rows.end(), [&](const TreeRow& row) { return row.id == id; }))
-        search_.clear(), editor.tree.search("");
+    if (std::none_of(rows.begin(), rows.end(), [&](const TreeRow& row) { return row.id == id; })) {
+        search_.clear();
+        editor.tree.search("");
+    }
 }
 
 // By the right button.
@@ -153,9 +159,15 @@ void TreePanel::draw_menu(EntryId id) {
 void TreePanel::walk(int by) {
     std::vector<EntryId> ids{root_entry};
     std::vector<std::string> names{""};
-    for (const std::string& one : SettingsPanel::names()) ids.push_back(root_entry), names.push_back(one);
+    for (const std::string& one : SettingsPanel::names()) {
+        ids.push_back(root_entry);
+        names.push_back(one);
+    }
     for (const TreeRow& row : editor.tree.rows(editor.document))
-        if (row.node < 0) ids.push_back(row.id), names.emplace_back();
+        if (row.node < 0) {
+            ids.push_back(row.id);
+            names.emplace_back();
+        }
     const EntryId active = editor.selection.active();
     int now = by < 0 ? static_cast<int>(ids.size()) : -1;
     for (size_t i = 0; i < ids.size(); ++i)

@@ -64,21 +64,36 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
 
 bool EditorWindow::on_shift_key(int key) {
     const EntryId active = editor.selection.active();
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_3)
-        return editor.add_light(*this, static_cast<Light::Kind>(key - GLFW_KEY_1)), true;
-    if (key == GLFW_KEY_4) return scatter_lights(), true;
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_3) {
+        editor.add_light(*this, static_cast<Light::Kind>(key - GLFW_KEY_1));
+        return true;
+    }
+    if (key == GLFW_KEY_4) {
+        scatter_lights();
+        return true;
+    }
     if (!editor.document.find(active)) return false;
-    if (key == GLFW_KEY_H)
-        return set_hidden(editor.document, editor.selection.ids, !editor.document.at(active).hidden), true;
-    if (key == GLFW_KEY_L)
-        return set_locked(editor.document, editor.selection.ids, !editor.document.at(active).locked), true;
+    if (key == GLFW_KEY_H) {
+        set_hidden(editor.document, editor.selection.ids, !editor.document.at(active).hidden);
+        return true;
+    }
+    if (key == GLFW_KEY_L) {
+        set_locked(editor.document, editor.selection.ids, !editor.document.at(active).locked);
+        return true;
+    }
     return false;
 }
 
 bool EditorWindow::on_key(const KeyPress& pressed) {
     const int key = pressed.key;
-    if (files_.asks()) return files_.answer(key), true;  // which is answered first
-    if (key == GLFW_KEY_ESCAPE && fields_.drags()) return fields_.take_drag_back(), true;
+    if (files_.asks()) {  // which is answered first
+        files_.answer(key);
+        return true;
+    }
+    if (key == GLFW_KEY_ESCAPE && fields_.drags()) {
+        fields_.take_drag_back();
+        return true;
+    }
     ++editor.gesture;
     if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
     if ((pressed.mods & GLFW_MOD_SHIFT) && on_shift_key(key)) return true;
@@ -116,7 +131,8 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             editor.remove_selected();
             return true;
         case GLFW_KEY_F:
-            return frame_selected(), true;
+            frame_selected();
+            return true;
         case GLFW_KEY_ESCAPE:
             return on_escape();
         default:

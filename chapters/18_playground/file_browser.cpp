@@ -158,8 +158,10 @@ void FileBrowser::draw(float scale, float left_px) {
             ImGui::PushID(i);
             const ImVec2 at = ImGui::GetCursorScreenPos(),
                          picture_size{float(Thumbnails::size.x), float(Thumbnails::size.y)};
-            if (const Image8* picture = file.is_folder ? nullptr : thumbnails.of(file.path))
-                draw_pixels(*picture, at, scale), log_place("thumbnail." + name);
+            if (const Image8* picture = file.is_folder ? nullptr : thumbnails.of(file.path)) {
+                draw_pixels(*picture, at, scale);
+                log_place("thumbnail." + name);
+            }
             ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scale * (picture_size.x + 8.0f));
             if (ImGui::Selectable((file.is_folder ? name + "/" : name).c_str(), i == marked_, 0,
                                   {0.0f, scale * picture_size.y})) {
@@ -180,9 +182,10 @@ void FileBrowser::draw(float scale, float left_px) {
     for (const fs::path& file : recent_) {
         const std::string name = clean_name(file.filename().string()), whole = clean_name(file.string());
         const float width = ImGui::CalcTextSize(name.c_str()).x;
-        if (used + gap + width < right)
-            ImGui::SameLine(0.0f, gap), used += gap + width;
-        else
+        if (used + gap + width < right) {
+            ImGui::SameLine(0.0f, gap);
+            used += gap + width;
+        } else
             used = ImGui::GetCursorPosX() + width;
         ImGui::PushID(whole.c_str());
         if (ImGui::Selectable(name.c_str(), false, 0, {width, 0.0f})) take = file;

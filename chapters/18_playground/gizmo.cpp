@@ -123,7 +123,10 @@ Handle handle_at(const GizmoPlace& place, const View& view, glm::vec2 cursor_px)
         const bool filled =
             handle.kind == Handle::Kind::plane || (handle.kind == Handle::Kind::whole && place.tool != Tool::rotate);
         if (filled && is_inside(line, cursor_px)) distance = 0.0f;
-        if (distance < least) least = distance, nearest = handle;
+        if (distance < least) {
+            least = distance;
+            nearest = handle;
+        }
     }
     return nearest;
 }

@@ -31,8 +31,10 @@ GizmoDrag::GizmoDrag(Document& document, const std::vector<EntryId>& ids, const 
         const Entry& entry = document.at(id);
         Start start{id, glm::dmat4(world_of(document, entry.parent)), {}, glm::dquat(1, 0, 0, 0)};
         if (const SceneObject* object = entry.object()) start.placement = placement_of(*object);
-        if (const Light* light = entry.light())
-            start.light_position = light->position, start.light_direction = light->direction;
+        if (const Light* light = entry.light()) {
+            start.light_position = light->position;
+            start.light_direction = light->direction;
+        }
         const Placement parent = placement_of(glm::mat4(start.parent), glm::vec3(0.0f));
         start.parent_rotation = rotation_of(parent.rotation_deg);
         start.mirrored = parent.scale.x < 0.0f;
@@ -81,7 +83,8 @@ glm::vec3 GizmoDrag::place_on(const View& view, glm::vec2 cursor_px) const {
 // [drag]
 void GizmoDrag::move(const View& view, glm::vec2 cursor_px, bool snap) {
     if (view.view_projection != view_.view_projection || view.size != view_.size) follow(view);
-    view_ = view, last_px_ = cursor_px;
+    view_ = view;
+    last_px_ = cursor_px;
     const glm::dvec3 axis(place_.axes[handle_.axis]);
     const bool along_axis = handle_.kind == Handle::Kind::axis;
     if (place_.tool == Tool::rotate) {
@@ -142,7 +145,8 @@ void GizmoDrag::rotate(const glm::vec3& axis, double angle_rad) {
         Entry& entry = document_.edit(start.id);
         if (SceneObject* object = entry.object()) {
             if (angle == 0.0f) {  // to the bit
-                object->position = start.placement.position, object->rotation_deg = start.placement.rotation_deg;
+                object->position = start.placement.position;
+                object->rotation_deg = start.placement.rotation_deg;
                 continue;
             }
             const glm::dvec3 world(start.parent * glm::dvec4(start.placement.position, 1.0));

@@ -17,7 +17,8 @@ std::optional<float> hit_box(const PickRay& ray, const Bounds& box) {
               b = (box.upper[i] - ray.origin[i]) / ray.direction[i];
         if (a > b) std::swap(a, b);
         // Three roundings: a flat box is not missed (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
-        enter = std::max(enter, a), leave = std::min(leave, b + 4e-7f * std::fabs(b));
+        enter = std::max(enter, a);
+        leave = std::min(leave, b + 4e-7f * std::fabs(b));
     }
     if (enter > leave) return std::nullopt;
     return enter;

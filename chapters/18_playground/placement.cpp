@@ -67,7 +67,9 @@ Placement placement_of(const SceneObject& object) { return {object.position, obj
 
 glm::mat4 matrix_of(const Placement& placement) {
     SceneObject object;
-    object.position = placement.position, object.rotation_deg = placement.rotation_deg, object.scale = placement.scale;
+    object.position = placement.position;
+    object.rotation_deg = placement.rotation_deg;
+    object.scale = placement.scale;
     return local_transform(object);
 }
 
@@ -104,7 +106,9 @@ Said place(Document& document, EntryId id, const Placement& placement, uint64_t 
     if (placement_of(*object) == placement) return "";
     document.begin("place " + object->name, gesture);
     SceneObject& edited = *document.edit(id).object();
-    edited.position = placement.position, edited.rotation_deg = placement.rotation_deg, edited.scale = placement.scale;
+    edited.position = placement.position;
+    edited.rotation_deg = placement.rotation_deg;
+    edited.scale = placement.scale;
     document.commit();
     return "";
 }

@@ -51,9 +51,12 @@ SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
     light_well(scene);
     SceneObject ball{.name = "ball", .parent = {}, .model = "models/sphere.obj", .material = object.material};
     MaterialOverride& material = ball.material;
-    material.diffuse = item.material.diffuse, material.specular = item.material.specular;
-    material.emissive = item.material.emissive, material.shininess = item.material.shininess;
-    material.opacity = item.material.opacity, material.blend = item.material.blend;
+    material.diffuse = item.material.diffuse;
+    material.specular = item.material.specular;
+    material.emissive = item.material.emissive;
+    material.shininess = item.material.shininess;
+    material.opacity = item.material.opacity;
+    material.blend = item.material.blend;
     // Textures of the model's own material, where the scene names no others.
     const Model& model = item.model->model;
     const Material& own = model.materials[model.meshes[item.mesh].parts[item.part].material];
@@ -64,7 +67,8 @@ SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
     scene.lights = {{.color = {1.0f, 0.96f, 0.9f}, .direction = glm::normalize(glm::vec3(-0.6f, -0.8f, -0.6f))}};
     scene.lights[0].intensity = 1.5f;
     scene.background = glm::vec3(0.02f);
-    scene.camera.position = {0.35f, 0.25f, 2.0f}, scene.camera.target = glm::vec3(0.0f);
+    scene.camera.position = {0.35f, 0.25f, 2.0f};
+    scene.camera.target = glm::vec3(0.0f);
     scene.camera.fov_y_rad = glm::radians(31.0f);
     return scene;
 }
@@ -88,7 +92,10 @@ const Image8* Thumbnails::of(const fs::path& file) {
     if (const fs::path kept = thumbnail_file(file); !kept.empty() && fs::is_regular_file(kept, error)) try {
             return &(pictures_[file] = read_image8(kept));
         } catch (const InputError&) {}  // damaged: it is drawn again
-    if (fs::file_size(file, error) > largest_file || error) return pictures_[file], nullptr;
+    if (fs::file_size(file, error) > largest_file || error) {
+        pictures_.try_emplace(file);
+        return nullptr;
+    }
     const auto waits = std::find(wanted_.begin(), wanted_.end(), file);
     if (waits == wanted_.end()) wanted_.insert(wanted_.begin(), file);
     return nullptr;
@@ -128,7 +135,10 @@ bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
         if (arrival_ && !arrival_->step(slice_ms)) return false;
         if (arrival_) preview.give(*std::exchange(arrival_, nullptr));
         if (loading_.busy()) return false;
-        if (!models_.empty()) return loading_.start(models_.back()), false;
+        if (!models_.empty()) {
+            loading_.start(models_.back());
+            return false;
+        }
         Image8 picture = preview.draw(gpu, *scene_, size);
         std::error_code error;
         if (const fs::path kept = thumbnail_file(file); !kept.empty()) {

@@ -38,9 +38,11 @@ struct Measured {
         double sum = 0;
         for (const PassTime& time : times) {
             if (!passes.contains(time.name)) order.push_back(time.name);
-            passes[time.name].push_back(time.gpu_ms), sum += time.gpu_ms;
+            passes[time.name].push_back(time.gpu_ms);
+            sum += time.gpu_ms;
         }
-        gpu_ms.push_back(sum), cpu_ms.push_back(frame.recording_ms);
+        gpu_ms.push_back(sum);
+        cpu_ms.push_back(frame.recording_ms);
     }
 };
 

@@ -59,7 +59,10 @@ glm::dvec3 CameraPath::forward(double time_s) const {
 // stores the roll of each key: the angle from the carried up to the key's own. A key with an up nearly parallel to
 // its view has no roll. Of angles that differ by whole turns, the one nearest to the previous key's roll is stored.
 void CameraPath::tabulate() {
-    forwards_.clear(), carried_.clear(), roll_times_.clear(), rolls_.clear();
+    forwards_.clear();
+    carried_.clear();
+    roll_times_.clear();
+    rolls_.clear();
     const double begin = keys_.front().time_s, whole = keys_.back().time_s - begin;
     const int count = std::max(1, table_pieces * int(keys_.size() - 1));
     for (int i = 0; i <= count; ++i) {
@@ -76,7 +79,8 @@ void CameraPath::tabulate() {
         const glm::dvec3 carried = up_without_roll(carried_[i], forwards_[i], view);
         double roll = turn_between(view, carried, glm::normalize(across));
         if (!rolls_.empty()) roll -= glm::two_pi<double>() * std::round((roll - rolls_.back()) / glm::two_pi<double>());
-        roll_times_.push_back(key.time_s), rolls_.push_back(roll);
+        roll_times_.push_back(key.time_s);
+        rolls_.push_back(roll);
     }
 }
 // [/tabulate]

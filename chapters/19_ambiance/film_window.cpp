@@ -140,23 +140,32 @@ bool FilmWindow::on_key(const KeyPress& pressed) {
     const int frames = pressed.mods & GLFW_MOD_SHIFT ? static_cast<int>(std::lround(double(out.fps))) : 1;
     switch (pressed.key) {
         case GLFW_KEY_LEFT:
-            return step(-frames), true;
+            step(-frames);
+            return true;
         case GLFW_KEY_RIGHT:
-            return step(frames), true;
+            step(frames);
+            return true;
         case GLFW_KEY_PAGE_UP:
-            return go_to_scene(-1), true;
+            go_to_scene(-1);
+            return true;
         case GLFW_KEY_PAGE_DOWN:
-            return go_to_scene(1), true;
+            go_to_scene(1);
+            return true;
         case GLFW_KEY_L:
-            return loop(), true;
+            loop();
+            return true;
         case GLFW_KEY_C:
-            return flown_ ? land() : take_off(), true;
+            flown_ ? land() : take_off();
+            return true;
         case GLFW_KEY_K:
-            return place_key(), true;
+            place_key();
+            return true;
         case GLFW_KEY_DELETE:
-            return remove_key(), true;
+            remove_key();
+            return true;
         case GLFW_KEY_T:
-            return shown_ = !shown_, true;
+            shown_ = !shown_;
+            return true;
         default:
             return false;
     }

@@ -81,7 +81,8 @@ void FramePipe::write(std::span<const std::byte> bytes) {
         if (taken <= 0) {
             const int why = errno;
             const bool is_program = program_ >= 0;
-            close(output_), output_ = -1;
+            close(output_);
+            output_ = -1;
             end_program();
             if (is_program)
                 throw Failure("{} ended before the last frame, with code {}{}", name_, ended_with_, last_words());

@@ -17,7 +17,8 @@ void measure_paths(const Timeline& film, nlohmann::json& error) {
         for (int i = 0; i < steps; ++i) {
             const double step =
                 glm::distance(path.eye(begin + whole * i / steps), path.eye(begin + whole * (i + 1) / steps));
-            slowest = std::min(slowest, step), fastest = std::max(fastest, step);
+            slowest = std::min(slowest, step);
+            fastest = std::max(fastest, step);
         }
         if (slowest > 0) speed = std::max(speed, fastest / slowest);
     }

@@ -74,7 +74,8 @@ double speed_ratio(const Curve& curve, const std::vector<glm::dvec3>* table, int
     };
     for (int i = 0; i < samples; ++i) {
         const double step = glm::distance(place(i), place(i + 1));
-        slowest = std::min(slowest, step), fastest = std::max(fastest, step);
+        slowest = std::min(slowest, step);
+        fastest = std::max(fastest, step);
     }
     return slowest > 0 ? fastest / slowest : std::numeric_limits<double>::infinity();
 }

@@ -35,7 +35,8 @@ class Places {
                 piece.name = json::parse(text_.substr(at, end - at)).get<std::string>();
                 at = skip_blank(skip_blank(end) + 1);  // the colon
             }
-            piece.begin = at, piece.end = value_end(at);
+            piece.begin = at;
+            piece.end = value_end(at);
             all.push_back(piece);
             at = skip_blank(piece.end);
             if (text_[at] == ',') at = skip_blank(at + 1);
@@ -104,7 +105,10 @@ const Piece* key_near(const std::string& text, const std::vector<Piece>& keys, d
     const Piece* nearest = nullptr;
     double least = near_s;
     for (const Piece& key : keys)
-        if (const double off = std::abs(time_of(text, key) - time_s); off <= least) nearest = &key, least = off;
+        if (const double off = std::abs(time_of(text, key) - time_s); off <= least) {
+            nearest = &key;
+            least = off;
+        }
     return nearest;
 }
 

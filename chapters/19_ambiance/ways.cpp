@@ -70,9 +70,11 @@ class Measuring {
         KnobBase& smoothing = find_knob(chapter_.all_knobs(), "mlaa.method");
         const std::string smoothed_by = smoothing.text();
         const int samples = chapter_.samples;
-        smoothing.set("none"), chapter_.samples.value = truth_samples * samples;
+        smoothing.set("none");
+        chapter_.samples.value = truth_samples * samples;
         std::vector<ImageRgb> all = pictures(way);
-        smoothing.set(smoothed_by), chapter_.samples.value = samples;
+        smoothing.set(smoothed_by);
+        chapter_.samples.value = samples;
         return all;
     }
     /// Medians, one for each method, of frames in the middle of playing: one-time work was done in the frame before.
@@ -84,7 +86,8 @@ class Measuring {
                 for (size_t i = 0; i < ways.size(); ++i) {
                     draw(ways[i], time_s - 1.0 / 60.0);
                     load.run();
-                    draw(ways[i], time_s), all[i].push_back(gpu_ms(frame_));
+                    draw(ways[i], time_s);
+                    all[i].push_back(gpu_ms(frame_));
                 }
         std::vector<double> medians;
         for (const std::vector<double>& times : all) medians.push_back(median(times));

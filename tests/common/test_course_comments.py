@@ -12,7 +12,7 @@ from test.statements import found, joined  # noqa: E402
 
 MOST_CLAUSAL, MOST_WORDS = 0.03, 14
 MOST_IN_A_FOLDER = 0.05
-MOST_JOINED = 9  # statements in a thousand lines of chapters
+MOST_JOINED = 3  # statements in a thousand lines of chapters
 FIGURES = figures()
 FEW = 20  # comments of a folder that are too few for a share
 # Folders with longer comments on average, each with its limit and the reason. At most 20 lines.
