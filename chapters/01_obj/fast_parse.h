@@ -97,7 +97,8 @@ inline const char* fast_float(const char* at, float& value) {
             const unsigned more = leading_digits(behind);
             if (whole + 8 + more > 15) return nullptr;
             if (more > 0) digits = digits * whole_powers[more] + first_digits(behind, more);
-            decimals += more, at += more;
+            decimals += more;
+            at += more;
         }
     }
     return round_quotient(digits, decimals, negative, value) ? at : nullptr;
@@ -110,19 +111,23 @@ inline const char* fast_float(const char* at, float& value) {
     // Branches rather than an addition, for the same reason: the number of digits seldom changes.
     switch (count) {
         case 4:
-            value = first_digits(word, 4), at += 4;
+            value = first_digits(word, 4);
+            at += 4;
             break;
         case 5:
-            value = first_digits(word, 5), at += 5;
+            value = first_digits(word, 5);
+            at += 5;
             break;
         case 6:
-            value = first_digits(word, 6), at += 6;
+            value = first_digits(word, 6);
+            at += 6;
             break;
         case 0:
         case 8:
             return nullptr;
         default:
-            value = first_digits(word, count), at += count;
+            value = first_digits(word, count);
+            at += count;
     }
     return value == 0 ? nullptr : at;
 }

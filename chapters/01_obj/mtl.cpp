@@ -147,7 +147,8 @@ struct Reader {
                 m.*color = *value;
             else
                 m.left_out.push_back(written + " as a spectrum or XYZ");
-            said.ks |= keyword == "ks", said.ke |= keyword == "ke";
+            said.ks |= keyword == "ks";
+            said.ke |= keyword == "ke";
         } else if (float Material::*number = number_of(keyword)) {
             m.*number = take_float(rest, written);
             said.ns |= keyword == "ns";

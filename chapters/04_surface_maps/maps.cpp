@@ -199,7 +199,10 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
 double mean_texels(const ImageRgb& picture) {
     double sum = 0, count = 0;
     for (const glm::vec3& pixel : picture.pixels)
-        if (pixel.r >= 0.0f) sum += double(pixel.r), ++count;
+        if (pixel.r >= 0.0f) {
+            sum += double(pixel.r);
+            ++count;
+        }
     return count > 0 ? white_texels * sum / count : 0.0;
 }
 

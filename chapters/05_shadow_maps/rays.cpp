@@ -105,8 +105,12 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
 void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
     if (!built_) build(frame.gpu, scene, frame.time_s);
     if (maps) {
-        state_.cutoff = maps->cutoff, state_.wobble = maps->wobble, state_.scroll = maps->scroll;
-        state_.color_cuts = maps->diffuse, state_.opacity_cuts = maps->opacity, state_.time_s = frame.time_s;
+        state_.cutoff = maps->cutoff;
+        state_.wobble = maps->wobble;
+        state_.scroll = maps->scroll;
+        state_.color_cuts = maps->diffuse;
+        state_.opacity_cuts = maps->opacity;
+        state_.time_s = frame.time_s;
     }
     if (scene.placed == placed_) return;
     bvh_.refit(ray_triangles(scene, frame.time_s));

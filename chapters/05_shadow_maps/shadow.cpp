@@ -100,14 +100,17 @@ void Shadow::reserve(Frame& frame) {
     };
     const auto fit = [&](Image& image, const char* name, VkFormat of) {
         Image::Desc desc = wanted;
-        desc.name = path() + name, desc.format = of;
+        desc.name = path() + name;
+        desc.format = of;
         if (!image || image.desc != desc) copy_layers(std::exchange(image, Image(frame.gpu.device, desc)), image);
     };
     fit(map_, ".map", VK_FORMAT_D32_SFLOAT);
     if (has_passed()) {
         constexpr VkFormat color = VK_FORMAT_R8G8B8A8_UNORM;
-        fit(first_, ".first", color), fit(first_depth_, ".first_depth", VK_FORMAT_D32_SFLOAT);
-        fit(passed_, ".passed", color), fit(last_depth_, ".last_depth", VK_FORMAT_R32_SFLOAT);
+        fit(first_, ".first", color);
+        fit(first_depth_, ".first_depth", VK_FORMAT_D32_SFLOAT);
+        fit(passed_, ".passed", color);
+        fit(last_depth_, ".last_depth", VK_FORMAT_R32_SFLOAT);
     }
     if (has_moments())
         copy_layers(moments_.reserve(frame.gpu, map_,

@@ -149,7 +149,10 @@ glm::vec2 mean_loss(const ImageRgb& picture) {
     glm::dvec2 sum(0.0);
     double count = 0;
     for (const glm::vec3& pixel : picture.pixels)
-        if (pixel.r >= 0.0f) sum += glm::dvec2(pixel), ++count;
+        if (pixel.r >= 0.0f) {
+            sum += glm::dvec2(pixel);
+            ++count;
+        }
     return count > 0 ? sum / count : sum;
 }
 

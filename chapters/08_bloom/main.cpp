@@ -38,7 +38,10 @@ struct BloomChapter : ModelChapter {
 
     // For the study: error of the image of one bright pixel.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        source.set("spot"), show.set("spread"), gain.set("1"), bloom.cut.set("none");
+        source.set("spot");
+        show.set("spread");
+        gain.set("1");
+        bloom.cut.set("none");
         error["psf_l2"] = point.error(*this, bloom, gpu, size);
     }
 

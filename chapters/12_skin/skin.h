@@ -125,8 +125,8 @@ struct Skin : Module {
     static Pipeline skin_pass(const char* diffuse, const char* views) {
         return shading("12_skin/skin.frag", {{"DIFFUSE", diffuse}, {"VIEWS", views}});
     }
-    Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0"),
-             by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), views_ = skin_pass("0", "1");
+    Pipeline by_lambert_ = skin_pass("0", "0"), by_wrap_ = skin_pass("1", "0"), by_table_ = skin_pass("2", "0");
+    Pipeline by_screen_ = skin_pass("3", "0"), by_map_ = skin_pass("4", "0"), views_ = skin_pass("0", "1");
     Pipeline matt_ = shading("12_skin/matt.frag", {{"EYE", "0"}}),
              eye_pass_ = shading("12_skin/matt.frag", {{"EYE", "1"}}),
              cornea_ = shading("12_skin/cornea.frag", {}, Blend::add);

@@ -15,9 +15,10 @@ EdgePixels compare_edges(const ImageRgb& found, const ImageRgb& one_sample, cons
     for (size_t i = 0; i < truth.pixels.size(); ++i) {
         const glm::vec3 moved = glm::abs(truth.pixels[i] - one_sample.pixels[i]);
         const glm::dvec3 off = glm::dvec3(found.pixels[i]) - glm::dvec3(truth.pixels[i]);
-        if (glm::max(glm::max(moved.r, moved.g), moved.b) > 1.0f / 64)
-            ++count, square += glm::dot(off, off) / 3;
-        else
+        if (glm::max(glm::max(moved.r, moved.g), moved.b) > 1.0f / 64) {
+            ++count;
+            square += glm::dot(off, off) / 3;
+        } else
             for (int c = 0; c < 3; ++c)
                 result.off_edges =
                     std::max(result.off_edges, 255 * double(std::abs(found.pixels[i][c] - one_sample.pixels[i][c])));

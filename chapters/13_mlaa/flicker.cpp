@@ -12,7 +12,8 @@ double flicker_of(const std::vector<ImageRgb>& found, const std::vector<ImageRgb
         for (size_t p = 0; p < found[i].pixels.size(); ++p) {
             const glm::vec3 off =
                 glm::abs((found[i].pixels[p] - found[i - 1].pixels[p]) - (truth[i].pixels[p] - truth[i - 1].pixels[p]));
-            sum += double(off.r + off.g + off.b) / 3, ++count;
+            sum += double(off.r + off.g + off.b) / 3;
+            ++count;
         }
     return count > 0 ? sum / count : 0;
 }

@@ -100,7 +100,8 @@ void Mlaa::measure_by_words(Compute& pass) {
     if (shapes) pass.set("staircases", diagonals_[0]);
     set_edges(pass);
     pass.dispatch_indirect(work_);
-    lengths_ = &distances_[0], staircases_ = &diagonals_[0];
+    lengths_ = &distances_[0];
+    staircases_ = &diagonals_[0];
 }
 
 // Links between neighbours, then distances that grow from pass to pass.
@@ -151,7 +152,10 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     if (doubles) lengths.push_back(distances_[1]);
     if (doubles && shapes) lengths.push_back(diagonals_[1]);
     access = {.reads = {work_, list_, edge_rows_, edge_columns_}, .with = {*this}};
-    for (const ImageView& image : lengths) access.writes.push_back(image), access.reads.push_back(image);
+    for (const ImageView& image : lengths) {
+        access.writes.push_back(image);
+        access.reads.push_back(image);
+    }
     frame.compute("mlaa distances", access,
                   [&](Compute& pass) { doubles ? measure_by_doubling(pass) : measure_by_words(pass); });
 

@@ -91,7 +91,8 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
         pass.dispatch_threads(picture.desc.size);
     });
     if (seen.scene) moving_.keep(frame, *seen.scene);
-    before_ = now, scene_ = seen.scene;
+    before_ = now;
+    scene_ = seen.scene;
 }
 // [/record]
 

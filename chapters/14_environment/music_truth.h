@@ -45,7 +45,8 @@ inline glm::dvec3 spectrum_bands(const std::vector<float>& samples, double rate_
         for (int band = 0; band < 3; ++band) {
             const double frequency_hz = double(k) * rate_hz / double(samples.size());
             if (frequency_hz < edges_hz[size_t(band)] || frequency_hz >= edges_hz[size_t(band) + 1]) continue;
-            square[band] += found[k] * found[k], ++count[band];
+            square[band] += found[k] * found[k];
+            ++count[band];
         }
     return glm::sqrt(square / glm::max(count, 1.0));
 }

@@ -72,7 +72,10 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
     // The first time there is nothing in the other faces.
     const bool one = update.is("face") && !first;
     for (uint32_t face = 0; face < 6; ++face)
-        if (!one || face == next_face_) draw_face(frame, scene, light.drawn, face, draw), ++drawn_faces;
+        if (!one || face == next_face_) {
+            draw_face(frame, scene, light.drawn, face, draw);
+            ++drawn_faces;
+        }
     if (one) next_face_ = (next_face_ + 1) % 6;
     light.record_drawn(
         frame, {.box_lower = lower, .has_box = box && !distant ? 1u : 0u, .box_upper = upper, .box_center = center});

@@ -20,7 +20,8 @@ void ScreenOcclusion::record(Frame& frame, const View& view, const ImageView& de
     const auto fit = [&](Image& image, const char* name, glm::uvec2 side) {
         image.fit(frame.gpu.device, {.name = path() + name, .size = side});
     };
-    fit(found_, " found", small), fit(wide_, " image", size);
+    fit(found_, " found", small);
+    fit(wide_, " image", size);
     const Step step{.rays = view_rays(view),
                     .shrink = glm::vec2(resolution.is("half") ? 2.0f : 1.0f),
                     .pixels_per_rad = 1.0f / view.pixel_rad(),

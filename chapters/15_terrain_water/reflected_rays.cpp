@@ -19,7 +19,8 @@ std::vector<glm::vec3> triangle_colors(const Scene& scene) {
 }  // namespace
 
 void ReflectedRays::prepare(Gpu& gpu, Scene& scene) {
-    scene_ = &scene, has_colors_ = false;
+    scene_ = &scene;
+    has_colors_ = false;
     none_ = gpu.upload("no houses", std::vector<CityBox>(1));
     none_cells_ = gpu.upload("no blocks", std::vector<glm::uvec2>(1));
     no_ground_ = Image(gpu.device, {.name = "no ground", .size = glm::uvec2(1), .layers = 2});

@@ -40,7 +40,9 @@ inline glm::dvec3 weighted(const std::vector<Layer>& layers, const glm::dvec3& b
     double weights = 0, behind = 1;
     for (const Layer& l : layers) {
         const double w = l.alpha * wboit_weight(equation, l.alpha, l.z_m, l.depth);
-        sum += w * l.color, weights += w, behind *= 1 - l.alpha;
+        sum += w * l.color;
+        weights += w;
+        behind *= 1 - l.alpha;
     }
     return glm::mix(sum / std::max(weights, 1e-5), background, behind);
 }
@@ -64,7 +66,8 @@ inline double moment_transmittance(glm::dvec4 b, double all, double z, double bi
 /// The same by six: mass at z and at the three roots of a cubic, found by halving between its turning points.
 inline double moment_transmittance_6(glm::dvec4 b, glm::dvec2 high, double all, double z, double bias,
                                      double overestimation) {
-    b = glm::mix(b, glm::dvec4(0, 0.48, 0, 0.451), bias), high = glm::mix(high, glm::dvec2(0, 0.45), bias);
+    b = glm::mix(b, glm::dvec4(0, 0.48, 0, 0.451), bias);
+    high = glm::mix(high, glm::dvec2(0, 0.45), bias);
     const glm::dmat4 hankel(glm::dvec4(1, b.x, b.y, b.z), glm::dvec4(b.x, b.y, b.z, b.w),
                             glm::dvec4(b.y, b.z, b.w, high.x), glm::dvec4(b.z, b.w, high.x, high.y));
     const glm::dvec4 c = glm::inverse(hankel) * glm::dvec4(1, z, z * z, z * z * z);
@@ -97,7 +100,8 @@ inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3&
     double all = 0;
     for (const Layer& l : layers) {
         const double a = -std::log(std::max(1 - l.alpha, 9.5e-7)), z = depth(l);
-        all += a, b += a * glm::dvec4(z, z * z, z * z * z, z * z * z * z);
+        all += a;
+        b += a * glm::dvec4(z, z * z, z * z * z, z * z * z * z);
         high += a * glm::dvec2(std::pow(z, 5), std::pow(z, 6));
     }
     glm::dvec3 sum(0);
@@ -106,7 +110,8 @@ inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3&
         const double left = six ? moment_transmittance_6(b / all, high / all, all, depth(l), 10 * bias, overestimation)
                                 : moment_transmittance(b / all, all, depth(l), bias, overestimation);
         const double w = l.alpha * left;
-        sum += w * l.color, weights += w;
+        sum += w * l.color;
+        weights += w;
     }
     const double behind = std::exp(-all);
     return behind * background + (1 - behind) * sum / std::max(weights, 1e-5);
@@ -126,12 +131,16 @@ inline glm::dvec3 by_four_layers(const std::vector<Layer>& layers, const glm::dv
         kept.insert(after, {l.z_m, l.alpha * l.color, 1 - l.alpha});
         if (kept.size() <= 4) continue;
         Kept& nearer = kept[3];
-        nearer.light += nearer.left * kept[4].light, nearer.left *= kept[4].left;
+        nearer.light += nearer.left * kept[4].light;
+        nearer.left *= kept[4].left;
         kept.pop_back();
     }
     glm::dvec3 sum(0);
     double left = 1;
-    for (const Kept& k : kept) sum += left * k.light, left *= k.left;
+    for (const Kept& k : kept) {
+        sum += left * k.light;
+        left *= k.left;
+    }
     return sum + left * background;
 }
 

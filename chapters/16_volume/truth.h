@@ -34,7 +34,10 @@ inline double lattice_4d(glm::ivec4 cell) {
                      multiply_add(uint32_t(cell.w))};
     const auto mix = [&] {
         const uint32_t x = v[0] + v[1] * v[3], y = v[1] + v[2] * v[0], z = v[2] + v[0] * v[1], w = v[3] + v[1] * v[2];
-        v[0] = x, v[1] = y, v[2] = z, v[3] = w;
+        v[0] = x;
+        v[1] = y;
+        v[2] = z;
+        v[3] = w;
     };
     mix();
     for (uint32_t& one : v) one ^= one >> 16u;

@@ -74,7 +74,8 @@ inline double ellipsoid_shadow(glm::dvec3 point, glm::dvec3 pole, double radius,
             if (glm::dot(at, at) > 1) continue;
             const glm::dvec3 ray = round(to_sun + std::tan(sun_rad) * (at.x * side + at.y * up)), from = round(point);
             const double t = -glm::dot(from, ray) / glm::dot(ray, ray);
-            ++all, seen += t <= 0 || glm::length(from + t * ray) > radius;
+            ++all;
+            seen += t <= 0 || glm::length(from + t * ray) > radius;
         }
     return static_cast<double>(seen) / all;
 }

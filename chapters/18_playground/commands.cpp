@@ -13,7 +13,8 @@
 namespace lightwalk {
 
 void Selection::set(std::vector<EntryId> chosen) {
-    ids.clear(), members_.clear();
+    ids.clear();
+    members_.clear();
     for (const EntryId id : chosen)
         if (members_.insert(id).second) ids.push_back(id);
 }
@@ -21,8 +22,10 @@ void Selection::set(std::vector<EntryId> chosen) {
 void Selection::toggle(EntryId id) {
     if (members_.erase(id))
         std::erase(ids, id);
-    else
-        members_.insert(id), ids.push_back(id);
+    else {
+        members_.insert(id);
+        ids.push_back(id);
+    }
 }
 
 void Selection::drop_missing(const Document& document) {
@@ -222,7 +225,9 @@ Said move_to(Document& document, const std::vector<EntryId>& ids, EntryId parent
             const Placement own = placement_of(move.local, object->rotation_deg, &exact);
             if (!exact) said = object->name + " was sheared by its parents' scales; its new place has no shear";
             SceneObject& edited = *document.edit(id).object();
-            edited.position = own.position, edited.rotation_deg = own.rotation_deg, edited.scale = own.scale;
+            edited.position = own.position;
+            edited.rotation_deg = own.rotation_deg;
+            edited.scale = own.scale;
         }
         moved.push_back(id);
     }
@@ -245,7 +250,10 @@ EntryId group(Document& document, const std::vector<EntryId>& ids, const std::st
     std::vector<EntryId> objects;
     Bounds places;
     for (const EntryId id : movable(document, ids))
-        if (document.at(id).object()) objects.push_back(id), places.add(glm::vec3(world_of(document, id)[3]));
+        if (document.at(id).object()) {
+            objects.push_back(id);
+            places.add(glm::vec3(world_of(document, id)[3]));
+        }
     if (objects.empty()) return no_entry;
     const EntryId first = document.at(objects[0]).parent;
     const bool siblings =

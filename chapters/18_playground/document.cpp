@@ -30,7 +30,8 @@ Document::Document(const SceneFile& scene) {
     };
     for (const SceneObject& object : scene.objects) {
         SceneObject own = object;
-        own.parent.clear(), own.hidden = own.locked = false;
+        own.parent.clear();
+        own.hidden = own.locked = false;
         const EntryId id = append(object.parent.empty() ? root_entry : by_name.at(object.parent),
                                   {.what = std::move(own), .hidden = object.hidden, .locked = object.locked});
         if (!object.name.empty()) by_name[object.name] = id;
@@ -77,14 +78,16 @@ void Document::note_structure() {
 void Document::put(EntryId id, std::shared_ptr<Entry> entry, uint32_t version) {
     Slot& slot = slots_[id];
     if (slot.entry) count_name(*slot.entry, -1);
-    if (!slot.entry != !entry)
-        note_structure(), count_ += entry ? 1 : -1;
-    else if (entry && slot.entry->name() != entry->name())
+    if (!slot.entry != !entry) {
+        note_structure();
+        count_ += entry ? 1 : -1;
+    } else if (entry && slot.entry->name() != entry->name())
         structure_ = next_structure();
     if (slot.entry && entry && slot.entry != entry &&
         (slot.entry->parent != entry->parent || slot.entry->children != entry->children))
         note_structure();
-    slot.entry = std::move(entry), slot.version = version;
+    slot.entry = std::move(entry);
+    slot.version = version;
     if (slot.entry) count_name(*slot.entry, 1);
     note(id);
 }
@@ -127,7 +130,8 @@ bool Document::commit() {
     for (Kept& kept : step.kept) {
         Slot& slot = slots_[kept.id];
         slot.touched = false;
-        kept.after = slot.entry, kept.after_version = slot.entry ? slot.version : 0;
+        kept.after = slot.entry;
+        kept.after_version = slot.entry ? slot.version : 0;
         for (const auto& entry : {kept.before, kept.after})
             if (entry) step.size.bytes += bytes_of(*entry);
     }
@@ -167,8 +171,10 @@ Document::Step Document::joined(Step first, Step then) const {
         return all;
     };
     for (const Step* step : {&first, &then})
-        for (const Kept& kept : step->kept)
-            versions[kept.before_version] = kept.before, versions[kept.after_version] = kept.after;
+        for (const Kept& kept : step->kept) {
+            versions[kept.before_version] = kept.before;
+            versions[kept.after_version] = kept.after;
+        }
     versions[0] = nullptr;
     Step both{then.name, {then.size.group, 0}, {}, first.state_before, then.state_after};
     for (const Replaced& one : join_steps(replaced(first), replaced(then))) {

@@ -30,7 +30,8 @@ std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) c
         if (!entry.light() || entry.hidden || entry.locked || entry.light()->kind == Light::Kind::directional) continue;
         const auto pixel = on_screen(view, entry.light()->position);
         if (!pixel || glm::length(*pixel - cursor_px) >= least) continue;
-        least = glm::length(*pixel - cursor_px), nearest = id;
+        least = glm::length(*pixel - cursor_px);
+        nearest = id;
     }
     return nearest;
 }

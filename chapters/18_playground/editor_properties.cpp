@@ -80,8 +80,10 @@ void PropertiesPanel::draw_object(EntryId id) {
 void PropertiesPanel::draw_offers(EntryId id) {
     const Editor::Offered file = editor.offered(scene, id);
     for (const auto& [name, camera] : file.cameras)
-        if (tool_button(("camera " + name).c_str(), "Look through this camera of the model's file"))
-            view_.chapter.camera = camera, view_.changed = true;
+        if (tool_button(("camera " + name).c_str(), "Look through this camera of the model's file")) {
+            view_.chapter.camera = camera;
+            view_.changed = true;
+        }
     const std::string words = fmt::format("add its {} light{}", file.lights.size(), file.lights.size() == 1 ? "" : "s");
     if (!file.lights.empty() && tool_button(words.c_str(), "The lights of the model's file become lights of the scene"))
         editor.selection.set(add_lights(editor.document, words, file.lights));

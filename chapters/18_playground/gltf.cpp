@@ -123,7 +123,8 @@ class Exporter {
         const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
         if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
         if (!by_orm) set(pbr, "metallicRoughnessTexture", MapSlot::metallic_roughness);
-        pbr["metallicFactor"] = by_orm ? 1.0f : numbers.x, pbr["roughnessFactor"] = by_orm ? 1.0f : numbers.y;
+        pbr["metallicFactor"] = by_orm ? 1.0f : numbers.x;
+        pbr["roughnessFactor"] = by_orm ? 1.0f : numbers.y;
         const auto color = use_of(item, object, MapSlot::diffuse), opacity = use_of(item, object, MapSlot::opacity);
         if (opacity)
             pbr["baseColorTexture"] = textures_.texture(color, *opacity);
@@ -136,8 +137,10 @@ class Exporter {
         set(own, "emissiveTexture", MapSlot::emissive);
         json extensions = json::object();
         own["emissiveFactor"] = emission(m, extensions);
-        if (m.unlit)
-            extensions["KHR_materials_unlit"] = json::object(), writer.extensions.insert("KHR_materials_unlit");
+        if (m.unlit) {
+            extensions["KHR_materials_unlit"] = json::object();
+            writer.extensions.insert("KHR_materials_unlit");
+        }
         if (!extensions.empty()) own["extensions"] = extensions;
         if (item.two_sided) own["doubleSided"] = true;
         own["alphaMode"] = item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
@@ -168,7 +171,8 @@ class Exporter {
             std::vector<glm::vec2> uvs;
             Bounds box;
             for (const Vertex& v : mesh.vertices) {
-                positions.push_back(v.position), normals.push_back(v.normal);
+                positions.push_back(v.position);
+                normals.push_back(v.normal);
                 uvs.push_back({v.uv.x, 1.0f - v.uv.y});  // glTF's v runs from the top
                 box.add(v.position);
             }

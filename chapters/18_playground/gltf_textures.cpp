@@ -108,7 +108,11 @@ json GltfTextures::texture(const std::optional<TextureUse>& color, const Texture
         writer_.files[file] = encode_png(color_with_opacity(colors, picture_of(opacity)));
     }
     TextureMap map = color ? color->map : opacity.map;  // where it lies, and how it is sampled
-    map.file = file, map.bytes = nullptr, map.image = -1, map.channel = 0, map.base_gain = {0, 1};
+    map.file = file;
+    map.bytes = nullptr;
+    map.image = -1;
+    map.channel = 0;
+    map.base_gain = {0, 1};
     return texture(TextureUse{.map = map});
 }
 

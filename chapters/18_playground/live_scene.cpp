@@ -7,8 +7,10 @@
 
 namespace lightwalk {
 void LiveScene::number(const Exported& all) {
-    objects_ = all.objects, lights_ = all.lights;
-    places_.clear(), light_places_.clear();
+    objects_ = all.objects;
+    lights_ = all.lights;
+    places_.clear();
+    light_places_.clear();
     for (size_t i = 0; i < objects_.size(); ++i) places_[objects_[i]] = static_cast<uint32_t>(i);
     for (size_t i = 0; i < lights_.size(); ++i) light_places_[lights_[i]] = static_cast<uint32_t>(i);
 }
@@ -17,7 +19,8 @@ void LiveScene::begin(Document& document, Scene& scene) {
     document.take_changes();
     const Exported all = exported(document);
     number(all);
-    scene.file.lights = all.scene.lights, scene.file.hidden_lights = all.scene.hidden_lights;
+    scene.file.lights = all.scene.lights;
+    scene.file.hidden_lights = all.scene.hidden_lights;
 }
 
 uint32_t LiveScene::object_of(EntryId id) const {
@@ -73,8 +76,10 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     const Document::Changes changes = document.take_changes();
     if (changes.entries.empty() && !changes.structure) return Done::nothing;
     const SceneSettings& settings = document.settings();
-    scene.file.ambient = settings.ambient, scene.file.background = settings.background;
-    scene.file.bare = settings.bare, scene.file.emission = settings.emission;
+    scene.file.ambient = settings.ambient;
+    scene.file.background = settings.background;
+    scene.file.bare = settings.bare;
+    scene.file.emission = settings.emission;
     const Environment& shown = scene.file.environment;
     try {
         if (settings.environment.image != shown.image)
@@ -105,7 +110,8 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     for (const EntryId id : all.objects) from.push_back(object_of(id));
     if (without) leave_out(gpu, scene, all.scene.objects, from, loader, note);
     loads = scene.replace_objects(gpu, std::move(all.scene.objects), from, loader);
-    scene.file.lights = std::move(all.scene.lights), scene.file.hidden_lights = std::move(all.scene.hidden_lights);
+    scene.file.lights = std::move(all.scene.lights);
+    scene.file.hidden_lights = std::move(all.scene.hidden_lights);
     number(all);
     return Done::replaced;
 }

@@ -31,7 +31,8 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     bench.substances.prepare(gpu, scene);
     picker.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
-    maps_due_ = true, updates_ = updates;
+    maps_due_ = true;
+    updates_ = updates;
 }
 
 // [frame]

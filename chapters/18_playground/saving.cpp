@@ -19,9 +19,14 @@ Light light_of(const Entry& entry) {
 namespace {
 
 void give(SceneFile& scene, const SceneSettings& settings) {
-    scene.camera = settings.camera, scene.ambient = settings.ambient, scene.background = settings.background;
-    scene.environment = settings.environment, scene.music = settings.music, scene.knobs = settings.knobs;
-    scene.bare = settings.bare, scene.emission = settings.emission;
+    scene.camera = settings.camera;
+    scene.ambient = settings.ambient;
+    scene.background = settings.background;
+    scene.environment = settings.environment;
+    scene.music = settings.music;
+    scene.knobs = settings.knobs;
+    scene.bare = settings.bare;
+    scene.emission = settings.emission;
     if (!scene.knobs.empty()) scene.knobs_of = "18_playground";
 }
 
@@ -33,7 +38,8 @@ Said cannot_be_saved(const Entry& entry, const fs::path& file) {
     if (entry.light()) alone.lights.push_back(light_of(entry));
     if (const SceneObject* object = entry.object()) {
         alone.objects.push_back(*object);
-        alone.objects[0].parent.clear(), alone.objects[0].shows.clear();  // entries that are not looked at here
+        alone.objects[0].parent.clear();  // entries that are not looked at here
+        alone.objects[0].shows.clear();
     }
     const fs::path scene = file.empty() ? fs::path("scene.json") : file;
     try {
@@ -54,7 +60,8 @@ Exported exported(const Document& document) {
         const Entry& entry = document.at(id);
         if (const SceneObject* object = entry.object()) {
             scene.objects.push_back(*object);
-            scene.objects.back().hidden = entry.hidden, scene.objects.back().locked = entry.locked;
+            scene.objects.back().hidden = entry.hidden;
+            scene.objects.back().locked = entry.locked;
             if (entry.parent != root_entry) scene.objects.back().parent = document.at(entry.parent).name();
             result.objects.push_back(id);
         } else if (entry.light() && entry.hidden) {
@@ -77,7 +84,8 @@ SceneFile part_of(const Document& document, bool included) {
     for (size_t i = 0; i < all.objects.size(); ++i)
         if (document.at(all.objects[i]).included == included) objects.push_back(std::move(part.objects[i]));
     part.objects = std::move(objects);
-    part.lights.clear(), part.hidden_lights.clear();
+    part.lights.clear();
+    part.hidden_lights.clear();
     for (const EntryId id : document.at(root_entry).children) {
         const Entry& entry = document.at(id);
         if (!entry.light() || entry.included != included) continue;
@@ -91,7 +99,9 @@ SceneFile part_of(const Document& document, bool included) {
 
 std::string content(const SceneFile& scene) {
     SceneFile bare;
-    bare.objects = scene.objects, bare.lights = scene.lights, bare.hidden_lights = scene.hidden_lights;
+    bare.objects = scene.objects;
+    bare.lights = scene.lights;
+    bare.hidden_lights = scene.hidden_lights;
     return scene_text(bare);
 }
 
@@ -102,9 +112,13 @@ Document SceneStore::open(const fs::path& given) {
     const fs::path file = find_asset(given);
     if (file.extension() != ".json") {
         Document document(scene_of_model(file, {}));
-        path.clear(), includes_.clear(), included_.clear();
-        saved_state_ = document.state(), hash_ = 0;
-        own_.reset(), left_.reset();
+        path.clear();
+        includes_.clear();
+        included_.clear();
+        saved_state_ = document.state();
+        hash_ = 0;
+        own_.reset();
+        left_.reset();
         return document;
     }
     const std::string text = read_file(file);
@@ -133,10 +147,12 @@ Document SceneStore::open(const fs::path& given) {
     }
     document.commit();
     document.forget_steps();
-    path = file, includes_ = std::move(includes);
+    path = file;
+    includes_ = std::move(includes);
     included_ = includes_.empty() ? "" : content(part_of(document, true));
     saved_state_ = autosaved_state_ = document.state();
-    own_.reset(), left_.reset();
+    own_.reset();
+    left_.reset();
     hash_ = hash_bytes(text);
     return document;
 }
@@ -144,9 +160,13 @@ Document SceneStore::open(const fs::path& given) {
 
 Document SceneStore::open_empty() {
     Document document;
-    path.clear(), includes_.clear(), included_.clear();
-    saved_state_ = autosaved_state_ = document.state(), hash_ = 0;
-    own_.reset(), left_.reset();
+    path.clear();
+    includes_.clear();
+    included_.clear();
+    saved_state_ = autosaved_state_ = document.state();
+    hash_ = 0;
+    own_.reset();
+    left_.reset();
     return document;
 }
 
@@ -197,7 +217,8 @@ Said SceneStore::save_as(const Document& document, const fs::path& file) {
         if (includes_ != includes) said = "included files now stand in the file itself: it lies in another folder";
         return said;
     } catch (...) {
-        path = before, includes_ = includes;
+        path = before;
+        includes_ = includes;
         throw;
     }
 }

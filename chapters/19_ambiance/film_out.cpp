@@ -61,7 +61,8 @@ class Unfinished {
         if (!mkdtemp(folder_.data())) throw InputError("--film {}: no folder can be made beside it", path.string());
         file = std::filesystem::path(folder_) / path.filename();
         path_ = file.string();
-        folder_to_remove = folder_.c_str(), file_to_remove = path_.c_str();
+        folder_to_remove = folder_.c_str();
+        file_to_remove = path_.c_str();
         for (const int number : {SIGTERM, SIGINT, SIGHUP}) std::signal(number, end);
     }
     ~Unfinished() {

@@ -13,7 +13,8 @@ namespace lightwalk {
 bool is_film_file(const std::filesystem::path& file) { return file.extension() == ".film"; }
 
 void Reel::prepare(Gpu&, Scene& loaded) {
-    parts_.clear(), ways_.clear();
+    parts_.clear();
+    ways_.clear();
     chosen_.reset();
     paths_made_.forget();
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
@@ -131,7 +132,8 @@ bool Reel::take_cameras(const Timeline& edited) {
     if (!std::equal(film_.scenes.begin(), film_.scenes.end(), edited.scenes.begin(), edited.scenes.end(), same))
         return false;
     for (size_t i = 0; i < film_.scenes.size(); ++i) {
-        film_.scenes[i].camera = edited.scenes[i].camera, film_.scenes[i].path = edited.scenes[i].path;
+        film_.scenes[i].camera = edited.scenes[i].camera;
+        film_.scenes[i].path = edited.scenes[i].path;
         if (chosen_) film_.scenes[i].camera.choose(*chosen_);
     }
     return true;

@@ -23,7 +23,8 @@ std::vector<double> numbers(const std::string& text) {
         char* parsed = nullptr;
         const double value = std::strtod(one.c_str(), &parsed);
         if (one.empty() || *parsed != '\0') return {};
-        all.push_back(value), at = end + 1;
+        all.push_back(value);
+        at = end + 1;
     }
     return all;
 }

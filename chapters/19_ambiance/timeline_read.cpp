@@ -62,7 +62,8 @@ Track read_track(KeyReader& r, const JsonWithLines& source, const std::string& n
     Track track{.name = name, .steps = false, .times_s = {}, .values = {}, .where = source.where(r.at(name))};
     const bool is_track = value.is_array() && !value.empty() && (value[0].is_array() || value[0] == "steps");
     if (!is_track) {
-        track.times_s = {0.0}, track.values = {value_text(r, name, value)};
+        track.times_s = {0.0};
+        track.values = {value_text(r, name, value)};
         return track;
     }
     for (const json& entry : value) {
@@ -76,7 +77,8 @@ Track read_track(KeyReader& r, const JsonWithLines& source, const std::string& n
         if (!track.times_s.empty() && !(time_s > track.times_s.back()))
             r.refuse(name,
                      fmt::format("has an entry at {} s that does not come after the one before", entry[0].dump()));
-        track.times_s.push_back(time_s), track.values.push_back(value_text(r, name, entry[1]));
+        track.times_s.push_back(time_s);
+        track.values.push_back(value_text(r, name, entry[1]));
     }
     if (track.times_s.empty()) r.refuse(name, "is a track without entries");
     return track;
@@ -105,7 +107,8 @@ void read_path(const JsonWithLines& source, const json& object, const std::strin
             k.refuse("time_s", "does not come after the key before");
         for (const char* needed : {"position", "target"})
             if (!k.find(needed)) throw InputError("{} lacks {}", source.where(at), needed);
-        key.position = read_vector(k, "position", key.position), key.target = read_vector(k, "target", key.target);
+        key.position = read_vector(k, "position", key.position);
+        key.target = read_vector(k, "target", key.target);
         key.up = read_vector(k, "up", key.up);
         if (glm::length(key.up) <= 0) k.refuse("up", "has no length");
         key.fov_deg = optional(k, at, source, "fov_deg", 0, 0.1, 170);
@@ -152,7 +155,8 @@ Fade read_fade(const JsonWithLines& source, KeyReader r, const std::string& at, 
     Fade fade;
     fade.from_s = required(r, at, source, "from_s", 0, duration_s);
     fade.to_s = required(r, at, source, "to_s", fade.from_s, duration_s);
-    fade.from = required(r, at, source, "from", 0, 1), fade.to = required(r, at, source, "to", 0, 1);
+    fade.from = required(r, at, source, "from", 0, 1);
+    fade.to = required(r, at, source, "to", 0, 1);
     std::string color = "black";
     r.string("color", color);
     if (color != "black" && color != "white") r.refuse("color", fmt::format("is '{}', expected black or white", color));

@@ -46,7 +46,9 @@ bool expose(Chapter& chapter, Gpu& gpu) {
     const float bright = 1.02f * brightest[static_cast<size_t>(place)];  // becomes code 253
     if (!(bright > 1.0f && std::isfinite(bright))) return false;
     SceneFile& scene = chapter.scene.file;
-    scene.emission /= bright, scene.ambient /= bright, scene.background /= bright;
+    scene.emission /= bright;
+    scene.ambient /= bright;
+    scene.background /= bright;
     for (Light& light : scene.lights) light.intensity /= bright;
     return true;
 }

@@ -53,7 +53,8 @@ Canvas& Canvas::mixed_by(TransparencyMethod* method) {
 }
 
 Canvas& Canvas::multisampled(const ImageView& colors, const ImageView& depths) {
-    colors_ = colors, depths_ = depths;
+    colors_ = colors;
+    depths_ = depths;
     return *this;
 }
 
@@ -66,7 +67,8 @@ void Canvas::enter(Phase phase, const std::string& drawing) {
     if (phase < phase_)
         throw Failure("'{}' ({}) is drawn after '{}' ({}): give both to one draw(), which orders them by phase",
                       drawing, name_of(phase), last_, name_of(phase_));
-    phase_ = phase, last_ = drawing;
+    phase_ = phase;
+    last_ = drawing;
 }
 
 // New light: discards any tone curve applied to the image before.

@@ -70,7 +70,8 @@ json model_json(const Model& model) {
     json meshes = json::array(), materials = json::array(), left_out = json::array(), lights = json::array();
     size_t vertices = 0, triangles = 0;
     for (const Mesh& mesh : model.meshes) {
-        vertices += mesh.vertices.size(), triangles += mesh.indices.size() / 3;
+        vertices += mesh.vertices.size();
+        triangles += mesh.indices.size() / 3;
         meshes.push_back(named(mesh.name, {{"vertices", mesh.vertices.size()},
                                            {"triangles", mesh.indices.size() / 3},
                                            {"colors", !mesh.colors.empty()},

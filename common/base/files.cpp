@@ -119,7 +119,8 @@ Place place_of(const fs::path& path) {
     if (stat(path.c_str(), &status) == 0) {
         if (const std::string kind = kind_of(status.st_mode); !kind.empty()) fail_to_write(path, "is " + kind);
         if (access(path.c_str(), W_OK) != 0) fail_to_write(path, std::strerror(errno));
-        place.exists = true, place.permissions = status.st_mode & 07777;
+        place.exists = true;
+        place.permissions = status.st_mode & 07777;
     } else if (errno != ENOENT) {
         fail_to_write(path, std::strerror(errno));
     }

@@ -23,7 +23,8 @@ size_t badness(std::string_view wrong, std::string_view name) {
 }  // namespace
 
 size_t edit_distance(std::string_view a, std::string_view b) {
-    a = a.substr(0, compared_bytes), b = b.substr(0, compared_bytes);
+    a = a.substr(0, compared_bytes);
+    b = b.substr(0, compared_bytes);
     const auto at = [](std::string_view text, size_t i) { return std::tolower(static_cast<unsigned char>(text[i])); };
     std::array<std::array<size_t, compared_bytes + 1>, compared_bytes + 1> steps{};
     for (size_t i = 0; i <= a.size(); ++i) steps[i][0] = i;

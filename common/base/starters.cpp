@@ -53,7 +53,8 @@ const Starter* find(std::string_view id) {
     if (!gone && written == starter.written && bytes == starter.bytes) return &starter;
     try {
         starter.answer = digest_of(starter.file);
-        starter.written = written, starter.bytes = bytes;
+        starter.written = written;
+        starter.bytes = bytes;
     } catch (const InputError&) {
         starter.answer = 0;  // it went away, or may not be read
     }

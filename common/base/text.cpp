@@ -38,7 +38,8 @@ std::string printable(std::string_view text, bool lines) {
         const bool control = byte < 0x20 || byte == 0x7F || second_controls;
         const bool stays = lines && (byte == '\n' || byte == '\t');
         if (length > 0 && (!control || stays)) {
-            out += text.substr(i, length), i += length;
+            out += text.substr(i, length);
+            i += length;
             continue;
         }
         for (size_t end = i + std::max<size_t>(length, 1); i < end; ++i)

@@ -33,7 +33,8 @@ std::vector<Token> tokens_of(const std::string& glsl) {
             return i < glsl.size() && std::isdigit(static_cast<unsigned char>(glsl[i]));
         };
         if (c == '\n') {
-            take(at + 1, space), line_start = true;
+            take(at + 1, space);
+            line_start = true;
         } else if (std::isspace(static_cast<unsigned char>(c))) {
             take(at + 1, space);
         } else if (c == '#' && line_start) {
@@ -150,8 +151,10 @@ class Rewriter {
     // One operand with its signs, calls, indices and members.
     std::string unary(size_t end) {
         std::string signs;
-        while (at_ < end && std::string("+-!~").find(tokens_[at_].text) != std::string::npos)
-            signs += tokens_[at_].space + tokens_[at_].text, ++at_;
+        while (at_ < end && std::string("+-!~").find(tokens_[at_].text) != std::string::npos) {
+            signs += tokens_[at_].space + tokens_[at_].text;
+            ++at_;
+        }
         size_t stop = at_;
         const auto open = [&] { return tokens_[stop].text == "(" || tokens_[stop].text == "["; };
         if (stop < end) stop = open() ? closing(stop) + 1 : stop + 1;

@@ -40,8 +40,10 @@ ImageView view_of(const RecordedView& recorded, const Cast& cast) {
         (recorded.type == VK_IMAGE_VIEW_TYPE_2D && recorded.layers != 1) || recorded.type == VK_IMAGE_VIEW_TYPE_1D ||
         recorded.type == VK_IMAGE_VIEW_TYPE_3D || recorded.type == VK_IMAGE_VIEW_TYPE_1D_ARRAY)
         throw Failure("it names a part of an image that is not there");
-    view.first_mip = recorded.first_mip, view.mips = recorded.mips;
-    view.first_layer = recorded.first_layer, view.layers = recorded.layers;
+    view.first_mip = recorded.first_mip;
+    view.mips = recorded.mips;
+    view.first_layer = recorded.first_layer;
+    view.layers = recorded.layers;
     view.type = recorded.type;
     return view;
 }
@@ -55,14 +57,18 @@ std::vector<Resource> resources_of(const std::vector<RecordedView>& views, const
 Attachment target_of(const RecordedTarget& recorded, const Cast& cast) {
     require(recorded.load, Attachment::Load::read_only);
     Attachment target(view_of(recorded.view, cast));
-    target.load = recorded.load, target.color = recorded.color, target.depth = recorded.depth;
+    target.load = recorded.load;
+    target.color = recorded.color;
+    target.depth = recorded.depth;
     target.resolve_into = view_of(recorded.resolve_into, cast);
     return target;
 }
 
 const Sampler& checked(const Sampler& sampler) {
-    require(sampler.filter, Filter::linear), require(sampler.mip_filter, Filter::linear);
-    require(sampler.compare, Compare::always), require(sampler.wrap, Wrap::border);
+    require(sampler.filter, Filter::linear);
+    require(sampler.mip_filter, Filter::linear);
+    require(sampler.compare, Compare::always);
+    require(sampler.wrap, Wrap::border);
     require(sampler.border, Border::opaque_white);
     if (!(sampler.anisotropy >= 1 && sampler.anisotropy <= 16) || !(sampler.min_lod >= 0) ||
         !(sampler.max_lod >= sampler.min_lod) || !(std::abs(sampler.lod_bias) <= 15))
@@ -187,7 +193,8 @@ RecordedPass& Recorder::begin(const std::string& name, const std::vector<Resourc
         for (const Resource& one : from)
             one.buffer ? does_more("the buffer '" + one.buffer->name + "'") : void(into.push_back(view_of(one.view)));
     };
-    add_all(reads, pass.reads), add_all(writes, pass.writes);
+    add_all(reads, pass.reads);
+    add_all(writes, pass.writes);
     for (const Given& one : with)
         pass.with.push_back(static_cast<uint32_t>(std::ranges::find(cast_->given, &one) - cast_->given.begin()));
     return pass;
@@ -198,7 +205,8 @@ void Recorder::begins(const std::string& pass, const RasterTargets& targets) {
     RecordedPass& now = begin(pass, targets.reads, targets.writes, targets.with);
     for (const Attachment& target : targets.color) now.color.push_back(target_of(target));
     now.depth = target_of(targets.depth);
-    now.layers = targets.layers, now.size = targets.size;
+    now.layers = targets.layers;
+    now.size = targets.size;
     if (targets.mixing) does_more(".mixing");
 }
 
@@ -226,7 +234,8 @@ void Recorder::uses(const Pipeline& pipeline, const Macros& variant) {
 void Recorder::sets(std::string_view binding, std::span<const ImageView> views, const Sampler& sampler) {
     RecordedStep* const step = add(Kind::set_views);
     if (!step) return;
-    step->binding = binding, step->sampler = sampler;
+    step->binding = binding;
+    step->sampler = sampler;
     for (const ImageView& view : views) step->views.push_back(view_of(view));
 }
 

@@ -13,7 +13,10 @@ constexpr uint32_t sets_per_pool = 256;
 
 VkDescriptorBufferInfo Arena::copy(std::span<const std::byte> bytes, VkDeviceSize alignment) {
     const auto aligned = [&] { return (used_ + alignment - 1) / alignment * alignment; };
-    while (current_ < buffers_.size() && aligned() + bytes.size() > buffers_[current_].bytes) ++current_, used_ = 0;
+    while (current_ < buffers_.size() && aligned() + bytes.size() > buffers_[current_].bytes) {
+        ++current_;
+        used_ = 0;
+    }
     if (current_ == buffers_.size())
         buffers_.emplace_back(
             device_, Buffer::Desc{.name = name_, .bytes = std::max(least_bytes, bytes.size()), .host_visible = true});

@@ -52,7 +52,10 @@ void append(std::vector<VkImageMemoryBarrier2>& list, size_t first, const VkImag
 void Barriers::add(const ImageView& view, const Access& next) {
     ImageHistory& history = view.image->history;
     VkImageSubresourceRange range = view.range();
-    if (view.is_volume()) range.baseArrayLayer = 0, range.layerCount = 1;  // slices are no subresources
+    if (view.is_volume()) {
+        range.baseArrayLayer = 0;  // slices are no subresources
+        range.layerCount = 1;
+    }
     Access from;
     const auto make = [&](VkImageLayout old_layout, const VkImageSubresourceRange& part) {
         return VkImageMemoryBarrier2{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,

@@ -43,7 +43,8 @@ void Frame::copy_images(const std::string& name, const std::vector<std::pair<Ima
         if (from.image->desc.format != into.image->desc.format || from.size() != into.size() ||
             from.mips != into.mips || from.layers != into.layers)
             throw Failure("{}: {} and {} differ in format, size, mips or layers", name, from.name(), into.name());
-        access.reads.push_back(from), access.writes.push_back(into);
+        access.reads.push_back(from);
+        access.writes.push_back(into);
     }
     transfer(name, access, [&](VkCommandBuffer commands) {
         for (const auto& [from, into] : views) {

@@ -203,7 +203,10 @@ bool PipelineLibrary::forget_changed_files(std::chrono::milliseconds rest) {
         time = written;
         changed = true;
     }
-    if (changed) rebuild(), Exercises::shaders_were_edited();
+    if (changed) {
+        rebuild();
+        Exercises::shaders_were_edited();
+    }
     return changed;
 }
 

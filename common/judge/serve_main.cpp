@@ -71,9 +71,11 @@ channel::Reply answer(const channel::Request& request) {
     } catch (const wire::TooLarge&) {
         reply.bytes = "gave more than can be right: 64 MiB";
     } catch (const InputError& e) {
-        reply.kind = channel::Kind::input_error, reply.bytes = e.what();
+        reply.kind = channel::Kind::input_error;
+        reply.bytes = e.what();
     } catch (const std::exception& e) { reply.kind = channel::Kind::exception, reply.bytes = e.what(); } catch (...) {
-        reply.kind = channel::Kind::exception, reply.bytes = "what is no std::exception";
+        reply.kind = channel::Kind::exception;
+        reply.bytes = "what is no std::exception";
     }
     if (!trial) guard_call("");
     return reply;
@@ -89,7 +91,8 @@ RegisterAnswer::RegisterAnswer(const char* id, Answer answer) {
 
 int main(int argc, char** argv) {
     if (argc != 3) return 2;
-    from = std::atoi(argv[1]), to = std::atoi(argv[2]);
+    from = std::atoi(argv[1]);
+    to = std::atoi(argv[2]);
     uint64_t nonce = 0;
     guard_calls([&](const std::string& message) {
         send({.nonce = nonce,

@@ -42,15 +42,20 @@ Comparison compare(const Options& options) {
     ImageRgb reference, test;
     Image8 reference8, test8;
     if (hdr) {
-        reference = read_image_linear(options.reference), test = read_image_linear(options.test);
-        reference8 = to_srgb8(reference), test8 = to_srgb8(test);
+        reference = read_image_linear(options.reference);
+        test = read_image_linear(options.test);
+        reference8 = to_srgb8(reference);
+        test8 = to_srgb8(test);
     } else {
-        reference8 = read_image8(options.reference), test8 = read_image8(options.test);
-        reference = to_linear(reference8), test = to_linear(test8);
+        reference8 = read_image8(options.reference);
+        test8 = read_image8(options.test);
+        reference = to_linear(reference8);
+        test = to_linear(test8);
     }
     c.difference = difference(reference, test);
     c.steps = max_step_difference(reference8, test8);
-    c.constant_reference = is_nearly_constant(reference8), c.constant_test = is_nearly_constant(test8);
+    c.constant_reference = is_nearly_constant(reference8);
+    c.constant_test = is_nearly_constant(test8);
     if (hdr) {
         c.exposures = options.exposures.empty() ? automatic_exposures(reference)
                                                 : exposure_range(options.exposures[0], options.exposures[1]);

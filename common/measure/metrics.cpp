@@ -71,7 +71,11 @@ StepDifference max_step_difference(const Image8& reference, const Image8& test) 
             const glm::ivec4 d = glm::abs(glm::ivec4(reference.at(x, y)) - glm::ivec4(test.at(x, y)));
             const int steps = std::max({d.r, d.g, d.b, d.a});
             if (steps > 0) ++worst.pixels;
-            if (steps > worst.steps) worst.steps = steps, worst.x = x, worst.y = y;
+            if (steps > worst.steps) {
+                worst.steps = steps;
+                worst.x = x;
+                worst.y = y;
+            }
         }
     return worst;
 }

@@ -32,7 +32,8 @@ class Bindings {
             const Image& image = scene_.texture(item, static_cast<MapSlot>(wanted.map));
             const Sampler& sampler = item.maps.samplers[wanted.map];
             if (wanted.set == &image && wanted.sampler == sampler) continue;
-            wanted.set = &image, wanted.sampler = sampler;
+            wanted.set = &image;
+            wanted.sampler = sampler;
             pass_.set(wanted.slot, image, sampler);
         }
     }

@@ -34,7 +34,9 @@ void Scene::move(std::span<const Move> moves) {
     size_t first = objects_.size();
     for (const Move& one : moves) {
         SceneObject& object = file.objects.at(one.object);
-        object.position = one.position, object.rotation_deg = one.rotation_deg, object.scale = one.scale;
+        object.position = one.position;
+        object.rotation_deg = one.rotation_deg;
+        object.scale = one.scale;
         objects_[one.object].local = local_transform(object, time_s_);
         moved[one.object] = true;
         first = std::min<size_t>(first, one.object);

@@ -161,7 +161,8 @@ class GltfReader {
             for (size_t i = 0; i < std::min(weights->size(), how.weights.size()); ++i)
                 how.weights[i] = weights->at(i).get<float>();
         if (!from.contains("skin")) {
-            how.joints.clear(), how.joint_weights.clear();
+            how.joints.clear();
+            how.joint_weights.clear();
             return;
         }
         how.skin = skin_of(from.at("skin").get<size_t>());

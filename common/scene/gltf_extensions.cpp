@@ -65,7 +65,10 @@ void list_gltf_extensions(const GltfFile& file, Model& model) {
     for (const auto& [list, unit] : lists)
         for (size_t i = 0; i < file.count(list); ++i)
             for (const std::string& name : extensions_in(file.entry(list, i)))
-                if (!is_drawn(name)) leave_out(model, name, unit), named.insert(name);
+                if (!is_drawn(name)) {
+                    leave_out(model, name, unit);
+                    named.insert(name);
+                }
     if (const auto used = file.root.find("extensionsUsed"); used != file.root.end())
         for (const json& name : *used)
             if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);

@@ -103,8 +103,10 @@ void GltfFile::read_container() {
             const std::string_view kind(&text[at + 4], 4);
             if (bytes > text.size() - at - 8) refuse("the file ends within a chunk");
             if (kind == "JSON" && json_text.empty()) json_text = text.substr(at + 8, bytes);
-            if (kind == std::string_view("BIN\0", 4) && !has_binary_)
-                binary_ = text.substr(at + 8, bytes), has_binary_ = true;
+            if (kind == std::string_view("BIN\0", 4) && !has_binary_) {
+                binary_ = text.substr(at + 8, bytes);
+                has_binary_ = true;
+            }
             at += 8 + (bytes + 3) / 4 * 4;
         }
         text = std::move(json_text);

@@ -114,7 +114,10 @@ class GltfMaterials {
         TextureMap map = image(source->get<size_t>());
         size_t set = 0;
         map.place = place_of(*info, set);
-        if (set > 1) leave_out(model_, fmt::format("texture coordinates {}", set), "texture"), set = 0;
+        if (set > 1) {
+            leave_out(model_, fmt::format("texture coordinates {}", set), "texture");
+            set = 0;
+        }
         map.place.set = static_cast<uint32_t>(set);
         if (const auto sampler = texture.find("sampler"); sampler != texture.end())
             map.sampler = sampler_of(file_.entry("samplers", sampler->get<size_t>()));

@@ -29,7 +29,10 @@ void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model,
             int least = 0;
             for (int k = 1; k < 4; ++k)
                 if (weights[k] < weights[least]) least = k;
-            if (one.mWeight > weights[least]) weights[least] = one.mWeight, how.joints[one.mVertexId][least] = b;
+            if (one.mWeight > weights[least]) {
+                weights[least] = one.mWeight;
+                how.joints[one.mVertexId][least] = b;
+            }
         }
     }
     for (glm::vec4& w : how.joint_weights) {

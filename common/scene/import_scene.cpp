@@ -14,9 +14,12 @@ glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension) {
     if (extension != ".fbx" || !scene.mMetaData) return glm::mat4(1);
     int32_t up = 1, up_sign = 1, ahead = 2, ahead_sign = 1, side = 0, side_sign = 1;
     double centimetres = 1;
-    scene.mMetaData->Get("UpAxis", up), scene.mMetaData->Get("UpAxisSign", up_sign);
-    scene.mMetaData->Get("FrontAxis", ahead), scene.mMetaData->Get("FrontAxisSign", ahead_sign);
-    scene.mMetaData->Get("CoordAxis", side), scene.mMetaData->Get("CoordAxisSign", side_sign);
+    scene.mMetaData->Get("UpAxis", up);
+    scene.mMetaData->Get("UpAxisSign", up_sign);
+    scene.mMetaData->Get("FrontAxis", ahead);
+    scene.mMetaData->Get("FrontAxisSign", ahead_sign);
+    scene.mMetaData->Get("CoordAxis", side);
+    scene.mMetaData->Get("CoordAxisSign", side_sign);
     if (float single = 0; scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = single;
     scene.mMetaData->Get("UnitScaleFactor", centimetres);
     glm::mat4 turn(0.0f);
@@ -127,10 +130,12 @@ void add_import_cameras(const aiScene& scene, Model& model) {
         const glm::vec3 color(from.mColorDiffuse.r, from.mColorDiffuse.g, from.mColorDiffuse.b);
         const float brightest = std::max({color.r, color.g, color.b, 1e-6f});
         if (!std::isfinite(brightest)) continue;
-        light.color = glm::clamp(color / brightest, 0.0f, 1.0f), light.intensity = std::min(brightest, 1e6f);
+        light.color = glm::clamp(color / brightest, 0.0f, 1.0f);
+        light.intensity = std::min(brightest, 1e6f);
         light.outer_rad = std::clamp(0.5f * from.mAngleOuterCone, 0.0f, 1.5f);
         light.inner_rad = std::clamp(0.5f * from.mAngleInnerCone, 0.0f, light.outer_rad);
-        light.range_m = 1e6f, light.name = from.mName.C_Str();
+        light.range_m = 1e6f;
+        light.name = from.mName.C_Str();
         model.lights.push_back({node_of(from.mName, from.mPosition, from.mDirection, {0, 1, 0}), light});
     }
 }

@@ -103,7 +103,8 @@ MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOve
         const MapSlotInfo& info = map_slots()[slot];
         maps[slot] = load_map(
             images, {.map = {.file = find_asset(texture)}, .kind = info.kind, .channels = info.channels}, info);
-        maps.places[slot] = {}, maps.samplers[slot] = {};
+        maps.places[slot] = {};
+        maps.samplers[slot] = {};
     }
     // Numbers and maps of the scene file stand in for the model's.
     if (maps[MapSlot::orm] || with.roughness || with.metalness || with.specular || with.shininess)

@@ -25,9 +25,10 @@ std::string decode_uri(std::string_view text) {
     for (size_t i = 0; i < text.size(); ++i) {
         const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
         const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
-        if (text[i] == '%' && low >= 0)
-            out += static_cast<char>(16 * high + low), i += 2;
-        else
+        if (text[i] == '%' && low >= 0) {
+            out += static_cast<char>(16 * high + low);
+            i += 2;
+        } else
             out += text[i];
     }
     return out;
@@ -42,7 +43,10 @@ size_t bytes_to_import(const std::filesystem::path& path) {
     using Json = nlohmann::json;
     std::ifstream in(path, std::ios::binary);
     const auto look = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::key) return is_uri = parsed == "uri", true;
+        if (event == Json::parse_event_t::key) {
+            is_uri = parsed == "uri";
+            return true;
+        }
         if (event != Json::parse_event_t::value) return true;
         if (std::exchange(is_uri, false) && parsed.is_string()) names.insert(parsed.get<std::string>());
         return false;

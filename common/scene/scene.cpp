@@ -142,15 +142,19 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
         std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
         gpu_model->nodes = world_transforms(model, 0.0f);  // the pool's may have been moved
         moving_models_.push_back(gpu_model);
-        if (std::any_of(model.meshes.begin(), model.meshes.end(), [](const Mesh& m) { return bool(m.deformation); }))
-            deforming_.insert(gpu_model.get()), to_deform_ = true;
+        if (std::any_of(model.meshes.begin(), model.meshes.end(), [](const Mesh& m) { return bool(m.deformation); })) {
+            deforming_.insert(gpu_model.get());
+            to_deform_ = true;
+        }
     }
     for (uint32_t node = 0; node < model.nodes.size(); ++node)
         for (const uint32_t mesh : model.nodes[node].meshes)
             for (uint32_t part = 0; part < model.meshes[mesh].parts.size(); ++part) {
                 DrawItem& item = items.emplace_back();
                 item.model = gpu_model;
-                item.mesh = mesh, item.part = part, item.node = node;
+                item.mesh = mesh;
+                item.part = part;
+                item.node = node;
                 item.object = static_cast<uint32_t>(object);
                 const Material& own = model.materials[model.meshes[mesh].parts[part].material];
                 item.material = overridden(own, from.material);
@@ -230,7 +234,9 @@ std::vector<Light> Scene::lights() const {
     auto found = std::find_if(all.begin(), all.end(), directional);
     if (found == all.end()) found = all.insert(all.begin(), Light{.shadow = true});
     // Light in the files is the radiance of a white surface that faces it.
-    found->direction = -sky_sun_->to_sun, found->color = sky_sun_->light, found->intensity = 1.0f / glm::pi<float>();
+    found->direction = -sky_sun_->to_sun;
+    found->color = sky_sun_->light;
+    found->intensity = 1.0f / glm::pi<float>();
     return all;
 }
 

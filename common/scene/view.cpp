@@ -67,8 +67,10 @@ glm::mat4 part_of(const Crop& crop, glm::uvec2 size) {
     if (whole == part && first == glm::vec2(0.0f)) return glm::mat4(1.0f);  // exactly
     const glm::vec2 scale = whole / part, offset = (whole - 2.0f * first) / part - 1.0f;
     glm::mat4 m(1.0f);
-    m[0][0] = scale.x, m[1][1] = scale.y;
-    m[3][0] = offset.x, m[3][1] = offset.y;
+    m[0][0] = scale.x;
+    m[1][1] = scale.y;
+    m[3][0] = offset.x;
+    m[3][1] = offset.y;
     return m;
 }
 

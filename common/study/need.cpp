@@ -77,7 +77,8 @@ class NeedRule {
             const double away = std::log(error / budget_), weight = 1.0 / (1.0 + away * away);
             for (size_t i = 0; i < places.size(); ++i) {
                 const double share = weight * places[i].share * errors[i] / error;
-                wanted[i] += share, all += share;
+                wanted[i] += share;
+                all += share;
             }
         }
         for (size_t i = 0; i < places.size(); ++i)
@@ -157,7 +158,10 @@ class NeedRule {
         // Of the others the time is estimated: as much longer than that of those measured as the rough one is.
         double rough = 0, measured = 0;
         for (Candidate& c : candidates_)
-            if (!c.frames_ms.empty()) rough += c.rough_ms, measured += c.time_ms = median(c.frames_ms);
+            if (!c.frames_ms.empty()) {
+                rough += c.rough_ms;
+                measured += c.time_ms = median(c.frames_ms);
+            }
         for (Candidate& c : candidates_)
             if (c.frames_ms.empty()) c.time_ms = rough > 0 ? c.rough_ms * measured / rough : c.rough_ms;
     }

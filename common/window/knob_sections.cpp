@@ -121,7 +121,10 @@ bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times, Au
     }
     bool changed = false, any = false;
     for (const auto& [path, knobs] : sections)
-        if (!knobs.empty()) any = true, changed |= section(path, knobs, times, automatic);
+        if (!knobs.empty()) {
+            any = true;
+            changed |= section(path, knobs, times, automatic);
+        }
     if (!any) ImGui::TextColored(quiet_color, "no knob matches");
     return changed;
 }

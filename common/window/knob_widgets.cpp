@@ -215,7 +215,10 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     hovered = hovered || ImGui::IsItemHovered();
     if (reset > 0.0f) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - right);
-        if (reset_button(knob)) knob.reset(), changed = true;
+        if (reset_button(knob)) {
+            knob.reset();
+            changed = true;
+        }
     }
     if (!beside.empty()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - cost + gap);

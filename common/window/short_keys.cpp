@@ -104,7 +104,8 @@ void take(const KeyEvent& event) {
 
 void hold_short_keys(GLFWwindow* window) {
     keyboard_of = window;
-    changed_keys.clear(), waiting.clear();
+    changed_keys.clear();
+    waiting.clear();
     was_typed = false;
     imgui_key = glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
         take({key, scancode, action, mods});

@@ -99,7 +99,8 @@ struct SoundPlayer::Device {
         for (int i = 0; i < size / int(sizeof(float)); ++i) {
             d.gain = std::clamp(d.gain + (d.plays && !d.jumps ? slope : -slope), 0.0f, 1.0f);
             if (d.gain == 0.0f && d.jumps) {
-                d.place = d.jump_to, d.jumps = false;
+                d.place = d.jump_to;
+                d.jumps = false;
                 d.begun_at = d.place - i * d.step();
             }
             out[i] = d.gain * std::clamp(d.sample_at(d.place), -1.0f, 1.0f);
@@ -133,18 +134,24 @@ double SoundPlayer::advance(const Sound* sound, double time_s, bool clock_runs, 
     if (!d.plays) return by_processor_s;
     const bool is_new = d.copied_from != sound || d.copied_data != sound->samples.data();
     if (is_new) {
-        d.samples = sound->samples, d.rate_hz = sound->rate_hz;
-        d.copied_from = sound, d.copied_data = sound->samples.data();
+        d.samples = sound->samples;
+        d.rate_hz = sound->rate_hz;
+        d.copied_from = sound;
+        d.copied_data = sound->samples.data();
     }
     if (!goes_on || is_new) {
-        d.jump_to = time_s * d.rate_hz, d.jumps = true;
+        d.jump_to = time_s * d.rate_hz;
+        d.jumps = true;
         d.asked_s = std::max(d.asked_s, now_s() - asleep_s / 2);  // it gets the time to wake up
     }
     // The count of samples; it never goes back, also where the device begins a buffer late.
     if (now_s() - d.asked_s < asleep_s)
         given_s_ = d.jumps ? time_s : std::max(time_s, d.heard() / d.rate_hz);
-    else
-        given_s_ = by_processor_s, d.jump_to = given_s_ * d.rate_hz, d.jumps = true;
+    else {
+        given_s_ = by_processor_s;
+        d.jump_to = given_s_ * d.rate_hz;
+        d.jumps = true;
+    }
     return given_s_;
 }
 

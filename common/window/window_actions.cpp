@@ -93,7 +93,8 @@ void Window::ask_tool() {
     WindowClock clock{time_s_, clock_runs_};
     tool_->steer(clock);
     if (clock.time_s != time_s_ || clock.runs != clock_runs_) activity_.stay(0.3);
-    time_s_ = clock.time_s, clock_runs_ = clock.runs;
+    time_s_ = clock.time_s;
+    clock_runs_ = clock.runs;
     if (tool_->is_busy()) activity_.stay_panel(0.1);  // its panels report changes of the picture
     if (tool_->wants_to_close()) close_ = true;
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {

@@ -7,7 +7,10 @@ namespace lightwalk::solution {
 
 void blur_irradiance(Frame& frame, const BlurPasses& passes) {
     ComputeAccess access{.reads = {passes.irradiance, passes.stretch, passes.between}, .writes = {passes.between}};
-    for (const Image* level : passes.levels) access.reads.push_back(*level), access.writes.push_back(*level);
+    for (const Image* level : passes.levels) {
+        access.reads.push_back(*level);
+        access.writes.push_back(*level);
+    }
     frame.compute("skin blur", access, [&](Compute& pass) {
         const auto line = [&](const Image& from, const Image& into, glm::ivec2 direction, glm::vec3 done,
                               glm::vec3 variance) {

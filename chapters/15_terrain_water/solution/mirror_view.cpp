@@ -7,7 +7,9 @@ namespace lightwalk::solution {
 glm::mat4 mirror_view(const glm::mat4& view_projection, float water_m) {
     // 1. Mirrored in the water, then from left to right.
     glm::dmat4 mirror(1.0), turn(1.0);
-    mirror[1][1] = -1.0, mirror[3][1] = 2.0 * double(water_m), turn[0][0] = -1.0;
+    mirror[1][1] = -1.0;
+    mirror[3][1] = 2.0 * double(water_m);
+    turn[0][0] = -1.0;
     const glm::dmat4 mirrored = turn * glm::dmat4(view_projection) * mirror;
 
     // 2. The water as the near plane: the third row is the fourth less s times the plane. A corner of the far plane, with

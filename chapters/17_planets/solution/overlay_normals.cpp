@@ -33,7 +33,8 @@ void add_octave(std::vector<float>& heights, const std::vector<float>& fine, con
     double sum = 0, squares = 0;
     for (size_t i = 0; i < fine.size(); ++i) {
         const double x = static_cast<double>(fine[i] - coarse[i]);
-        sum += x, squares += x * x;
+        sum += x;
+        squares += x * x;
     }
     const double n = static_cast<double>(fine.size()), mean = sum / n;
     const double deviation = std::sqrt(std::max(squares / n - mean * mean, 0.0));

@@ -9,15 +9,17 @@ from pathlib import Path
 from tree import ROOT, files, say
 
 TEXT = re.compile(r'"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'|//.*')
-TEMPLATE = re.compile(r"(?<=\w)<[\w:,*& ]*>")
+TEMPLATE = re.compile(r"(?<=\w)<[\w:,.*&+ ]*>")
 HEAD = re.compile(r"^(else\b|(if|for|while|switch)( constexpr)? *\(\)|case [^:]*:(?!:)|default *:)\s*")
 DECLARES = re.compile(r"^(const|constexpr|static|inline|using|throw)\b|^[\w:]+[ &*]+\w+ *(\(\)|\{\}|=|,|$)")
 
 
 def outside(line: str) -> str | None:
     """The text of a line outside of parentheses, brackets and braces; None if it begins within some."""
-    found, depth = "", 0
-    for letter in TEMPLATE.sub("", TEXT.sub("", line)).strip():
+    found, depth, rest = "", 0, TEXT.sub("", line)
+    while TEMPLATE.search(rest):
+        rest = TEMPLATE.sub("", rest)
+    for letter in rest.strip():
         depth -= letter in ")]}"
         if depth < 0:
             return None
