@@ -18,19 +18,13 @@ class Macros {
     }
     void set(const std::string& name, const std::string& value) {
         auto [it, added] = values_.try_emplace(name, value);
-        if (!added) {
-            hash_ -= of(name, it->second);
-            it->second = value;
-        }
+        if (!added) hash_ -= of(name, it->second), it->second = value;
         hash_ += of(name, value);
     }
     /// Reads shaders/`other`, which may be a later chapter's, where shaders/`file` is included.
     Macros& replace_file(const std::string& file, const std::string& other) {
         auto [it, added] = files_.try_emplace(file, other);
-        if (!added) {
-            hash_ -= of(file, it->second);
-            it->second = other;
-        }
+        if (!added) hash_ -= of(file, it->second), it->second = other;
         hash_ += of(file, other);
         return *this;
     }

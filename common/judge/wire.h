@@ -139,8 +139,7 @@ void put(std::string& bytes, const T& value) {
         put(bytes, value.has_value());
         if (value) put(bytes, *value);
     } else if constexpr (is_pair<T>::value) {
-        put(bytes, value.first);
-        put(bytes, value.second);
+        put(bytes, value.first), put(bytes, value.second);
     } else {
         std::apply([&](const auto&... each) { (put(bytes, each), ...); }, members(value));
     }
@@ -193,8 +192,7 @@ void take(std::string_view& bytes, T& value) {
         take(bytes, has);
         if (has) take(bytes, value.emplace());
     } else if constexpr (is_pair<T>::value) {
-        take(bytes, value.first);
-        take(bytes, value.second);
+        take(bytes, value.first), take(bytes, value.second);
     } else {
         std::apply([&](auto&... each) { (take(bytes, each), ...); }, members(value));
     }

@@ -19,8 +19,7 @@ struct Camera {
         const glm::vec3 ahead = (target - position) * glm::vec3(1, 0, 1);
         const float length = glm::length(ahead);
         const glm::vec3 step = length > 0 ? metres / length * ahead : glm::vec3(0);
-        there.position += step;
-        there.target += step;
+        there.position += step, there.target += step;
         return there;
     }
 };
