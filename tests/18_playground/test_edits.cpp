@@ -107,9 +107,9 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
         if (i % 10 == 0) ids.push_back(id);
     }
     shown.document.commit();
-    double start = now_ms();
+    double start = processor_ms();
     shown.update();
-    const double first = now_ms() - start;
+    const double first = processor_ms() - start;
     selection.set(ids);
     const View view = test_view({50, 40, 150}, {50, 0, 50});
     const auto place = gizmo_place(shown.document, selection, view, Tool::move, false);
@@ -117,14 +117,14 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
     Frame frame(shown.gpu);
     std::vector<double> times, updates;
     for (int i = 0; i < 15; ++i) {
-        start = now_ms();
+        start = processor_ms();
         drag.move(view, {480.0f + 3.0f * float(i), 275}, false);
         shown.update();
-        updates.push_back(now_ms() - start);
+        updates.push_back(processor_ms() - start);
         TestScene::begin(frame);
-        start = now_ms();
+        start = processor_ms();
         shown.scene.upload_moved(frame);
-        times.push_back(now_ms() - start + updates.back());
+        times.push_back(processor_ms() - start + updates.back());
         frame.end();
     }
     drag.finish();
@@ -143,7 +143,7 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
         "object: {:.1f} ms of processor time\n",
         first, times[7], updates[7], more[2]);
     CHECK(times[1] < 4 * slower);
-    CHECK(more[0] < 60 * slower);
+    CHECK(more[0] < 0.6 * first);  // on any machine
     CHECK(glm::vec3(shown.scene.items[0].transform[3]) != glm::vec3(0));
 }
 

@@ -73,13 +73,15 @@ class Commands(Course):
 
     def test_interrupt_is_quiet_and_130(self):
         self.course("run", "01")
-        self.put("compile", "sleep 20\n")
+        log = self.root / "compiling"
+        self.put("compile", f"touch {log}; sleep 120\n")
         self.put("chapters/01_obj/exercise/one.cpp", "changed")
         course = subprocess.Popen([self.root / "course", "check", "01"], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True, **INTERRUPTIBLE)
-        time.sleep(1.5)
+        while not log.exists():
+            time.sleep(0.02)
         os.killpg(course.pid, signal.SIGINT)
-        printed, _ = course.communicate(timeout=10)
+        printed, _ = course.communicate(timeout=60)
         self.assertEqual(course.returncode, 130, printed)
         self.assertNotIn("Traceback", printed)
 

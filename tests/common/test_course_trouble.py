@@ -120,7 +120,7 @@ class Trouble(Course):
     def test_ended_it_ends_the_build(self):
         course = self.slow_build()
         course.send_signal(signal.SIGTERM)
-        self.assertEqual(course.wait(timeout=10), 143)
+        self.assertEqual(course.wait(timeout=60), 143)
         time.sleep(2.2)
         self.assertEqual((self.root / "log").read_text(), "start\n")
 

@@ -9,7 +9,6 @@ import os
 import struct
 import tarfile
 import threading
-import time
 import unittest
 import zipfile
 import zlib
@@ -197,24 +196,20 @@ class Submissions(Class):
         self.assertRegex(next(line for line in lines if line.startswith("plain ")), r"plain +1/2 +1/1 +0/1$")
 
     def test_again_nothing_is_run(self):
-        start_s = time.monotonic()
         with Judge({name: "02_lambert_phong" if name[:2] == "02" else "03_attenuation" for name in self.wanted}, 2, False) as judge, \
                 mock.patch("grading.sandbox.Running", side_effect=AssertionError("it was run")):
             judge.verdicts = self.outside / "verdicts"
             again = grade(find([self.folder / "plain", self.folder / "zip.zip"]), judge)
         self.assertEqual([one["right"] for one in again], [1, 1])
-        self.assertLess(time.monotonic() - start_s, 10)
 
     def test_what_was_ended_is_not_kept(self):
         """SIGTERM and Ctrl+C: a check that was killed on the way says nothing about the answer."""
         with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
             judge.verdicts = self.outside / "ended"
             for after_s in (0.0, 0.02, 0.05, 0.1):  # before its process is there, and while we wait for its words
-                start_s = time.monotonic()
                 threading.Timer(after_s, judge.stop).start()
                 found = judge.verdict("02.lambert", RIGHT + b"// ended")
                 self.assertEqual((found["state"], found["ok"]), ("failed", False), found)
-                self.assertLess(time.monotonic() - start_s, 10)
                 judge.stopped = False
             self.assertTrue(judge.verdict("02.lambert", RIGHT + b"// ended")["ok"])
 

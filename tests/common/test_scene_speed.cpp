@@ -90,7 +90,7 @@ TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and reco
         "together %.2f ms of one core\n",
         medians[0], medians[1], medians[2], medians[3]);
 #ifndef __SANITIZE_ADDRESS__  // with it everything takes several times as long
-    CHECK(medians[3] < 6.0);
+    CHECK(medians[3] < 12.0);
 #endif
 
     // And all of it has arrived where it belongs.

@@ -101,7 +101,7 @@ class Study(Course):
         while not partial.exists() and time.monotonic() < end:
             time.sleep(0.05)
         os.killpg(course.pid, signal.SIGINT)
-        printed, _ = course.communicate(timeout=20)
+        printed, _ = course.communicate(timeout=60)
         self.assertEqual(course.returncode, 130, printed)
         self.assertIn("./course study 01 goes on from there", printed)
         self.assertIn("going on with the study of 01_obj", self.course("study", "01"))

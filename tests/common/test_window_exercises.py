@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest
-from window_session import BUILD, ROOT, Session, XServer
+from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
 # Prints the contents of "says", after waiting for "go" if there is a "wait"; its process is in "pid", that of its own
 # child, which ignores signals, in "child".
@@ -187,7 +187,7 @@ class Exercises(WindowTest):
             self.assertTrue(all(map(is_alive, pids)))
             session.key("Escape")
             self.assertEqual(session.end(), 0)
-            until = time.monotonic() + 5
+            until = time.monotonic() + PATIENCE_S
             while any(map(is_alive, pids)) and time.monotonic() < until:
                 time.sleep(0.05)
             self.assertFalse(any(map(is_alive, pids)))
