@@ -74,7 +74,7 @@ class CuttingTime {
     std::atomic<double> taken_s_ = 0;
 };
 
-/// Appends a run, unless it changes no name, and in place of one that starts at the same triangle.
+/// Appends a run, unless it changes no name, and instead of one that starts at the same triangle.
 void add_run(std::vector<Run>& runs, const Run& run);
 
 /// Either version of the exercise triangulate.

@@ -104,7 +104,7 @@ inline const char* fast_float(const char* at, float& value) {
     return round_quotient(digits, decimals, negative, value) ? at : nullptr;
 }
 
-/// A whole number from 1 with up to 7 digits. Returns its end, or null where the text has another form.
+/// An integer from 1 with up to 7 digits. Returns its end, or null where the text has another form.
 [[gnu::always_inline]] inline const char* fast_index(const char* at, uint32_t& value) {
     const uint64_t word = load_eight(at);
     const unsigned count = leading_digits(word);

@@ -9,7 +9,7 @@ namespace lightwalk {
 LightData pack(const Light& light);
 
 // [light_buffer]
-/// Holds as many lights as there are, in their order, and is packed and uploaded anew only when one has changed.
+/// Holds as many lights as there are, in their order, and is packed and uploaded again only when one has changed.
 class LightBuffer {
   public:
     /// Adds an upload pass to the frame if the lights have changed; true in this case.

@@ -1,5 +1,5 @@
 // Height map surface on the CPU, in double precision, with the hit points of each method. Lengths along the surface are
-// in texels, with texel centres at whole numbers; the map repeats. Depth 0 is the mesh, 1 the deepest point.
+// in texels, with texel centres at integers; the map repeats. Depth 0 is the mesh, 1 the deepest point.
 #pragma once
 #include <cmath>
 #include <glm/glm.hpp>

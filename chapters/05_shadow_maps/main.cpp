@@ -32,7 +32,7 @@ struct ShadowMaps : ModelChapter {
         Canvas canvas(frame.hdr, frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 
-        // 2. Linear light to the codes a screen expects.
+        // 2. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

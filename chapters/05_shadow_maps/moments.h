@@ -1,4 +1,4 @@
-// Moment maps, which are blurred in place of depth.
+// Moment maps, which are blurred instead of depth.
 #pragma once
 #include "05_shadow_maps/blur.h"
 #include "common/gpu/frame.h"

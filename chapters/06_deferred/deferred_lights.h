@@ -13,7 +13,7 @@ class DeferredLights {
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
                 const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with);
 
-    /// gbuffer.show in place of the picture.
+    /// gbuffer.show instead of the picture.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);
 
     size_t volumes() const { return volumes_.count(); }

@@ -78,7 +78,7 @@ struct Mipmaps : ModelChapter {
             draw_objects(frame, view, frame.hdr, !mips.method.is("none"));
         if (show.is("split")) split(frame, view);
 
-        // 3. Linear light to the codes that a screen expects.
+        // 3. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -13,7 +13,7 @@ struct Span {
 };
 
 inline Span span(uint32_t i, uint32_t from, uint32_t to) {
-    // In whole numbers, units of 1 / (from * to) of the row, so that nothing is rounded.
+    // In integers, units of 1 / (from * to) of the row, so that nothing is rounded.
     const uint64_t begin = uint64_t(i) * from, end = begin + from;
     Span result{static_cast<uint32_t>(begin / to), {}};
     for (uint64_t j = result.first; j * to < end; ++j)

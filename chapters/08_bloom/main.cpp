@@ -55,11 +55,11 @@ struct BloomChapter : ModelChapter {
         // 2. Its bloom.
         bloom.record(frame, frame.hdr);
 
-        // 3. An image of the bloom in place of the picture, if the knob says so.
+        // 3. An image of the bloom instead of the picture, if the knob says so.
         if (!show.is("picture") && !bloom.method.is("none"))
             bloom.show(frame, show.is("cut_out") ? 0 : show.is("spread") ? 1 : size_t(level), gain);
 
-        // 4. Linear light to the codes that a screen expects.
+        // 4. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -11,7 +11,7 @@ struct BlurWish {
     std::string method;     ///< of Bloom::method, but for "none"
     double sigma_px = 16;   ///< 0 to 200
     double truncation = 3;  ///< at how many sigma the weights of line methods end
-    bool sum = false;       ///< several Gaussians, each with the same energy, in place of one
+    bool sum = false;       ///< several Gaussians, each with the same energy, instead of one
     glm::uvec2 size{1};     ///< pixels
     bool karis = false;     ///< the pyramid's first level weighs each read by 1 / (1 + luminance)
 };

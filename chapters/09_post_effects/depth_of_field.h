@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 // [dof]
-/// In a frame, in place of draw():
+/// In a frame, instead of draw():
 ///
 ///     dof.record(frame, view, canvas, {objects});
 ///

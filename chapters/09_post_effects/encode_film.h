@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// In place of encode_srgb(): linear light x to the codes of 1 - exp(-x) in frame.output.
+/// Instead of encode_srgb(): encodes 1 - exp(-x) of linear light x in frame.output.
 void encode_film(Frame& frame);
 
 }  // namespace lightwalk

@@ -17,7 +17,7 @@ struct PostEffects : ModelChapter {
                   {"scene", "chart"},
                   "scene",
                   "Picture to process: the scene, or a chart of light over 15 stops in every hue"};
-    Knob<bool> reference{*this, "reference", false, "Use the reference tone curve, ACES, in place of post.tone"};
+    Knob<bool> reference{*this, "reference", false, "Use the reference tone curve, ACES, instead of post.tone"};
     Knob<int> effects{*this,
                       "effects",
                       -1,
@@ -54,7 +54,7 @@ struct PostEffects : ModelChapter {
         // 3. Exposure, tone curve and post effects.
         post.record(frame, frame.hdr);
 
-        // 4. Linear light to the codes that a screen expects.
+        // 4. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -30,11 +30,11 @@ struct AtmosphereChapter : ModelChapter {
         Canvas canvas(frame.hdr, frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 
-        // 2. A table or the standard error in place of the picture, if the knob says so.
+        // 2. A table or the standard error instead of the picture, if the knob says so.
         if (const Image* table = world.atmosphere.table(show.text()))
             show_image(frame, *table, {.gain = glm::vec3(gain)});
 
-        // 3. Linear light to the codes that a screen expects; bright light fades to white.
+        // 3. Linear light, encoded as sRGB; bright light fades to white.
         encode_film(frame);
     }
     // [/frame]

@@ -63,7 +63,7 @@ struct Fractals : ModelChapter {
         Canvas canvas(frame.hdr, world.subject.is("julia") ? ImageView() : frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 
-        // Linear light to the codes that a screen expects; bright light fades to white.
+        // Linear light, encoded as sRGB; bright light fades to white.
         encode_film(frame);
     }
     // [/frame]

@@ -108,7 +108,7 @@ inline double terrain_mix(double normal_y, double roughness, glm::dvec2 lower, g
     return t * t * (3 - 2 * t);
 }
 
-/// Height, gradient and second derivatives (xx, xy, yy) at a settled place. `cubic`: by 3 t² - 2 t³ in place of the
+/// Height, gradient and second derivatives (xx, xy, yy) at a settled place. `cubic`: by 3 t² - 2 t³ instead of the
 /// quintic.
 struct NoiseTruth {
     double value;

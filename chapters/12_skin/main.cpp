@@ -43,12 +43,12 @@ struct SkinChapter : ModelChapter {
         Canvas canvas(frame.hdr, frame.depth, world.background());
         world.draw_light(frame, view, canvas);
 
-        // 2. One of the skin's maps in place of the picture, if the knob says so.
+        // 2. One of the skin's maps instead of the picture, if the knob says so.
         const glm::vec3 gain = show.is("stretch") ? glm::vec3(0.2f, 0.2f, 0.0f) : glm::vec3(1.0f);
         if (const Image* map = head.skin.map(show.text(), size_t(level)))
             show_image(frame, *map, {.gain = gain, .aspect = 4.0f / 3});
 
-        // 3. Linear light to the codes that a screen expects.
+        // 3. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

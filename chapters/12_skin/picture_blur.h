@@ -1,4 +1,4 @@
-// Separable blur over the picture, in place of one over the texture.
+// Separable blur over the picture, instead of one over the texture.
 #pragma once
 #include "12_skin/screen_kernel.h"
 #include "common/app/drawing.h"

@@ -78,10 +78,10 @@ struct MlaaChapter : ModelChapter {
         // 2. Anti-aliasing by a filter or over frames, unless the picture was drawn with several samples.
         antialias.record(frame, frame.hdr, {view, frame.depth, world.has_triangles() ? &scene : nullptr});
 
-        // 3. The edges or the lengths in place of the picture, if the knob says so.
+        // 3. The edges or the lengths instead of the picture, if the knob says so.
         if (!show.is("picture")) antialias.show_edges(frame, frame.hdr, show.is("lengths"));
 
-        // 4. Linear light to the codes that a screen expects.
+        // 4. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

@@ -44,7 +44,7 @@ struct Music : Module {
     /// Loads the file's `music`, if any; the core of prepare().
     void load(const SceneFile& scene);
 
-    /// Sound from elsewhere in place of a file's.
+    /// Sound from elsewhere instead of a file's.
     void take(Sound sound);
     /// Its levels were measured before: measured_levels(), as measure_levels() gave them. The sound may be none.
     void take(Sound sound, LevelTable measured);

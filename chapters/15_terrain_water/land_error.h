@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 /// Renders the chapter as it is set and by rays, and adds to `error`: screen_error_px, how far the surface lies from the
-/// rays' along its normal, in pixels, in the mean over pixels in which both find ground; screen_error_p99_px, its 99th
+/// rays' along its normal, in pixels, on average over pixels in which both find ground; screen_error_p99_px, its 99th
 /// percentile; misjudged, the share of pixels in which one of the two finds ground; and triangles.
 void measure_land(Chapter& chapter, Land& land, Gpu& gpu, glm::uvec2 size, nlohmann::json& error);
 

@@ -33,7 +33,7 @@ glm::dvec2 normal_pair(uint64_t n) {  // G. Box and M. Muller, 1958
 std::vector<OceanWave> Ocean::waves(int part) const {
     const double tile = double(tile_m()[part]), step = 2 * M_PI / tile;
     const double wind_rad = double(wind_deg) * M_PI / 180;
-    // The complex amplitude of the wave with these whole numbers of waves along the tile's edges.
+    // The complex amplitude of the wave with these integer numbers of waves along the tile's edges.
     const auto amplitude = [&](int x, int z) {
         const double kx = step * x, kz = step * z, k = std::hypot(kx, kz);
         if (k <= least_k(part) || k > most_k(part) || k == 0) return glm::dvec2(0);

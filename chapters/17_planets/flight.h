@@ -12,7 +12,7 @@ namespace lightwalk {
 struct Flight : Module {
     Flight(Module& owner, std::string name, Planets& planets) : Module(owner, std::move(name)), planets_(planets) {}
 
-    Knob<bool> on{*this, "on", false, "Camera that flies from one body to the next, in place of the scene's"};
+    Knob<bool> on{*this, "on", false, "Camera that flies from one body to the next, instead of the scene's"};
     Knob<float> stay_s{*this, "stay_s", 4.0f, {0.1f, 1000.0f}, "Time at each body", "s"};
     Knob<float> drift_deg{
         *this, "drift_deg", 5.0f, {-90.0f, 90.0f}, "Angle that the camera circles a body by while it stays", "deg"};

@@ -58,7 +58,7 @@ void Playground::frame(Frame& frame) {
         draw_marks(frame, view);
     }
 
-    // 3. The codes that a screen expects.
+    // 3. Linear light, encoded as sRGB.
     encode_srgb(frame);
 }
 // [/frame]

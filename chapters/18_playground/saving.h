@@ -22,7 +22,7 @@ Said cannot_be_saved(const Entry& entry, const std::filesystem::path& file);
 class SceneStore {
   public:
     std::filesystem::path path;    ///< empty: never saved
-    std::optional<Camera> camera;  ///< to be saved in place of the document's
+    std::optional<Camera> camera;  ///< to be saved instead of the document's
 
     /// Reads a scene file, or a model file, for which there is a scene then. Throws InputError, and nothing has changed.
     Document open(const std::filesystem::path& file);

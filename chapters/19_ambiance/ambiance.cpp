@@ -85,7 +85,7 @@ void Ambiance::frame(Frame& frame) {
     if (seen || !antialias.method.is("taa")) smooth_edges(frame, {view, frame.depth, seen});
     post.record(frame, frame.hdr);
 
-    // 4. Titles, and the codes that a screen expects.
+    // 4. Titles, and linear light encoded as sRGB.
     reel.record_titles(frame, frame.hdr, time_s);
     encode_srgb(frame);
 }

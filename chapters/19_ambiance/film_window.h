@@ -37,7 +37,7 @@ struct FilmWindow : Ambiance, WindowTool {
     void land();
     void place_key();
     void remove_key();
-    /// Puts another text in place of the film's file and takes its cameras.
+    /// Replaces the text of the film and takes its cameras.
     template <class Edit>
     void edit(const char* what, const Edit& edit);
 

@@ -24,7 +24,7 @@ struct Reel : Module {
                         "s"};
     Knob<int> most{*this, "most", 32, {1, 64}, "Number of scenes that are kept ready at most, while the film plays"};
     Choice cut{*this, "cut", {"whole", "short"}, "whole", "Version of the film: the whole, or 90 seconds of it"};
-    Knob<bool> fly{*this, "fly", false, "Camera of the scene flown by hand, in place of its path"};
+    Knob<bool> fly{*this, "fly", false, "Camera of the scene flown by hand, instead of its path"};
     Music music{*this, "music"};
 
     /// True where the scene that was loaded is a film. Else nothing is drawn.

@@ -27,7 +27,7 @@ namespace lightwalk {
 //     from_s, to_s required. If a scene begins where the one before ends, the film cuts to it; if it begins earlier, the
 //                  film cross-fades to it while both are on. Never three at once; in a gap the screen is black.
 //     clock_s      its own clock at from_s (0)
-//     knobs        {name: value} for the knobs of its drawings. In place of a value there may be a track, [[scene time,
+//     knobs        {name: value} for the knobs of its drawings. Instead of a value there may be a track, [[scene time,
 //                  value], ...]. Numbers and colours are interpolated between its entries; values that are words jump, and
 //                  so do all values if the track's first entry is "steps"
 //     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), keys: list of time_s (scene time,
@@ -35,7 +35,7 @@ namespace lightwalk {
 //   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). After a fade its last value
 //                  holds until the next fade of its colour begins
 //   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.1, 0.1], from the left and
-//                  from below, in heights), count ([from, to]: a number that runs in place of {} in the text). A title
+//                  from below, in heights), count ([from, to]: a number that replaces {} in the text). A title
 //                  that ends with the film stays on its last frame
 //   cuts         {name: {parts: [[from_s, to_s], ...], music_from_s}}: shorter versions, made of parts of this one; the
 //                  music goes on under them from music_from_s

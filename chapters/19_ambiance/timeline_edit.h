@@ -8,7 +8,7 @@
 namespace lightwalk {
 
 // [timeline_edit]
-/// The text of a film in which the camera of `scene` (its place in the film) has a key: in place of the one that is
+/// The text of a film in which the camera of `scene` (its place in the film) has a key: instead of the one that is
 /// within near_s of its time, else as a line of its own between its neighbours; a scene without a camera gets one.
 /// `text` is a right film. Times and lengths are rounded to thousandths.
 std::string with_key(const std::string& text, size_t scene, const CameraKey& key, double near_s);

@@ -131,7 +131,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
                    "Which camera of a model file to look through, from 1 on, with the file's lights")
         ->check(CLI::Range(1, 1000000).description(""))
         ->type_name("N");
-    app.add_option("--look", o.look, "Pass whose output is shown in place of the picture: its name, or 'pass: image'")
+    app.add_option("--look", o.look, "Pass whose output is shown instead of the picture: its name, or 'pass: image'")
         ->type_name("PASS");
     app.add_option("--screenshot", o.screenshot, "Draw without a window, write a PNG, exit")->type_name("FILE");
     app.add_option("--capture", o.capture, "Draw without a window, write the last frame for RenderDoc (.rdc), exit")

@@ -68,7 +68,7 @@ std::string shader_text(const Signature& s, const std::string& include, const st
     return text + call + "}\n";
 }
 
-// The words of a row: whole numbers as such, the rest as floats.
+// The words of a row: integers as such, the rest as floats.
 std::vector<uint32_t> pack(const Signature& s, const Table& table) {
     std::vector<uint32_t> words;
     for (const Row& row : table) {

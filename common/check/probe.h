@@ -14,7 +14,7 @@
 namespace lightwalk {
 
 /// One call's arguments, flattened in the order of the signature: a vec3 is three numbers, a matrix its columns, a
-/// struct its members. Whole numbers for int, uint and bool.
+/// struct its members. Integers for int, uint and bool.
 using Row = std::vector<double>;
 using Table = std::vector<Row>;
 

@@ -149,7 +149,7 @@ bool counts_always(int what) { return what == outside; }
 
 std::string undefined_template(int what) {
     if (what == normalize_zero) return "normalizes a vector of length 0";
-    if (what == integer_division) return "divides the whole number A by 0";
+    if (what == integer_division) return "divides the integer A by 0";
     if (what == outside) return "takes element A of B";
     if (what == atan_zero) return "takes atan(0, 0)";
     return what < int(std::size(operations)) ? operations[static_cast<size_t>(what)].words : "";

@@ -178,7 +178,7 @@ File `vignette.glsl`: how much light reaches a pixel off the axis of the lens.
 
 - **See:** `./course run NN --shot corners --use solution,NN.vignette=exercise`
 - **Check:** `./course check NN.vignette`
-- **Typical mistakes:** cos² in place of cos⁴.
+- **Typical mistakes:** cos² instead of cos⁴.
 
 ## What goes wrong
 

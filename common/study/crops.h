@@ -30,7 +30,7 @@ double mean_over(const ErrorMap& map, glm::uvec2 whole, const CropPlace& place);
 /// The mean of the map of a drawn crop over the pixels that count.
 double mean_of_crop(const ErrorMap& map, const CropPlace& place);
 
-/// Multiples of it are spread evenly between whole numbers, however many there are.
+/// Multiples of it are spread evenly between integers, however many there are.
 constexpr double golden_ratio = 0.6180339887498949;
 
 /// `count` places, drawn with these chances (which sum to 1), some of them more than once: one in every count-th part

@@ -35,7 +35,7 @@ struct StudyPoint {
 ///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
 ///                  "methods": ["phong"], "knobs": {"samples": 4}, "x_scale": "linear"}]}
 ///
-/// A truth without samples that could be doubled has "exact": true in place of "doubled" and "most_change".
+/// A truth without samples that could be doubled has "exact": true instead of "doubled" and "most_change".
 /// docs/study_format.md says what each key means.
 struct StudyPlan {
     std::string title, error_metric, stage;

@@ -8,7 +8,7 @@ vec2 disc_point(int i, int count, float turn) {
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
-// Each quarter of a texel turns its disc otherwise: noise is less of an eyesore than rings. Whole numbers, so that the
+// Each quarter of a texel turns its disc otherwise: noise is less of an eyesore than rings. Integers, so that the
 // last bits of uv, which differ between devices, do not choose.
 float disc_turn(vec2 uv) {
     uvec2 cell = uvec2(max(4.0 * float(map_texels()) * uv, 0.0));

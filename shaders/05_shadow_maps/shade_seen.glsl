@@ -3,7 +3,7 @@
 #define SEEN
 #include "04_surface_maps/plain_draw.glsl"
 
-// In place of varyings: of one corner of a triangle, and then of a place in it.
+// Instead of varyings: of one corner of a triangle, and then of a place in it.
 vec3 world_position, world_normal, world_tangent;
 float handedness, cos_uv;
 vec2 metres_per_uv, uv;

@@ -13,7 +13,7 @@ vec4 square_change(vec4 z, vec4 q) { return vec4(z.x * q.x - dot(z.yzw, q.yzw), 
 
 // [analytic]
 // The gradient of |z| after all turns, by the chain rule: how z changes as the point moves along x, y and z. Its length is
-// of no use, and so each turn divides by |z|, that nothing overflows.
+// of no use. So each iteration divides by |z|, and nothing overflows.
 vec3 julia_gradient(vec3 position) {
     vec4 z = julia_point(position);
     vec4 by_x = vec4(1.0, 0.0, 0.0, 0.0), by_y = vec4(0.0, 1.0, 0.0, 0.0), by_z = vec4(0.0, 0.0, 1.0, 0.0);

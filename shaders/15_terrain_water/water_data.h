@@ -46,7 +46,7 @@ struct OceanWave {
     vec2 forward;   // complex amplitude in metres of the wave along k
     vec2 backward;  // of the wave against it, conjugated
     vec2 k;         // 1/m
-    float cycles;   // in the time after which all repeats: a whole number
+    float cycles;   // in the time after which all repeats: an integer
 };
 
 struct OceanNow {

@@ -14,7 +14,7 @@ glm::dvec4 four(std::span<const double> in) { return {in[0], in[1], in[2], in[3]
 
 Row row_of(glm::dvec4 v) { return {v.x, v.y, v.z, v.w}; }
 
-/// A whole number of a struct's: the probe reads all its members as floats.
+/// An integer of a struct's: the probe reads all its members as floats.
 int whole(double x) { return std::bit_cast<int32_t>(static_cast<float>(x)); }
 
 /// Middles along the ray, how far beside it, radii: of three balls.

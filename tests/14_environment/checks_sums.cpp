@@ -75,7 +75,7 @@ CHECK_EXERCISE("14.sh_project",
 CHECK_EXERCISE(
     "14.split_sum_table",
     "thread t sums samples t, t + 256, ...; then halves of the shared sums, a barrier() before each reading") {
-    // Samples that are whole numbers, so that sums are exact in any order.
+    // Samples that are integers, so that sums are exact in any order.
     const std::string before = R"(
 #define SPLIT_SUM_GIVEN
 const uint split_sum_threads = 256u;

@@ -186,7 +186,7 @@ class Drawing(unittest.TestCase):
         self.assertEqual([label.get_text() for label in axis.get_yticklabels()], ["a", "b", "c"])  # not the one method
         self.assertEqual(len({label.get_color() for label in axis.get_yticklabels()}), 3)
         texts = self.texts(figure)
-        for text in ("0.04\n2 ms", "one 8-bit step at mid grey", "error: FLIP, mean  (← less is better)", "Least error: c."):
+        for text in ("0.04\n2 ms", "one 8-bit step at mid grey", "error: FLIP, mean  (← less is better)", "Smallest error: c."):
             self.assertIn(text, texts)
         self.assertTrue([text for text in texts if "Truth: views 64." in text])
         self.assertEqual([line.get_xdata()[0] for line in axis.lines if line.get_linestyle() == "--"], [0.0299])

@@ -66,7 +66,7 @@ class Added(unittest.TestCase):
 
     def test_a_chart_says_what_one_sees(self):
         self.assertEqual(said_by(three(says="Look.")), "Look.")
-        self.assertIn("Least error: b.", said_by(three()))
+        self.assertIn("Smallest error: b.", said_by(three()))
         self.assertIn("Enough in the least time: a.", said_by(three()))
 
 

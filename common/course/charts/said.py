@@ -32,7 +32,7 @@ def front_said(chart) -> str:
     words = []
     if any(fastest):
         words.append(f"Enough in the least time: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
-    words.append(f"Least error: {counted([name(p) for p in best], len(chart.panels))}.")
+    words.append(f"Smallest error: {counted([name(p) for p in best], len(chart.panels))}.")
     return " ".join(words)
 
 
@@ -89,4 +89,4 @@ def rows_said(chart) -> str:
     exact = min(chart.drawable, key=lambda p: (p.error, sign * p.time[1]))
     if fastest is exact:
         return f"{chart.name_of(fastest)} is the fastest, and none has a smaller error."
-    return f"{chart.name_of(fastest)} is the fastest; {chart.name_of(exact)} is the fastest of those with the least error."
+    return f"{chart.name_of(fastest)} is the fastest; {chart.name_of(exact)} is the fastest of those with the smallest error."

@@ -32,7 +32,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study                   every chapter that has a study
   ./course study 02                one chapter
   ./course study 02 --device H200 --out FOLDER
-  ./course study 02 --size 480x270  pixels, in place of the study's own size
+  ./course study 02 --size 480x270  pixels, instead of the study's own size
   ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
   ./course study 14 --timings      the passes that a lesson quotes (chapters/NN_name/timings.json), into docs/studies/tables
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
@@ -47,7 +47,7 @@ NOISE = {"nvidia", "geforce", "amd", "radeon", "intel", "graphics", "apple", "me
 def add_arguments(parser):
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
-    parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, in place of the study's own")
+    parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, instead of the study's own")
     parser.add_argument("--errors", action="store_true", help="measure errors alone, and keep the times that are there")
     parser.add_argument("--timings", action="store_true", help="measure the passes of chapters/NN_name/timings.json instead")
     parser.add_argument("--out", type=Path, metavar="FOLDER",

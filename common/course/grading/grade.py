@@ -57,7 +57,7 @@ UNTOUCHED = ("missing", "unchanged")  # states of exercises not begun
 def add_arguments(parser):
     parser.add_argument("paths", nargs="*", type=Path, metavar="PATH")
     parser.add_argument("--chapter", metavar="NN", help="grade only the exercises of this chapter")
-    parser.add_argument("--json", action="store_true", help="print one JSON object per student in place of the table")
+    parser.add_argument("--json", action="store_true", help="print one JSON object per student instead of the table")
     parser.add_argument("--out", type=Path, default=None, metavar="FOLDER", help="folder for the files (build/grades)")
     parser.add_argument("--format", action="append", default=[], choices=FORMATS, metavar="FORMAT",
                         help=f"also write gradebook.FORMAT and a page for each student: {', '.join(FORMATS)}; repeatable")

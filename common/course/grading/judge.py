@@ -237,7 +237,7 @@ class Judge:
                 except DriverEnded as shots:
                     return found | {"ok": False, "state": "undecided", "first_failure":
                                     f"{NOT_DRAWN} of {shots}, with which the driver crashed",
-                                    "hint": "every number that was tried is right: whoever grades looks at the source"}
+                                    "hint": "every number that was tried is right: the person who grades reads the source"}
                 if why:
                     found |= {"ok": False, "failed": found["failed"] + 1, "first_failure": why,
                               "hint": "every number that was tried is right, so look for an input that only the picture has"}

@@ -31,7 +31,7 @@ LOOK_S, IDLE_LOOK_S = 1.0, 5.0
 def add_arguments(parser):
     parser.add_argument("--port", type=int, default=PORT, metavar="N", help=f"the port, 0 for any that is free ({PORT})")
     parser.add_argument("--address", default="127.0.0.1", metavar="IP",
-                        help="listen on another address: whoever reaches it and has the token can edit and run your exercises")
+                        help="listen on another address: anyone who reaches it and has the token can edit and run your exercises")
     parser.add_argument("--socket", metavar="FILE", help="listen on a Unix socket, your user's alone, without a token")
     parser.add_argument("--behind", metavar="HOST", help="the name, with its port if it has one, that a proxy in front is "
                         "reached by; without a token only with --socket")
@@ -174,7 +174,7 @@ async def serve(arguments, listening, where, folder: Path) -> int:
     address = f"http://{where[0]}:{where[1]}/?token={token}" if where else f"unix:{arguments.socket}"
     say(address)
     if where and where[0] not in ("127.0.0.1", "[::1]", "localhost"):
-        warn("whoever reaches this address and has the token can edit and run your exercises; the token travels in plain text")
+        warn("anyone who reaches this address and has the token can edit and run your exercises; the token travels in plain text")
     if arguments.open and where:
         show(address)
     ended = asyncio.Event()

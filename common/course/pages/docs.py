@@ -141,7 +141,7 @@ def source_page(path: Path) -> str:
 
 
 def whole_page(path: Path) -> str:
-    """A shader with all includes; exercises as handed out, so that no page reveals an answer."""
+    """A shader with all includes; exercises are starters, so that no page reveals an answer."""
     text = whole(str(path.relative_to("shaders")), "exercise")
     return (f"---\nhide:\n  - toc\nsearch:\n  exclude: true\n---\n\n# {path}\n\n"
             f"The whole shader, as `./course shader {path.relative_to('shaders')} --use exercise` prints it without knobs.\n\n"

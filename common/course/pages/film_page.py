@@ -84,7 +84,7 @@ def ways_chart(measured: dict, command: str):
             left.barh(k, enough, 0.36, color=ENOUGH if is_enough else "white", edgecolor=ENOUGH,
                       label=f"cheapest way within {SHOWN:g}" if k == 0 else None)
             left.plot([scene["as_set_ms"]] * 2, [k - 0.36, k + 0.36], color=SET, linewidth=2,
-                      label="the film as it stands" if k == 0 else None)
+                      label="the film as it is" if k == 0 else None)
             left.text(max(best, enough, scene["as_set_ms"]), k,
                       f"  {enough / best:.0%}" if is_enough else f"  none: the truest errs {way['error']:.2f}",
                       va="center", fontsize=9.5)
@@ -100,7 +100,7 @@ def ways_chart(measured: dict, command: str):
             right.annotate(f"{count}", (budget, mean), (0, -15), textcoords="offset points", fontsize=9, ha="center",
                            color=ENOUGH)
         for value, color, words in ((sum(scene["ways"][0]["gpu_ms"] for scene in scenes), BEST, "most accurate"),
-                                    (sum(scene["as_set_ms"] for scene in scenes), SET, "as it stands")):
+                                    (sum(scene["as_set_ms"] for scene in scenes), SET, "as it is")):
             right.axhline(value / len(scenes), color=color, linewidth=2)
             right.text(BUDGETS[0], value / len(scenes), words, va="bottom", fontsize=9.5)
         right.set_xscale("log")

@@ -1,7 +1,7 @@
 // Solution of 13.line_ends.
 #include "13_mlaa/edge_source.glsl"
 
-const int touching = 2;  // in place of a side
+const int touching = 2;  // instead of a side
 
 bool edge_of(ivec2 pixel, bool below) { return below ? edge_below(pixel) : edge_right(pixel); }
 
