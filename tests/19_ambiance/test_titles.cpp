@@ -18,7 +18,7 @@ glm::dvec2 ends_of(const Typeface& face, const Title& title) {
 
 }  // namespace
 
-TEST_CASE("titles stay within 5% of the picture's edges", "[safe_margins]") {
+TEST_CASE("titles keep a distance of 5% from the edges of the picture", "[safe_margins]") {
     Typeface face;
     face.read();
     for (const Title& title : read_timeline(find_asset("films/ambiance.film")).titles) {
