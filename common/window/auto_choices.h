@@ -17,6 +17,7 @@ struct AutoChoices {
     std::map<std::string, Chosen> chosen;
     float budget = 0.01f;  ///< greatest mean FLIP allowed
     std::string wanted;    ///< asked for by a click and not measured yet; empty: none
+    int asked_at = 0;      ///< frames that were drawn before
 
     bool holds(const std::string& path, const std::string& method) const {
         const auto found = chosen.find(path);

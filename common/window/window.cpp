@@ -21,9 +21,7 @@ namespace {
 // An editor that opens a file to write it has written it after this.
 constexpr std::chrono::milliseconds writing{50};
 
-constexpr double watch_every_s = 0.2;    // how often shader files are looked at
-constexpr int most_samples = 16;         // of a picture at rest
-constexpr double compare_every_s = 1.0;  // while the picture moves
+constexpr double watch_every_s = 0.2;  // how often shader files are looked at
 constexpr glm::ivec2 default_size{1480, 660};
 
 }  // namespace
@@ -62,12 +60,10 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
       saver_(chapter_, scene, notice_),
       mouse_(chapter_, display_, activity_),
       panel_(chapter_, overlay_),
-      split_(gpu, make, std::move(scene)),
-      frame_(gpu),
+      picture_(live, gpu, make, std::move(scene), options.seed),
       screen_(gpu),
-      clock_runs_(chapter_.any_animated()),
-      time_s_(options.time_s) {
-    look_.output = options.look;
+      clock_{options.time_s, chapter_.any_animated()} {
+    picture_.look.output = options.look;
     if (options.budget) automatic_.budget = static_cast<float>(*options.budget);
     for (const KnobBase* knob : chapter_.all_knobs())
         if (dynamic_cast<const Choice*>(knob) && !study_of(chapter_, *knob).empty())
@@ -105,37 +101,32 @@ void Window::run() {
         if (!swapchain_.ready()) continue;
         compare_when_still();
         if (notice_.has_ended()) activity_.stay_panel(0.01);
-        const Sound* sound = clock_runs_ ? chapter_.any_sound() : nullptr;
+        const Sound* sound = clock_.runs ? chapter_.any_sound() : nullptr;
         // Music does not wait for a picture that takes long; without it, the clock of one that does goes slower.
         const double since_last = std::min(steady_s() - last_draw_, sound ? 1.0 : 0.1);
         mouse_.move(input, picture_size(), since_last);
-        time_s_ = static_cast<float>(sound_.advance(sound, double(time_s_), clock_runs_, since_last));
-        if (!automatic_.wanted.empty() && drawn_ > asked_auto_ + 1) choose_automatically();  // the notice is to be seen
+        clock_.time_s = static_cast<float>(sound_.advance(sound, double(clock_.time_s), clock_.runs, since_last));
+        if (!automatic_.wanted.empty() && drawn_ > automatic_.asked_at + 1)
+            choose_automatically();  // the notice is to be seen
         if (is_still()) continue;
         draw();
     }
 }
 
 bool Window::picture_is_due() const {
-    return clock_runs_ || activity_.picture_is_due(chapter_.any_animated()) || capture_next_ || !shown_ ||
-           drawn_size_ != picture_size();
+    return clock_.runs || activity_.picture_is_due(chapter_.any_animated()) || capture_next_ ||
+           !picture_.has(picture_size());
 }
 
-bool Window::is_still() const { return !clock_runs_ && activity_.is_still() && !refines(); }
+bool Window::is_still() const { return !clock_.runs && activity_.is_still() && !refines(); }
 
 bool Window::refines() const {
     static const bool wanted = [] {
         const char* const said = std::getenv("LIGHTWALK_REFINE");
         return !said || said != std::string_view("off");  // tests compare pictures of one sample
     }();
-    return wanted && refined_ < most_samples && !clock_runs_ && activity_.is_still() && !picture_is_due() && !tool_ &&
-           !split_.on() && look_.output.empty() && chapter_.samples == 1 && !chapter_.any_animated() &&
-           logged_errors_.empty();
-}
-
-void Window::refine_picture(glm::uvec2 size) {
-    live_.draw(frame_, {size, time_s_, options_.seed, {}, glm::ivec2(refined_, most_samples)});
-    display_.say(fmt::format("{} of {} samples", ++refined_, most_samples));
+    return wanted && !tool_ && activity_.is_still() && !picture_is_due() && logged_errors_.empty() &&
+           picture_.can_refine();
 }
 
 void Window::watch_files() {
@@ -158,25 +149,25 @@ Requests Window::build_panel(bool picture_is_new) {
     overlay_.begin();
     PanelState state{.chapter = chapter_,
                      .device = gpu_.device,
-                     .split = split_,
-                     .look = look_,
+                     .split = picture_.split,
+                     .look = picture_.look,
                      .checks = checks_,
                      .automatic = automatic_,
-                     .outputs = Look::names(frame_),
-                     .times = frame_.times,
+                     .outputs = Look::names(picture_.frame()),
+                     .times = picture_.frame().times,
                      .picture_is_new = picture_is_new,
                      .frame_ms = frame_ms_,
-                     .clock_runs = clock_runs_,
-                     .time_s = time_s_,
+                     .clock_runs = clock_.runs,
+                     .time_s = clock_.time_s,
                      .picture = picture_size()};
     const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
     const float covered = tool_ ? tool_->covered_px(picture_size(), display_.scale()) : 0.0f;
     panel_.draw_messages(errors(), notice_.text(), picture_size(), covered);
-    if (split_.on() && panel_.draw_divider(split_, picture_size())) requests.changed = true;
+    if (picture_.split.on() && panel_.draw_divider(picture_.split, picture_size())) requests.changed = true;
     if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
     if (automatic_.wanted != asked_before) {
-        asked_auto_ = drawn_;
+        automatic_.asked_at = drawn_;
         notice_.tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
         requests.changed = true;
     }
@@ -187,7 +178,7 @@ Requests Window::build_panel(bool picture_is_new) {
 std::vector<std::string> Window::errors() {
     std::vector<std::string> all;
     for (const auto& [pipeline, error] : gpu_.pipelines.errors) all.push_back(error);
-    for (const std::string& error : {live_.load_error, live_.frame_error, split_.error()})
+    for (const std::string& error : {live_.load_error, live_.frame_error, picture_.split.error()})
         if (!error.empty()) all.push_back(error);
     std::string joined;
     for (const std::string& error : all) joined += "error: " + error + "\n";
@@ -199,47 +190,32 @@ std::vector<std::string> Window::errors() {
     return all;
 }
 
-void Window::draw_picture(glm::uvec2 size) {
+void Window::draw_picture() {
     activity_.begin_picture();
-    if (std::exchange(refined_, 0) > 0) display_.say("");
-    drawn_size_ = size;
-    shown_ = nullptr;
-    compared_ = false;
-    gpu_.pipelines.errors.clear();
-    look_.attach(frame_, viewed_, chapter_.camera, chapter_.scene.bounds);
-    const Picture picture{.size = size, .time_s = time_s_, .seed = options_.seed, .crop = {}, .gathered = 0};
-    {
-        // Where every switch says reference, two equal halves would show nothing: the left one is then mine.
-        const auto own = own_exercises(chapter_);
-        std::optional<ToggleScope> mine;
-        if (split_.on() && all_reference(own)) mine.emplace(own, false);
-        std::optional<Capture> capture;
-        if (std::exchange(capture_next_, false)) capture.emplace();
-        live_.draw(frame_, picture);
-        if (capture) write_capture(*capture);
-    }
-    if (split_.on()) split_.draw(chapter_, look_, picture);
+    if (picture_.refined > 0) display_.say("");
+    std::function<void(Capture&)> captured;
+    if (std::exchange(capture_next_, false)) captured = [this](Capture& capture) { write_capture(capture); };
+    picture_.draw(picture_size(), clock_.time_s, captured);
 }
 
 void Window::draw() {
     activity_.begin_panel();
-    const glm::uvec2 size = picture_size();
     const double started = steady_s();
     const bool anew = picture_is_due();
-    if (anew)
-        draw_picture(size);
-    else if (refines())
-        refine_picture(size);
+    if (anew) {
+        draw_picture();
+    } else if (refines()) {
+        picture_.refine(clock_.time_s);
+        display_.say(fmt::format("{} of {} samples", picture_.refined, WindowPicture::most_samples));
+    }
     const Requests requests = build_panel(anew);
 
     const Image* target = swapchain_.acquire();
     if (target) {
-        screen_.begin({1, 1}, time_s_);
-        const Image& mine = look_.picture(frame_, viewed_);
-        const Image& picture = split_.on() ? compose(size, mine, split_.picture(look_)) : mine;
-        shown_ = &picture;
+        screen_.begin({1, 1}, clock_.time_s);
+        const Image& picture = picture_.show(screen_);
         screen_.transfer("present", {.reads = {picture}, .writes = {*target}}, [&](VkCommandBuffer commands) {
-            const Area shown{{0, 0}, glm::min(size, target->desc.size)};
+            const Area shown{{0, 0}, glm::min(picture.desc.size, target->desc.size)};
             blit(commands, picture, shown, *target, shown);
         });
         screen_.transfer("panel", {}, [&](VkCommandBuffer commands) { overlay_.draw(commands); });
@@ -255,30 +231,10 @@ void Window::draw() {
     obey(requests);
 }
 
-const Image& Window::compose(glm::uvec2 size, const Image& mine, const Image& reference) {
-    if (composed_.desc.size != size || !composed_)
-        composed_ = Image(gpu_.device, {.name = "composed", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
-    const uint32_t left = std::min(static_cast<uint32_t>(split_.divider * static_cast<float>(size.x)), size.x);
-    screen_.transfer("compose", {.reads = {mine, reference}, .writes = {composed_}}, [&](VkCommandBuffer commands) {
-        const Area left_side{{0, 0}, {left, size.y}}, right_side{{left, 0}, {size.x - left, size.y}};
-        blit(commands, mine, left_side, composed_, left_side);
-        blit(commands, reference, right_side, composed_, right_side);
-    });
-    return composed_;
-}
-
 void Window::compare_when_still() {
-    if (!split_.drawn() || !frame_.output) return;
-    if (split_.poll()) {
-        log_event("flip " + std::to_string(split_.difference->flip_mean));
-        activity_.stay_panel(0.01);  // to show the figure
-    }
-    const bool still = is_still();
-    const bool due = clock_runs_ && steady_s() > next_compare_;
-    if (compared_ || !(still || due)) return;
-    split_.compare(look_.picture(frame_, viewed_), split_.picture(look_));
-    next_compare_ = steady_s() + compare_every_s;
-    compared_ = true;
+    if (!picture_.compare(is_still(), clock_.runs)) return;
+    log_event("flip " + std::to_string(picture_.split.difference->flip_mean));
+    activity_.stay_panel(0.01);  // to show the figure
 }
 
 }  // namespace lightwalk

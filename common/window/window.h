@@ -1,13 +1,13 @@
 // A chapter in a window, while someone works on it.
 #pragma once
 #include "common/app/options.h"
-#include "common/gpu/capture.h"
 #include "common/window/camera_mouse.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
 #include "common/window/scene_saver.h"
 #include "common/window/sound_player.h"
+#include "common/window/window_picture.h"
 #include "common/window/window_tool.h"
 
 namespace lightwalk {
@@ -17,7 +17,7 @@ namespace lightwalk {
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
                const Loading& loading);
 
-/// Large (24 functions, 39 members): the loop of a window: the chapter's clock, its picture, its files.
+/// Large (22 functions, 28 members): the loop of a window: the chapter's clock, its picture, its files.
 class Window {
   public:
     /// `scene` is loaded already.
@@ -40,14 +40,12 @@ class Window {
     void watch_files();
     void watch_programs();
     void draw();
-    void draw_picture(glm::uvec2 size);
-    bool refines() const;                  ///< the picture rests, and samples are missing
-    void refine_picture(glm::uvec2 size);  ///< one more sample, shifted within a pixel
-    bool picture_is_due() const;           ///< false: the panel is drawn beside the picture that is there
-    bool is_still() const;                 ///< nothing is drawn: neither time nor input changes the picture
+    void draw_picture();
+    bool refines() const;         ///< the picture rests, and samples are missing
+    bool picture_is_due() const;  ///< false: the panel is drawn beside the picture that is there
+    bool is_still() const;        ///< nothing is drawn: neither time nor input changes the picture
     Requests build_panel(bool picture_is_new);
     std::vector<std::string> errors();
-    const Image& compose(glm::uvec2 size, const Image& mine, const Image& reference);
     void compare_when_still();
     glm::uvec2 picture_size() const;
 
@@ -64,27 +62,19 @@ class Window {
     SceneSaver saver_;
     CameraMouse mouse_;
     Panel panel_;
-    SplitView split_;
-    Look look_;
+    WindowPicture picture_;
     ExerciseChecks checks_;
     AutoChoices automatic_;
-    int asked_auto_ = 0;  ///< frames that were drawn when the need rule was asked for
     LessonPages lessons_;
     SoundPlayer sound_;
-    Image viewed_;    ///< viewed part of frame_
-    Image composed_;  ///< both sides of the split view
-    Frame frame_;     ///< the chapter's
-    Frame screen_;    ///< the window's own passes, not the chapter's
-    bool clock_runs_, close_ = false, compared_ = false;
+    Frame screen_;  ///< the window's own passes, not the chapter's
+    WindowClock clock_;
+    bool close_ = false;
     bool rests_ = false;  ///< until something happens
-    float time_s_;
-    int drawn_ = 0;
-    int refined_ = 0;           ///< samples that the picture shown has gathered at rest
-    glm::uvec2 drawn_size_{0};  ///< of the picture drawn last
-    double next_watch_ = 0, next_compare_ = 0, last_draw_ = 0, frame_ms_ = 0;
+    int drawn_ = 0;       ///< frames
+    double next_watch_ = 0, last_draw_ = 0, frame_ms_ = 0;
     std::string logged_errors_;
-    bool capture_next_ = false;     ///< for RenderDoc
-    const Image* shown_ = nullptr;  ///< the picture drawn last, without the panel
+    bool capture_next_ = false;  ///< for RenderDoc
 };
 
 }  // namespace lightwalk

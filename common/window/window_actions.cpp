@@ -68,7 +68,7 @@ void Window::obey(const Requests& requests) {
     }
     if (requests.save && !(tool_ && tool_->on_save())) saver_.save();
     if (requests.split) switch_split();
-    if (requests.clock) clock_runs_ = !clock_runs_;
+    if (requests.clock) clock_.runs = !clock_.runs;
     if (requests.panel) panel_.visible = !panel_.visible;
     if (requests.home) chapter_.camera = chapter_.scene.file.camera;
     if (requests.frame_scene) {
@@ -90,11 +90,9 @@ void Window::ask_tool() {
         tool_->on_drop(files);
         activity_.stay(0.3);
     }
-    WindowClock clock{time_s_, clock_runs_};
-    tool_->steer(clock);
-    if (clock.time_s != time_s_ || clock.runs != clock_runs_) activity_.stay(0.3);
-    time_s_ = clock.time_s;
-    clock_runs_ = clock.runs;
+    const WindowClock before = clock_;
+    tool_->steer(clock_);
+    if (clock_.time_s != before.time_s || clock_.runs != before.runs) activity_.stay(0.3);
     if (tool_->is_busy()) activity_.stay_panel(0.1);  // its panels report changes of the picture
     if (tool_->wants_to_close()) close_ = true;
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {
@@ -125,23 +123,23 @@ void Window::toggle_all(bool earlier_too) {
 void Window::reload() {
     gpu_.pipelines.rebuild();
     live_.reload();
-    split_.reload();
+    picture_.split.reload();
     if (live_.load_error.empty()) saver_.remember();
     notice_.tell(live_.load_error.empty() ? "reloaded" : "not reloaded");
     log_event("reloaded");
 }
 
 void Window::switch_split() {
-    if (split_.on()) {
-        split_.turn_off();
+    if (picture_.split.on()) {
+        picture_.split.turn_off();
     } else if (!any_reference_exists(Exercises::ids())) {
         notice_.tell("This tree is a handout: there is no reference to show beside yours.");
     } else {
         try {
-            split_.turn_on(chapter_);
+            picture_.split.turn_on(chapter_);
         } catch (const std::exception& e) { notice_.tell(e.what()); }
     }
-    log_event(split_.on() ? "split on" : "split off");
+    log_event(picture_.split.on() ? "split on" : "split off");
 }
 
 // The need rule measures the current picture once: the method stays until another is chosen.
@@ -159,7 +157,7 @@ void Window::choose_automatically() {
                                                             [](auto& one) { return one.key == GLFW_KEY_ESCAPE; });
         };
         line = choose_method(chapter_, gpu_, method, double(automatic_.budget),
-                             {picture_size(), time_s_, options_.seed, {}}, [&] {
+                             {picture_size(), clock_.time_s, options_.seed, {}}, [&] {
                                  // The window draws nothing meanwhile, but its title can be read.
                                  display_.say(fmt::format("measuring {}: {} pictures, {:.0f} s (Esc cancels)",
                                                           method.path(), pictures++, steady_s() - start));
@@ -183,10 +181,10 @@ void Window::write_capture(Capture& capture) {
 }
 
 void Window::take_screenshot() {
-    if (!shown_) return;
+    if (!picture_.shown()) return;
     try {
         const fs::path path = unused("lightwalk_" + chapter_.name.substr(0, 2) + "_" + time_stamp(), ".png");
-        write_png(path, read_picture(gpu_, *shown_));
+        write_png(path, read_picture(gpu_, *picture_.shown()));
         notice_.tell("picture: " + fs::absolute(path).string());
         log_event("screenshot " + fs::absolute(path).string());
     } catch (const InputError& e) { notice_.tell(e.what()); }
