@@ -38,7 +38,7 @@ from pathlib import Path
 from tree import ROOT, Failure
 
 TABLE = re.compile(r"\s*<!-- table: (\S+?\.json)#(.*)$")
-FIGURE = re.compile(r"(?P<number>[-−+]?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit>(?:%|°| ?(?:px|ms|dB|µs|[ms]))?[*$]{0,2})"
+FIGURE = re.compile(r"(?P<number>[-−+]?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit>(?:%|°| ?(?:px|ms|dB|µs|µm|[ms]))?[*$]{0,2})"
                     r"<!-- figure: (?P<source>.*?) -->", re.S)
 PLACEHOLDER = re.compile(r"\{([^}:]+)(?::([^}]*))?\}")
 OWN = ("scene", "method", "value", "format", "cell", "join", "bold", "only", "tolerance", "scale", "file", "missing",
