@@ -1,18 +1,6 @@
 // Whether a light may reach a cell of the lights_grid. Never no where it does; sometimes yes where it does not.
+#include "03_attenuation/cone_reaches_ball.glsl"
 #include "03_attenuation/light_data.h"
-
-// [cone_reaches_ball]
-// Whether a ball meets a cone that goes on for ever. `center` is seen from the apex, `axis` has unit length.
-bool cone_reaches_ball(vec3 center, float radius, vec3 axis, float cos_outer) {
-    float along = dot(center, axis), across = length(cross(center, axis)), away = length(center);
-    float ahead = along - away * cos_outer;
-    if (ahead >= 0.0) return true;  // the ball's middle is in the cone
-    // The distance times sine and cosine of the angle beyond the cone's side. Beyond 90 degrees the apex is nearest.
-    float sin_outer = sqrt(max(1.0 - cos_outer * cos_outer, 0.0));
-    float sine = across * cos_outer - along * sin_outer, cosine = along * cos_outer + across * sin_outer;
-    return (cosine < 0.0 ? away : sine) <= radius;
-}
-// [/cone_reaches_ball]
 
 struct Cell {
     vec3 lower, upper;  // metres: a box in the camera's space (right, up, forward) that holds the cell

@@ -27,11 +27,7 @@ float height_at(float height, float slope, float t) {
 }
 // [/height_at]
 
-Place place_at(Path path, float t) {
-    float height = height_at(path.height, path.slope, t);
-    float sun = ((air.radius + path.height) * path.sun + t * path.cos_angle) / (air.radius + height);
-    return Place(height, clamp(sun, -1.0, 1.0));
-}
+#include "10_atmosphere/place_at.glsl"
 
 // The rest of a path from `t` metres on; it begins in the air or at its edge.
 Path path_on(Path path, float t) {

@@ -1,4 +1,5 @@
 // How the map lies on the surface: texels per mm along u and v, mm² in a texel, and how curved it is there, in 1/mm.
+#include "12_skin/chart_step.glsl"
 #include "12_skin/charts.glsl"
 #include "12_skin/stretch_scale.glsl"
 
@@ -6,14 +7,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D skin_normal;
 layout(rgba16f) writeonly uniform image2D result;
 layout(scalar) uniform MostBlock { float most_texels; };
-
-// A step along the map, between the two neighbours where both are of this chart.
-vec3 step_mm(ivec2 texel, ivec2 direction, vec4 own) {
-    vec4 before = place_at(texel - direction), after = place_at(texel + direction);
-    bool has_before = before.w == own.w, has_after = after.w == own.w;
-    vec3 from = has_before ? before.xyz : own.xyz, to = has_after ? after.xyz : own.xyz;
-    return 1000.0 * (to - from) / max(float(has_before) + float(has_after), 1.0);
-}
 
 // How far the normal turns over about 1.5 mm to each side.
 float curvature(ivec2 texel, ivec2 direction, float per_mm, vec4 own) {
@@ -30,7 +23,8 @@ void main() {
     vec4 own = place_at(texel);
     vec4 found = vec4(0.0);
     if (own.w > 0.0) {
-        vec3 du = step_mm(texel, ivec2(1, 0), own), dv = step_mm(texel, ivec2(0, 1), own);
+        vec3 du = chart_step(place_at(texel - ivec2(1, 0)), own, place_at(texel + ivec2(1, 0)));
+        vec3 dv = chart_step(place_at(texel - ivec2(0, 1)), own, place_at(texel + ivec2(0, 1)));
         vec2 per_mm = stretch_scale(du, dv, most_texels);
         float bend = 0.5 * (curvature(texel, ivec2(1, 0), per_mm.x, own) + curvature(texel, ivec2(0, 1), per_mm.y, own));
         found = vec4(per_mm, length(cross(du, dv)), bend);

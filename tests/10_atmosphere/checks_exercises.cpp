@@ -156,6 +156,51 @@ CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts be
                    [](auto, auto out) { return out[3] <= 1 && out[4] <= 1 && out[5] <= 1 && out[0] >= 0; });
 }
 
+CHECK_EXERCISE("10.place_at",
+               "Add up two vectors, from the planet's centre: how far is each of them towards the sun?") {
+    const Air air = earth_air();
+    Probe probe{.include = "../tests/10_atmosphere/place_at_known.glsl",
+                .before = with_known_air,
+                .signature = "Place place_at(float t, Path path)",
+                .inputs = {{1e6, 0, 0.5, 0.25, 0.875, 0},
+                           {1e6, 0, 0, 0, 1, 0},
+                           {1e6, 0, 0, 0, -1, 0},
+                           {1e6, 0, 0, 0, 0, 0},
+                           {1e5, 0, 1, 0.5, 0.5, 0},
+                           {2e6, 4e5, 0, -0.3, 0.9, 0},
+                           {1e5, 0, 1, 1, 1, 0}},
+                .truth =
+                    [radius = double(air.radius)](std::span<const double> in) {
+                        // Up is y; the path lies in the plane z = 0; the sun where both angles are right.
+                        const glm::dvec3 start(0, radius + in[1], 0);
+                        const glm::dvec3 along(std::sqrt(std::max(1 - in[2] * in[2], 0.0)), in[2], 0);
+                        const double x = along.x > 1e-9 ? (in[4] - in[2] * in[3]) / along.x : 0;
+                        const glm::dvec3 to_sun(x, in[3], std::sqrt(std::max(1 - x * x - in[3] * in[3], 0.0)));
+                        const glm::dvec3 end = start + in[0] * along;
+                        return Row{glm::length(end) - radius, glm::dot(glm::normalize(end), glm::normalize(to_sun))};
+                    },
+                .bound = {.absolute = 1e-5, .relative = 1e-5},
+                .macros = known_air(air),
+                .hint = [radius = double(air.radius)](auto in, auto got) -> std::string {
+                    if (std::abs(got[1] - in[3]) < 1e-6)
+                        return "Straight up turns along the way: the sun is not as high as at the start.";
+                    const double by_slope = ((radius + in[1]) * in[3] + in[0] * in[2]) / (radius + got[0]);
+                    if (std::abs(got[1] - by_slope) < 1e-5)
+                        return "How far does a step along the path lead towards the sun, and not upwards?";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 400; ++i) {
+        const glm::dvec3 along(random.direction()), to_sun(random.direction());
+        const double height = random.logarithmic(1, 1e6), way = random.logarithmic(100, 5e6);
+        if (glm::length(glm::dvec3(0, earth + height, 0) + way * along) < earth) continue;
+        // As floats, and a sun that can be where they say.
+        const double slope = double(float(along.y)), sun = double(float(to_sun.y));
+        probe.inputs.push_back({way, height, slope, sun, double(float(glm::dot(along, to_sun))), 0});
+    }
+    check.probe(probe);
+}
+
 CHECK_EXERCISE("10.height_fog", "Use the density at the lower end, and x of 0 or more; use a series for a small x.") {
     Probe probe{
         .include = "10_atmosphere/height_fog.glsl",

@@ -96,6 +96,44 @@ CHECK_EXERCISE("12.stretch_scale", "Texels per mm is the inverse of mm per texel
     check.probe(probe);
 }
 
+CHECK_EXERCISE("12.chart_step",
+               "How many steps lie between the two places, and how many of them does the division expect?") {
+    Probe probe{.include = "12_skin/chart_step.glsl",
+                .signature = "vec3 chart_step(vec4 before, vec4 own, vec4 after)",
+                .inputs = {{0, 0, 0, 1, 0.001, 0, 0, 1, 0.002, 0, 0, 1},
+                           {0, 0, 0, 1, 0.001, 0, 0, 1, 0.004, 0, 0, 1},
+                           {0, 0, 0, 1, 0.001, 0, 0, 1, 0.5, 0.5, 0.5, 2},
+                           {0.5, 0.5, 0.5, 2, 0.001, 0, 0, 1, 0.003, 0, 0, 1},
+                           {0.5, 0.5, 0.5, 2, 0.001, 0, 0, 1, 0, 0, 0, 0},
+                           {0.5, 0.5, 0.5, 2, 0.001, 0, 0, 1, 0.7, 0, 0, 2}},
+                .truth =
+                    [](std::span<const double> in) {
+                        glm::dvec3 sum(0);
+                        int steps = 0;
+                        const glm::dvec3 own = three(in.subspan(4));
+                        if (in[3] == in[7]) sum += own - three(in), ++steps;
+                        if (in[11] == in[7]) sum += three(in.subspan(8)) - own, ++steps;
+                        return row_of(steps ? 1000.0 * sum / double(steps) : sum);
+                    },
+                .bound = {.absolute = 2e-3, .relative = 1e-4},
+                .hint = [](auto in, auto) -> std::string {
+                    const bool first = in[3] == in[7], second = in[11] == in[7];
+                    if (first != second) return "Here one neighbour is of the same chart: there is one step.";
+                    if (!first) return "Both neighbours are of another chart: no step is known.";
+                    return "";
+                }};
+    Random random;
+    for (int i = 0; i < 300; ++i) {
+        Row row;
+        for (int texel = 0; texel < 3; ++texel) {
+            for (int axis = 0; axis < 3; ++axis) row.push_back(random.uniform(-0.1, 0.1));
+            row.push_back(1 + int(random.uniform(0, 2)));
+        }
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
 CHECK_EXERCISE("12.schlick_fresnel", "f0 + (1 - f0) (1 - cosine)^5, with the cosine clamped to 0 and 1.") {
     Probe probe{.include = "12_skin/schlick_fresnel.glsl",
                 .signature = "float schlick_fresnel(float cosine, float f0)",

@@ -71,6 +71,67 @@ CHECK_EXERCISE("16.ray_shell",
                    });
 }
 
+CHECK_EXERCISE("16.ray_box",
+               "Of the two planes of an axis the ray meets one first; which one, the direction's sign decides.") {
+    const auto cut = [](std::span<const double> in) {
+        double from = 0, to = 1e30;
+        for (size_t axis = 0; axis < 3; ++axis) {
+            const double at = in[axis], along = in[3 + axis], half = in[6 + axis];
+            if (std::abs(along) < 1e-12) {
+                if (std::abs(at) > half) to = -1;
+                continue;
+            }
+            const double first = ((along > 0 ? -half : half) - at) / along,
+                         last = ((along > 0 ? half : -half) - at) / along;
+            from = std::max(from, first), to = std::min(to, last);
+        }
+        return glm::dvec2(from, to);
+    };
+    Probe probe{.include = "16_volume/ray_box.glsl",
+                .signature = "vec2 ray_box(vec3 origin, vec3 direction, vec3 half_m)",
+                .inputs = {{0, 0, -4, 0, 0, 1, 1, 1, 1},
+                           {0, 0, 4, 0, 0, -1, 1, 1, 1},
+                           {0, 0, 0, 0, 1, 0, 1, 2, 3},
+                           {0.5, 0, 0, -1, 0, 0, 1, 2, 3},
+                           {0, 0, -4, 0, 0, -1, 1, 1, 1},
+                           {0, 3, -4, 0, 0, 1, 1, 1, 1},
+                           {-3, -4, 0, 0.6, 0.8, 0, 1, 1, 1},
+                           {3, 4, 0, -0.6, -0.8, 0, 1, 1, 1}},
+                .truth =
+                    [cut](auto in) {
+                        const glm::dvec2 range = cut(in);
+                        return range.y > range.x ? Row{range.x, range.y} : Row{0, 0};
+                    },
+                .bound = {.absolute = 1e-4, .relative = 1e-5},
+                .grants =
+                    [cut](auto in, auto out) {
+                        const glm::dvec2 range = cut(in);
+                        return range.y <= range.x && std::isfinite(out[0]) && std::isfinite(out[1]) && out[1] <= out[0];
+                    },
+                .hint = [cut](auto in, auto out) -> std::string {
+                    const glm::dvec2 range = cut(in);
+                    if (out[0] < 0) return "the start is inside the box: the ray enters it at 0";
+                    if (range.y <= range.x) return "the ray misses the box: exit <= entry";
+                    if (std::min({in[3], in[4], in[5]}) < 0)
+                        return "which of the two planes of an axis does this ray meet first?";
+                    return "";
+                }};
+    Random random(17);
+    for (int i = 0; i < 400; ++i) {
+        const glm::dvec3 half(random.logarithmic(0.1, 3), random.logarithmic(0.1, 3), random.logarithmic(0.1, 3));
+        const glm::dvec3 origin = random.logarithmic(0.05, 10) * glm::dvec3(random.direction());
+        const glm::dvec3 to = random.uniform(0, 1.5) * half * glm::dvec3(random.direction());
+        Row row;
+        append(row, glm::vec3(origin));
+        append(row, glm::vec3(glm::normalize(i % 7 ? to - origin : origin - to)));
+        append(row, glm::vec3(half));
+        // Along an edge or past a corner rounding decides.
+        const glm::dvec2 range = cut(row);
+        if (std::abs(range.y - range.x) > 1e-3) probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
 CHECK_EXERCISE("16.correct_opacity", "transmittances multiply: 1 - opacity to the power of the ratio") {
     Probe probe{.include = "16_volume/correct_opacity.glsl",
                 .signature = "float correct_opacity(float opacity, float ratio)",

@@ -98,12 +98,14 @@ class Chapter(unittest.TestCase):
     def test_files_and_lists_are_one(self):
         self.write("tests/02_sums/variants/sum.whole.glsl", "// right\nfloat sum(int count) { return all_of(count); }\n")
         self.write("tests/02_sums/variants/sum.changes", "== none: wrong: expected 1: got 0\n- return all;\n+ return 0.0;\n"
-                   "== same: right, in its pictures too\n")
+                   "== same: right, in its pictures too\n== slow: wrong: 5 s | 6 s; hint: a loop\n")
         found, mistakes = variants.variants("02_sums")
         self.assertEqual(mistakes, [])
-        self.assertEqual([(one.name, one.verdict, one.words) for one in found],
-                         [("sum.none.glsl", "wrong: expected 1: got 0", "expected 1: got 0"),
-                          ("sum.same.glsl", "right, in its pictures too", ""), ("sum.whole.glsl", "right", "")])
+        self.assertEqual([(one.name, one.verdict, one.words, one.hint) for one in found],
+                         [("sum.none.glsl", "wrong: expected 1: got 0", "expected 1: got 0", ""),
+                          ("sum.same.glsl", "right, in its pictures too", "", ""),
+                          ("sum.slow.glsl", "wrong: 5 s | 6 s; hint: a loop", "5 s | 6 s", "a loop"),
+                          ("sum.whole.glsl", "right", "", "")])
         self.assertIn("return 0.0;", found[0].text)
 
     def test_mistakes_are_lines_and_the_others_are_read(self):

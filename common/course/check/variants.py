@@ -6,6 +6,7 @@ A variant is either a whole file, EXERCISE.VARIANT.glsl or EXERCISE.VARIANT.cpp,
     // right, in its pictures too     every shot that shows the exercise is drawn with it as well
     // wrong: WORDS                   the check's first failure must contain these words; with WORDS | OTHERS either,
                                       where drivers differ on undefined operations
+    // wrong: WORDS; hint: WORDS      and so must its hint
 
 or an entry in EXERCISE.changes, which lists the few lines in which it differs from the solution:
 
@@ -49,8 +50,13 @@ class Variant:
 
     @property
     def words(self) -> str:
-        """Required words of the check; empty for a right answer."""
-        return self.verdict.partition("wrong: ")[2]
+        """Required words of the check's first failure; empty for a right answer."""
+        return self.verdict.partition("wrong: ")[2].partition("; hint: ")[0]
+
+    @property
+    def hint(self) -> str:
+        """Required words of its hint."""
+        return self.verdict.partition("; hint: ")[2]
 
 
 def variants(chapter: str) -> tuple[list[Variant], list[str]]:

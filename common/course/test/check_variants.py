@@ -55,8 +55,10 @@ def run_variant(chapter: str, variant: Variant, known: dict[str, Path]) -> str:
     if ok == bool(variant.words):
         return f"{variant.where}: {variant.name} is {'wrong' if variant.words else 'right'}, but the check " + \
             ("lets it pass" if ok else f"says: {said}")
-    return "" if any(words in said for words in variant.words.split(" | ")) else \
-        f"{variant.where}: {variant.name}: the check says: {said}; not: {variant.words}"
+    if not any(words in said for words in variant.words.split(" | ")):
+        return f"{variant.where}: {variant.name}: the check says: {said}; not: {variant.words}"
+    hint = found.get("hint") or ""
+    return "" if variant.hint in hint else f"{variant.where}: {variant.name}: the check hints: {hint}; not: {variant.hint}"
 
 
 def main(chapter: str) -> list[str]:
