@@ -27,7 +27,7 @@ bool is_utf8(const std::string& text) {
 
 bool has_model(const Scene& scene, const fs::path& file) {
     return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
-        return !object.model.empty() && !object.made && !object.hidden && find_asset(object.model) == file;
+        return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
     });
 }
 

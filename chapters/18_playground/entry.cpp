@@ -22,10 +22,11 @@ uint64_t bytes_of(const Entry& entry) {
 
 bool same_but_placed(const SceneObject& a, const SceneObject& b) {
     const MaterialOverride &m = a.material, &n = b.material;
-    return a.name == b.name && a.model == b.model && a.shows == b.shows && m.diffuse == n.diffuse &&
-           m.specular == n.specular && m.emissive == n.emissive && m.shininess == n.shininess &&
-           m.opacity == n.opacity && m.roughness == n.roughness && m.metalness == n.metalness && m.blend == n.blend &&
-           m.maps == n.maps && a.role.object == b.role.object && a.role.materials == b.role.materials;
+    return a.name == b.name && a.model == b.model && a.ground == b.ground && a.shows == b.shows &&
+           m.diffuse == n.diffuse && m.specular == n.specular && m.emissive == n.emissive &&
+           m.shininess == n.shininess && m.opacity == n.opacity && m.roughness == n.roughness &&
+           m.metalness == n.metalness && m.blend == n.blend && m.maps == n.maps && a.role.object == b.role.object &&
+           a.role.materials == b.role.materials;
 }
 
 bool same_entry(const Entry& a, const Entry& b) {

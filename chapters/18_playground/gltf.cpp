@@ -291,8 +291,8 @@ std::string export_gltf(const Document& document, const Scene& scene, const fs::
     fs::path buffer = target;
     buffer.replace_extension(".bin");
     for (const SceneObject& object : scene.file.objects)
-        if (std::error_code error; !object.model.empty() && !object.made && !object.hidden &&
-                                   fs::equivalent(target, find_asset(object.model), error))
+        if (std::error_code error;
+            !object.model.empty() && !object.hidden && fs::equivalent(target, find_asset(object.model), error))
             throw InputError("{}: the scene shows this file; save the scene under another name first", target.string());
     check_writable(target);
     Exporter exporter(document, scene, target);

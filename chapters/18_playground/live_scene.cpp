@@ -51,7 +51,7 @@ void LiveScene::leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& obje
     for (size_t i = 0; i < objects.size(); ++i) {
         SceneObject& object = objects[i];
         if (from[i] < scene.file.objects.size() && same_but_placed(object, scene.file.objects[from[i]])) continue;
-        if (object.model.empty() || object.made || object.hidden) continue;
+        if (object.model.empty() || object.hidden) continue;
         try {
             scene.models().load(gpu, find_asset(object.model), loader);
         } catch (const InputError& e) { note(e), object.model.clear(); }

@@ -105,7 +105,7 @@ void Thumbnails::begin(const fs::path& file) {
     scene_ = file.extension() == ".json" ? read_scene(file) : scene_of_model(file, {});
     models_.clear();
     for (const SceneObject& object : scene_->objects)
-        if (!object.model.empty() && !object.made && !object.hidden) models_.push_back(find_asset(object.model));
+        if (!object.model.empty() && !object.hidden) models_.push_back(find_asset(object.model));
     std::sort(models_.begin(), models_.end());
     models_.erase(std::unique(models_.begin(), models_.end()), models_.end());
 }

@@ -22,7 +22,7 @@ SceneFile furnished(const Chapter& chapter, const std::filesystem::path& file) {
             fmt::format("{}: left out: {} camera{} and {} light{} of the file; --camera-of-file 1 draws with them",
                         file.string(), model.cameras.size(), model.cameras.size() == 1 ? "" : "s", model.lights.size(),
                         model.lights.size() == 1 ? "" : "s"));
-    add_ground(scene, model, bounds);
+    if (!bounds.empty()) add_ground(scene, model);
     return scene;
 }
 

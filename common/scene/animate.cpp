@@ -6,15 +6,6 @@
 namespace lightwalk {
 namespace {
 
-// The box around a box that was turned (J. Arvo, Transforming Axis-Aligned Bounding Boxes, Graphics Gems, 1990).
-Bounds transformed(const Bounds& box, const glm::mat4& m) {
-    if (box.empty()) return box;
-    const glm::vec3 middle = glm::vec3(m * glm::vec4(box.center(), 1.0f)), half = 0.5f * box.extent();
-    const glm::vec3 reach =
-        glm::abs(glm::vec3(m[0])) * half.x + glm::abs(glm::vec3(m[1])) * half.y + glm::abs(glm::vec3(m[2])) * half.z;
-    return {middle - reach, middle + reach};
-}
-
 // Records the upload of instances from `first` on.
 void upload(VkCommandBuffer commands, const Buffer& buffer, size_t first, const std::vector<Instance>& data) {
     constexpr size_t most = 65536 / sizeof(Instance);  // vkCmdUpdateBuffer takes 64 KiB

@@ -169,8 +169,22 @@ SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bound
     return scene;
 }
 
-void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds) {
-    if (bounds.empty() || !is_lit(model)) return;
+void add_ground(SceneFile& scene, const Model& model) {
+    if (!is_lit(model)) return;
+    const SceneObject& above = scene.objects.at(0);
+    scene.objects.push_back({.name = above.name == "ground" ? "ground below" : "ground",
+                             .parent = {},
+                             .model = above.model,
+                             .material = {},
+                             .ground = true});
+}
+
+Model ground_below(const Model& model, const std::string& name) {
+    const auto world = world_transforms(model, 0.0f);
+    Bounds bounds;
+    for (size_t n = 0; n < model.nodes.size(); ++n)
+        for (const uint32_t mesh : model.nodes[n].meshes) bounds.add(transformed(model.meshes[mesh].bounds, world[n]));
+    if (bounds.empty()) bounds.add(glm::vec3(0));
     const float radius = radius_of(bounds);
     const glm::vec3 middle(bounds.center().x, bounds.lower.y - ground_gap_radii * radius, bounds.center().z);
     LowestAbove lowest(middle, shadowed_radii * radius);
@@ -181,14 +195,12 @@ void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds) {
     Material& material = ground.materials.emplace_back();
     material.name = "ground";
     material.diffuse = glm::vec3(ground_albedo);
-    material.diffuse_map.file = scene.file.string() + ", shadow on the ground";
+    material.diffuse_map.file = name + ", shadow";
     material.diffuse_map.bytes = shadow_image(lowest.hidden());
     material.diffuse_map.sampler.wrap = Wrap::clamp;
     ground.meshes.push_back(std::move(mesh));
     ground.nodes.push_back({"ground", -1, glm::mat4(1), {0}});
-    scene.objects.push_back(
-        {.name = "ground", .parent = {}, .model = scene.file.string() + ", ground", .material = {}});
-    scene.objects.back().made = std::make_shared<const Model>(std::move(ground));
+    return ground;
 }
 
 std::string why_invisible(const Model& model, glm::vec3 eye) {

@@ -12,8 +12,11 @@ namespace lightwalk {
 /// the colour that a ground of add_ground() has in this light. `bounds` in metres.
 SceneFile scene_of_model(const std::filesystem::path& model, const Bounds& bounds);
 
-/// The ground below the model, with the soft shadow of a sky above; not where nothing of the model is lit.
-void add_ground(SceneFile& scene, const Model& model, const Bounds& bounds);
+/// Adds the ground below the scene's only model; not where nothing of the model is lit.
+void add_ground(SceneFile& scene, const Model& model);
+
+/// The ground below a model, with the soft shadow of a sky above. `name` stands for its file in messages.
+Model ground_below(const Model& model, const std::string& name);
 
 /// Why nothing of a model is seen from `eye`: "all of its materials are transparent"; "" where something is.
 std::string why_invisible(const Model& model, glm::vec3 eye);

@@ -77,7 +77,7 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
     for (uint32_t i = 0; i < old_items.size(); ++i) place_of[next[old_items[i].object]++] = i;
     const auto alike = [&](size_t old, const SceneObject& object) {
         return first[old] != first[old + 1] && old_objects[old].model.native() == object.model.native() &&
-               same_material(old_objects[old].material, object.material) &&
+               old_objects[old].ground == object.ground && same_material(old_objects[old].material, object.material) &&
                same_role(old_objects[old].role, object.role);
     };
     struct Source {

@@ -179,6 +179,14 @@ void deform_at_rest(Model& model) {
     }
 }
 
+Bounds transformed(const Bounds& box, const glm::mat4& m) {
+    if (box.empty()) return box;
+    const glm::vec3 middle = glm::vec3(m * glm::vec4(box.center(), 1.0f)), half = 0.5f * box.extent();
+    const glm::vec3 reach =
+        glm::abs(glm::vec3(m[0])) * half.x + glm::abs(glm::vec3(m[1])) * half.y + glm::abs(glm::vec3(m[2])) * half.z;
+    return {middle - reach, middle + reach};
+}
+
 Bounds model_bounds(const Model& model) {
     const auto world = world_transforms(model);
     Bounds bounds;

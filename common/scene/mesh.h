@@ -23,6 +23,9 @@ struct Bounds {
     glm::vec3 extent() const { return upper - lower; }
 };
 
+/// The box around a box that was turned (J. Arvo, Transforming Axis-Aligned Bounding Boxes, Graphics Gems, 1990).
+Bounds transformed(const Bounds& box, const glm::mat4& m);
+
 /// A run of a mesh's indices drawn with one material. `material` indexes Model::materials.
 struct Part {
     uint32_t first_index = 0, index_count = 0, material = 0;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "common/base/error.h"
+#include "common/scene/bare.h"
 
 namespace lightwalk {
 namespace {
@@ -133,9 +134,12 @@ void Scene::place_and_upload(Gpu& gpu) {
 
 void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
     const SceneObject& from = file.objects[object];
-    const auto made = [&](const std::filesystem::path&) { return *from.made; };
-    const auto gpu_model =
-        from.made ? models_.load(gpu, from.model, made) : models_.load(gpu, find_asset(from.model), loader);
+    const std::filesystem::path model_file = find_asset(from.model);
+    auto gpu_model = models_.load(gpu, model_file, loader);
+    if (from.ground)
+        gpu_model = models_.load(gpu, model_file.string() + ", ground", [above = gpu_model](const auto& ground) {
+            return ground_below(above->model, ground.string());
+        });
     const Model& model = gpu_model->model;
     check_roles(from, model);
     if (!model.motions.empty() &&

@@ -30,6 +30,7 @@
 //                    unless the model decides), roughness, metalness (0 to 1), maps {slot: file} (diffuse, specular,
 //                    emissive, opacity, normal, height, orm, occlusion, gloss, detail_normal, displacement,
 //                    metallic_roughness)
+//     ground         false; true: not the model is drawn, but a ground below it, with the soft shadow of a sky above
 //     hidden         false; true: neither it nor its children are drawn
 //     locked         false; true: the editor (chapter 18) changes neither it nor its children
 //     motion         at least one of
@@ -62,7 +63,6 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,8 +73,6 @@
 #include "common/scene/role.h"
 
 namespace lightwalk {
-
-struct Model;
 
 /// Overrides of a model's materials. Absent properties keep the model's values.
 struct MaterialOverride {
@@ -94,10 +92,10 @@ struct SceneObject {
     MaterialOverride material;
     Motion motion{};
     GivenRole role{};
-    std::shared_ptr<const Model> made{};  ///< instead of a file's; not written into files
-    std::string shows{};                  ///< for a screen: name of the object with the view it shows
-    bool hidden = false;                  ///< neither it nor its children are drawn
-    bool locked = false;                  ///< neither it nor its children are changed in an editor
+    bool ground = false;  ///< instead of the model: a ground below it, with its soft shadow (common/scene/bare.h)
+    std::string shows{};  ///< for a screen: name of the object with the view it shows
+    bool hidden = false;  ///< neither it nor its children are drawn
+    bool locked = false;  ///< neither it nor its children are changed in an editor
 };
 
 /// A light that is switched off.

@@ -158,6 +158,9 @@ SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::str
     r.string("parent", object.parent);
     r.string("model", model);
     if (!model.empty()) object.model = asset(source, pointer + "/model", model);
+    r.boolean("ground", object.ground);
+    if (object.ground && model.empty())
+        r.refuse("ground", "is of an object without a model: nothing would be above it");
     read_roles(source, r, object);
     r.boolean("hidden", object.hidden);
     r.boolean("locked", object.locked);

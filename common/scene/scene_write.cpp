@@ -55,6 +55,7 @@ json object_json(const SceneObject& o) {
     for (const auto& [of_material, role] : o.role.materials) j["role"][of_material] = name_of(role);
     if (!o.shows.empty()) j["shows"] = o.shows;
     if (!o.model.empty()) j["model"] = o.model.generic_string();
+    if (o.ground) j["ground"] = true;
     if (o.position != glm::vec3(0.0f)) j["position"] = list(o.position);
     if (o.rotation_deg != glm::vec3(0.0f)) j["rotation_deg"] = list(o.rotation_deg);
     if (o.scale != glm::vec3(1.0f)) j["scale"] = list(o.scale);
@@ -153,8 +154,7 @@ json scene_json(const SceneFile& scene, const std::vector<std::string>& includes
                             {"rotation_deg", number(e.rotation_deg)}};
     if (scene.music) j["music"] = scene.music.file.generic_string();
     j["objects"] = json::array();
-    for (const SceneObject& o : scene.objects)
-        if (!o.made) j["objects"].push_back(object_json(o));
+    for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = lights_json(scene);
     if (scene.bare) j["bare"] = true;
     if (scene.emission != 1.0f) j["emission"] = number(scene.emission);

@@ -9,6 +9,8 @@
 
 #include "18_playground/gltf.h"
 #include "18_playground/playground.h"
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
 #include "common/base/write_files.h"
 #include "common/scene/import.h"
 #include "editor_fixture.h"
@@ -81,6 +83,48 @@ TEST_CASE("scenes are exported, and read back by Assimp and by our own reader", 
         CHECK(other->mNumLights == chapter.scene.file.lights.size());
         CHECK(other->mNumCameras == 1);
     }
+}
+
+namespace {
+
+Image8 picture_of_scene(Playground& chapter, Gpu& gpu) {
+    Frame frame(gpu);
+    render(chapter, frame, {.size = {160, 90}, .crop = {}});
+    return read_picture(gpu, chapter.written(frame));
+}
+
+int most_steps(const Image8& a, const Image8& b) {
+    int most = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a.pixels[i][c]) - int(b.pixels[i][c])));
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that is saved from a bare model keeps its ground, and the model that stands on it may move") {
+    TestFolder folder;
+    Gpu& gpu = check_device();
+    Playground chapter, again;
+    for (Playground* one : {&chapter, &again}) one->name = "18_playground";
+    load_scene(chapter, gpu, "conformance/flat_normals.gltf");
+    const Image8 before = picture_of_scene(chapter, gpu);
+    Document& document = chapter.editor.document;
+    chapter.editor.store.save_as(document, folder.path / "saved.json");
+    load_scene(again, gpu, folder.path / "saved.json");
+    CHECK(again.scene.items.size() == chapter.scene.items.size());
+    CHECK(most_steps(before, picture_of_scene(again, gpu)) <= 1);
+
+    document.begin("move");
+    for (const EntryId id : with_children(document, root_entry))
+        if (document.at(id).object() && !document.at(id).object()->ground) document.edit(id).object()->position.y = 1;
+    document.commit();
+    chapter.editor.live.update(gpu, document, chapter.scene, {});
+    const Image8 moved = picture_of_scene(chapter, gpu);
+    CHECK(most_steps(before, moved) > 8);
+    chapter.editor.store.save(document);
+    load_scene(again, gpu, folder.path / "saved.json");
+    CHECK(most_steps(moved, picture_of_scene(again, gpu)) <= 1);
 }
 
 TEST_CASE("what is exported to glTF is read back by Assimp: nodes, places, meshes, materials, lights") {
