@@ -1,6 +1,7 @@
 #include "01_obj/obj.h"
 
 #include <array>
+#include <charconv>
 
 #include "01_obj/lines.h"
 #include "01_obj/loaders.h"
@@ -16,6 +17,30 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> names = {"textbook", "tinyobjloader", "assimp", "scan", "parallel"};
+
+constexpr std::string_view unfit_colors = "#MRGB colours, which are not as many as the vertices";
+constexpr size_t searched_bytes = size_t{16} << 20;  // of files that ZBrush has not signed
+
+// ZBrush writes colours as comments: "#MRGB " and eight hexadecimal digits for each vertex, of a mask and a colour.
+void read_polypaint(std::string_view text, ObjData& data) {
+    constexpr std::string_view mark = "\n#MRGB ";
+    if (text.size() > searched_bytes && text.substr(0, 4096).find("ZBrush") == text.npos) return;
+    Array<ColoredPosition> colors;
+    for (size_t at = text.find(mark); at != text.npos; at = text.find(mark, at)) {
+        at += mark.size();
+        for (uint32_t number = 0; at + 8 <= text.size(); at += 8) {
+            const auto [end, error] = std::from_chars(&text[at], &text[at] + 8, number, 16);
+            if (error != std::errc() || end != &text[at] + 8) break;
+            const glm::vec3 color(number >> 16 & 255u, number >> 8 & 255u, number & 255u);
+            colors.push_back({static_cast<uint32_t>(colors.size()), color / 255.0f});
+        }
+    }
+    if (colors.size() == 0) return;
+    if (colors.size() == data.positions.size() / 3)
+        data.colors = std::move(colors);
+    else
+        data.left_out.emplace_back(unfit_colors);
+}
 
 ObjData parse(std::string_view text, const std::string& name, Loader loader, const ParseOptions& options) {
     text = without_mark(text);
@@ -37,6 +62,7 @@ ObjData parse(std::string_view text, const std::string& name, Loader loader, con
             data = parse_parallel(text, name, options);
             break;
     }
+    if (data.colors.empty()) read_polypaint(text, data);
     if (data.corners.empty()) throw InputError("{}:1: no face in the file, expected a line such as f 1 2 3", name);
     return data;
 }

@@ -32,10 +32,14 @@ struct Corner {
 };
 // [/corner]
 
-/// The colour that some programs write behind a position: r g b, 0 to 1, sRGB.
+inline constexpr float no_fourth = -1;
+
+/// The colour that some programs write behind a position: r g b, 0 to 1, sRGB. Of seven numbers the last three; they are
+/// w r g b or r g b a, which a file's colours tell only together.
 struct ColoredPosition {
     uint32_t position = 0;
     glm::vec3 color{1.0f};
+    float fourth = no_fourth;  ///< of seven numbers
     bool operator==(const ColoredPosition&) const = default;
 };
 

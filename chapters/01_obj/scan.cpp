@@ -1,5 +1,6 @@
 #include "01_obj/scan.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "01_obj/float_parse.h"
@@ -100,7 +101,8 @@ void Scanner::statement(std::string_view text) {
     float values[3] = {};
     if (keyword == "v") {
         const VertexLine vertex = read_vertex(rest);
-        if (vertex.has_color) out_.colors.push_back({static_cast<uint32_t>(out_.positions.size() / 3), vertex.color});
+        if (vertex.has_color)
+            out_.colors.push_back({static_cast<uint32_t>(out_.positions.size() / 3), vertex.color, vertex.fourth});
         std::memcpy(out_.positions.room(3), vertex.position, 3 * sizeof(float));
         out_.positions.added(3);
     } else if (keyword == "vt") {
@@ -132,10 +134,15 @@ void Scanner::statement(std::string_view text) {
 }
 
 std::string_view left_out_of(std::string_view keyword) {
-    return keyword == "l"                                                 ? "lines"
-           : keyword == "p"                                               ? "points"
-           : keyword == "curv" || keyword == "curv2" || keyword == "surf" ? "free-form curves and surfaces"
-                                                                          : "";
+    // Of free forms, which are named by their curves and surfaces, and of the display of other programs.
+    static constexpr std::string_view silent[] = {
+        "vp",         "cstype",    "deg", "bmat",  "step",     "parm",     "trim", "hole", "scrv",
+        "sp",         "end",       "con", "bevel", "c_interp", "d_interp", "lod",  "mg",   "ctech",
+        "shadow_obj", "trace_obj", "bzp", "bsp",   "cdc",      "cdp",      "res",  "stech"};
+    if (keyword == "l") return "lines";
+    if (keyword == "p") return "points";
+    if (keyword == "curv" || keyword == "curv2" || keyword == "surf") return "free-form curves and surfaces";
+    return std::find(std::begin(silent), std::end(silent), keyword) == std::end(silent) ? keyword : "";
 }
 
 uint32_t smoothing_group(std::string_view name) {
@@ -163,6 +170,7 @@ VertexLine read_vertex(std::string_view rest) {
     const int first = count - 3;
     vertex.has_color = count >= 6 && numbers[first] && numbers[first + 1] && numbers[first + 2];
     if (vertex.has_color) vertex.color = {values[first], values[first + 1], values[first + 2]};
+    if (vertex.has_color && count == 7 && numbers[3]) vertex.fourth = values[3];
     return vertex;
 }
 

@@ -42,7 +42,8 @@ int read_floats(std::string_view rest, int least, int most, float* values, std::
 /// statements that the course has no use for, and programs add their own.
 void check_keyword(std::string_view keyword);
 
-/// Visible content of an unsupported statement: "lines", "points", "free-form curves and surfaces"; else "".
+/// Content of an unsupported statement: "lines", "points", "free-form curves and surfaces", or its keyword; "" where it
+/// changes no picture.
 std::string_view left_out_of(std::string_view keyword);
 
 /// The number of the group after `s`; 0: off.
@@ -54,6 +55,7 @@ struct VertexLine {
     float position[3];
     bool has_color = false;
     glm::vec3 color{1.0f};
+    float fourth = no_fourth;  ///< as ColoredPosition has it
 };
 VertexLine read_vertex(std::string_view rest);
 

@@ -86,7 +86,8 @@ class Reader {
             const glm::vec3 p =
                 plain ? parse_vertex_line(line) : glm::vec3(read.position[0], read.position[1], read.position[2]);
             for (int i = 0; i < 3; ++i) data_.positions.push_back(p[i]);
-            if (read.has_color) data_.colors.push_back({static_cast<uint32_t>(so_far_.positions), read.color});
+            if (read.has_color)
+                data_.colors.push_back({static_cast<uint32_t>(so_far_.positions), read.color, read.fourth});
             ++so_far_.positions;
         } else if (keyword == "vt") {
             std::vector<float> uv = numbers(line, 1, 3);

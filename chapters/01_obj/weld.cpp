@@ -131,15 +131,37 @@ class Smoothing {
     std::vector<glm::dvec3> sums_;
 };
 
+// Whether seven numbers are x y z r g b a: unless every fourth is 1, as w is, and the last ones are no opacity of 1.
+bool have_opacity(const ObjData& data) {
+    bool fourths_are_1 = true, lasts_are_1 = true;
+    for (const ColoredPosition& one : data.colors) {
+        if (one.fourth == no_fourth) continue;
+        fourths_are_1 &= one.fourth == 1.0f, lasts_are_1 &= one.color.b == 1.0f;
+    }
+    return !fourths_are_1 || lasts_are_1;
+}
+
 // Linear; white where a position has none, and nothing where no position has one. Some programs count to 255.
 std::vector<glm::vec4> colors_of(const ObjData& data) {
     if (data.colors.empty()) return {};
-    float most = 0;
-    for (const ColoredPosition& one : data.colors) most = std::max({most, one.color.r, one.color.g, one.color.b});
+    const bool opacity = have_opacity(data);
+    const auto given = [&](const ColoredPosition& one) {
+        return opacity && one.fourth != no_fourth ? glm::vec4(one.fourth, one.color) : glm::vec4(one.color, -1);
+    };
+    float most = 0, most_alpha = 0;
+    for (const ColoredPosition& one : data.colors) {
+        const glm::vec4 c = given(one);
+        most = std::max({most, c.r, c.g, c.b}), most_alpha = std::max(most_alpha, c.a);
+    }
     std::vector<glm::vec4> colors(data.positions.size() / 3, glm::vec4(1.0f));
-    for (const auto& [position, color] : data.colors)
+    for (const ColoredPosition& one : data.colors) {
+        const glm::vec4 c = given(one);
         for (int i = 0; i < 3; ++i)
-            colors[position][i] = srgb_to_linear(std::clamp(most > 2.0f ? color[i] / 255.0f : color[i], 0.0f, 1.0f));
+            colors[one.position][i] = srgb_to_linear(std::clamp(most > 2.0f ? c[i] / 255.0f : c[i], 0.0f, 1.0f));
+        // Opacity 0 everywhere would make it vanish.
+        if (most_alpha > 0 && c.a >= 0)
+            colors[one.position].a = std::clamp(most_alpha > 2.0f ? c.a / 255.0f : c.a, 0.0f, 1.0f);
+    }
     return colors;
 }
 

@@ -229,6 +229,8 @@ class GltfReader {
         const json& from = all->at("lights").at(number);
         Light light;
         const std::string type = from.at("type");
+        if (type != "directional" && type != "spot" && type != "point")
+            return leave_out(model_, fmt::format("lights of type '{}'", type), "light");
         light.kind = type == "directional" ? Light::Kind::directional
                      : type == "spot"      ? Light::Kind::spot
                                            : Light::Kind::point;

@@ -1,5 +1,6 @@
 // Meshes of glTF: each primitive with its attributes, as triangles.
 #include <cmath>
+#include <set>
 
 #include "common/scene/gltf_draco.h"
 #include "common/scene/gltf_parts.h"
@@ -146,13 +147,17 @@ class PrimitiveReader {
     void read_targets(Deformation& how, const json& weights) const {
         const auto targets = from_.find("targets");
         if (targets == from_.end()) return;
+        std::set<std::string> others;
         for (const json& from : *targets) {
+            for (const auto& [key, value] : from.items())
+                if (key != "POSITION" && key != "NORMAL" && key != "TANGENT") others.insert(key);
             MorphTarget target{attribute<glm::vec3>(from, "POSITION"), attribute<glm::vec3>(from, "NORMAL")};
             target.positions.resize(count_, glm::vec3(0));
             const size_t i = how.targets.size();
             how.weights.push_back(weights.is_array() && i < weights.size() ? weights[i].get<float>() : 0.0f);
             how.targets.push_back(std::move(target));
         }
+        for (const std::string& key : others) leave_out(model_, "morph targets of " + key, "mesh");
     }
 
     void check(const Mesh& mesh) const {

@@ -17,8 +17,10 @@
 #include "common/base/files.h"
 #include "common/base/guarded.h"
 #include "common/base/text.h"
+#include "common/image/image.h"
 #include "common/scene/gltf.h"
 #include "common/scene/import_parts.h"
+#include "common/scene/import_text.h"
 #include "common/scene/model_bytes.h"
 #include "common/scene/named_files.h"
 
@@ -29,22 +31,18 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 10> formats = {".gltf", ".glb", ".ply", ".stl", ".dae",
                                                       ".fbx",  ".3ds", ".off", ".3mf", ".obj"};
 
-// Assimp makes room for the counts in the header of a PLY or OFF file before it looks whether the file is that long.
-void check_counts(const fs::path& path, const std::string& extension, uintmax_t file_bytes) {
-    if (extension != ".ply" && extension != ".off") return;
+// Assimp makes room for the counts in the header of a PLY file before it looks whether the file is that long.
+void check_counts(const fs::path& path, uintmax_t file_bytes) {
     std::ifstream in(path, std::ios::binary);
     std::string line;
     for (int i = 0; i < 200 && std::getline(in, line) && !line.starts_with("end_header"); ++i) {
         std::istringstream words(line);
         std::string word;
-        if (extension == ".ply" && !(words >> word && word == "element" && words >> word)) continue;
-        if (extension == ".off" && (line.starts_with('#') || !(words >> std::ws && std::isdigit(words.peek()))))
-            continue;
+        if (!(words >> word && word == "element" && words >> word)) continue;
         for (unsigned long long count; words >> count || !words.eof();)
             if (words.fail() || count > file_bytes)
                 throw InputError("{}:{}: the header announces more elements than the file has bytes", path.string(),
                                  i + 1);
-        if (extension == ".off") return;
     }
 }
 
@@ -64,30 +62,62 @@ struct RegularFiles : Assimp::DefaultIOSystem {
     }
 };
 
+bool can_join(const aiScene& scene) {
+    return std::all_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                       [](const aiMesh* mesh) { return !mesh->HasVertexColors(0) && !mesh->HasTextureCoords(1); });
+}
+
+bool has_triangles(const aiScene& scene) {
+    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                       [](const aiMesh* mesh) { return (mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0; });
+}
+
+// `colors`: of the triangles' corners, sRGB. They stand in for the material that Assimp makes of an STL's header.
+void set_colors(const std::vector<glm::vec4>& colors, Model& model) {
+    if (model.meshes.size() != 1 || colors.empty() || model.meshes[0].indices.size() != colors.size()) return;
+    Mesh& mesh = model.meshes[0];
+    mesh.colors.assign(mesh.vertices.size(), glm::vec4(1));
+    for (size_t i = 0; i < colors.size(); ++i)
+        mesh.colors[mesh.indices[i]] = glm::vec4(srgb_to_linear(colors[i].r), srgb_to_linear(colors[i].g),
+                                                 srgb_to_linear(colors[i].b), colors[i].a);
+    for (Material& material : model.materials) {
+        material = {.name = material.name};
+        material.diffuse = glm::vec3(1);
+    }
+}
+
 Model import_here(const fs::path& path, const std::string& extension) {
     const std::string name = path.string();
     Assimp::Importer importer;
     importer.SetIOHandler(new RegularFiles);  // the importer deletes it
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
+    Model model;
+    constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure;
     try {
-        scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
-    } catch (const std::bad_alloc&) { throw; } catch (const std::exception& failed) {
-        throw InputError("{}: {}", name, first_line(failed.what()));
-    }
+        if (extension == ".ply" || extension == ".off") {
+            const std::string text = extension == ".ply" ? readable_ply(read_file(path), name, model)
+                                                         : off_as_ply(read_file(path), name, model);
+            scene = importer.ReadFileFromMemory(text.data(), text.size(), steps, "ply");
+        } else {
+            scene = importer.ReadFile(name, steps);
+        }
+        // Assimp 5.2.5 joins vertices that differ in their colours or second coordinates alone.
+        if (scene && can_join(*scene)) scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
+    } catch (const InputError&) { throw; } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& failed) { throw InputError("{}: {}", name, first_line(failed.what())); }
     const std::string_view wrong = importer.GetErrorString();
     if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // swallowed by the importer
     if (!scene && wrong.find("contains no faces") != wrong.npos)
         throw InputError("{}: a point cloud: it has no triangle, and points are not drawn", name);
     if (!scene) throw InputError("{}: {}", name, first_line(std::string(wrong)));
-    if (scene->mNumMeshes == 0) throw InputError("{}: no triangle in the file", name);
+    if (!has_triangles(*scene)) throw InputError("{}: no triangle in the file", name);
 
-    Model model;
     add_import_materials(*scene, path, model);
-    add_import_nodes(*scene, extension, model);
+    add_import_nodes(*scene, name, extension, model);
     add_import_meshes(*scene, name, extension, model);
+    if (extension == ".stl") set_colors(stl_colors(read_file(path), model), model);
     add_import_cameras(*scene, model);
     deform_at_rest(model);
     return model;
@@ -110,7 +140,7 @@ Model import_model(const fs::path& path) {
         throw InputError("{}: unknown model format '{}'; there are: {}", name, extension, known);
     }
     if (bytes == 0) throw InputError("{}: the file is empty", name);
-    check_counts(path, extension, bytes);
+    if (extension == ".ply") check_counts(path, bytes);
     const bool is_gltf = extension == ".gltf" || extension == ".glb";
     const char* const reader = is_gltf ? "the glTF reader" : "Assimp";
     Model model;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "common/base/text.h"
 #include "common/scene/asset_path.h"
 #include "common/scene/import_parts.h"
 #include "common/scene/model_bytes.h"
@@ -35,16 +36,27 @@ class ImportedMaterials {
         const bool rough = from.Get(AI_MATKEY_ROUGHNESS_FACTOR, to.roughness) == AI_SUCCESS;
         const bool metal = from.Get(AI_MATKEY_METALLIC_FACTOR, to.metalness) == AI_SUCCESS;
         to.metallic_roughness = to.microfacets = rough && metal;
+        if (to.name == AI_DEFAULT_MATERIAL_NAME) to.diffuse = Material{}.diffuse;  // of files that name none
         int number = 0;
         if (from.Get(AI_MATKEY_TWOSIDED, number) == AI_SUCCESS && number) to.sides = Sides::both;
-        if (from.Get(AI_MATKEY_SHADING_MODEL, number) == AI_SUCCESS && number == aiShadingMode_NoShading)
-            to.unlit = true;
+        int shading = aiShadingMode_Phong;
+        from.Get(AI_MATKEY_SHADING_MODEL, shading);
+        to.unlit = shading == aiShadingMode_NoShading;
+        // Assimp gives COLLADA's <lambert>, which has none, a grey reflection.
+        if (path_.extension() == ".dae" && shading == aiShadingMode_Gouraud) to.specular = glm::vec3(0);
+        if (float reflectivity = 0; from.Get(AI_MATKEY_REFLECTIVITY, reflectivity) == AI_SUCCESS && reflectivity > 0)
+            leave_out(model_, "reflection", "material");
         for (const auto& [type, map] : maps)
             if (!(to.*map)) to.*map = texture(from, type);
         for (const aiTextureType type : {aiTextureType_LIGHTMAP, aiTextureType_REFLECTION, aiTextureType_TRANSMISSION,
                                          aiTextureType_CLEARCOAT, aiTextureType_SHEEN})
             if (from.GetTextureCount(type) > 0)
                 leave_out(model_, std::string("texture of ") + aiTextureTypeToString(type), "material");
+        // Programs disagree on which end of a transparency is opaque.
+        if (to.opacity <= 0.0f && !to.opacity_map) {
+            to.opacity = 1;
+            warn("{}: material '{}': opacity 0 would make it vanish; drawn opaque", path_.string(), to.name);
+        }
         return to;
     }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/base/error.h"
+#include "common/image/image.h"
 #include "common/scene/import_parts.h"
 
 namespace lightwalk {
@@ -44,10 +45,24 @@ void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model,
     model.skins.push_back(std::move(skin));
 }
 
-// Colours of these formats are sRGB, as scanners and editors write them.
-glm::vec4 to_linear(const aiColor4D& c) {
-    const auto linear = [](float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); };
-    return glm::clamp(glm::vec4(linear(c.r), linear(c.g), linear(c.b), c.a), 0.0f, 1.0f);
+// Colours of these formats are sRGB, as scanners and editors write them; some programs count to 255.
+std::vector<glm::vec4> colors_of(const aiMesh& from) {
+    std::vector<glm::vec4> colors;
+    if (!from.HasVertexColors(0)) return colors;
+    float most = 0, alphas = 0;
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+        const aiColor4D& c = from.mColors[0][i];
+        most = std::max({most, c.r, c.g, c.b}), alphas = std::max(alphas, c.a);
+    }
+    const float one = most > 2.0f ? 255.0f : 1.0f;
+    const auto linear = [&](float x) { return srgb_to_linear(std::clamp(x / one, 0.0f, 1.0f)); };
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+        const aiColor4D& c = from.mColors[0][i];
+        // Opacity 0 everywhere would make it vanish.
+        const float alpha = alphas > 0 ? std::clamp(alphas > 2.0f ? c.a / 255.0f : c.a, 0.0f, 1.0f) : 1.0f;
+        colors.emplace_back(linear(c.r), linear(c.g), linear(c.b), alpha);
+    }
+    return colors;
 }
 
 // `flat`: uses the triangles' normals instead of the file's.
@@ -68,14 +83,11 @@ Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
             const glm::vec3 uv = to_glm(from.mTextureCoords[1][i]);
             to.second_uvs.push_back(is_finite(uv) ? glm::vec2(uv) : glm::vec2(0));
         }
-        if (from.HasVertexColors(0)) to.colors.push_back(to_linear(from.mColors[0][i]));
     }
-    // Opacity 0 everywhere would make it vanish.
-    if (std::all_of(to.colors.begin(), to.colors.end(), [](const glm::vec4& color) { return color.a == 0.0f; }))
-        for (glm::vec4& color : to.colors) color.a = 1;
+    to.colors = colors_of(from);
     for (unsigned i = 0; i < from.mNumFaces; ++i) {
         const aiFace& face = from.mFaces[i];
-        if (face.mNumIndices != 3) continue;  // points and lines
+        if (face.mNumIndices != 3) continue;
         to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
     }
     to.parts = {{0, static_cast<uint32_t>(to.indices.size()), from.mMaterialIndex}};
@@ -90,17 +102,27 @@ Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
 
 // Bones move a mesh in the model's space, so that its node must not.
 void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model) {
-    std::vector<uint32_t> with_bones;
+    std::vector<uint32_t> with_bones, numbers;  // of the scene's meshes among the model's
     const std::vector<Node> named = model.nodes;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& from = *scene.mMeshes[i];
+        const bool is_drawn = (from.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
+        numbers.push_back(is_drawn ? static_cast<uint32_t>(model.meshes.size()) : UINT32_MAX);
+        if (!is_drawn) {
+            leave_out(model, from.mPrimitiveTypes == aiPrimitiveType_POINT ? "points" : "lines", "mesh");
+            continue;
+        }
         model.meshes.push_back(to_mesh(from, name, extension == ".stl"));
         if (from.mNumAnimMeshes > 0) leave_out(model, "morph targets", "mesh");
         if (from.HasVertexColors(1)) leave_out(model, "second vertex colours", "mesh");
         if (from.HasTextureCoords(2)) leave_out(model, "texture coordinates 2", "mesh");
         if (!from.HasBones() || model.meshes.back().vertices.size() != from.mNumVertices) continue;
         add_bones(from, named, model, model.meshes.back());
-        with_bones.push_back(i);
+        with_bones.push_back(numbers.back());
+    }
+    for (Node& node : model.nodes) {
+        for (uint32_t& mesh : node.meshes) mesh = numbers[mesh];
+        std::erase(node.meshes, UINT32_MAX);
     }
     if (with_bones.empty()) return;
     for (Node& node : model.nodes)

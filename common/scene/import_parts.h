@@ -19,7 +19,7 @@ inline glm::vec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 void add_import_materials(const aiScene& scene, const std::filesystem::path& path, Model& model);
 
 /// The tree, in metres and with y up, and the first animation.
-void add_import_nodes(const aiScene& scene, const std::string& extension, Model& model);
+void add_import_nodes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model);
 
 /// `extension`: an STL file gets flat normals. Called after the nodes, which are joints.
 void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model);

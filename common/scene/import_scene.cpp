@@ -2,15 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/files.h"
+#include "common/scene/import_3mf.h"
 #include "common/scene/import_parts.h"
 
 namespace lightwalk {
 namespace {
 
 // FBX and 3MF say which way is up and how long a unit is; Assimp turns COLLADA itself.
-glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension) {
+glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension, const std::string& name, Model& model) {
     const glm::mat4 z_up(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
-    if (extension == ".3mf") return z_up * glm::scale(glm::mat4(1), glm::vec3(1e-3f));  // millimetres, unless it says
+    if (extension == ".3mf") return z_up * glm::scale(glm::mat4(1), glm::vec3(metres_of_3mf(read_file(name), model)));
     if (extension != ".fbx" || !scene.mMetaData) return glm::mat4(1);
     int32_t up = 1, up_sign = 1, ahead = 2, ahead_sign = 1, side = 0, side_sign = 1;
     double centimetres = 1;
@@ -91,8 +93,8 @@ void add_motions(const aiScene& scene, Model& model) {
 
 }  // namespace
 
-void add_import_nodes(const aiScene& scene, const std::string& extension, Model& model) {
-    model.nodes = to_nodes(*scene.mRootNode, to_metres_y_up(scene, extension));
+void add_import_nodes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model) {
+    model.nodes = to_nodes(*scene.mRootNode, to_metres_y_up(scene, extension, name, model));
     add_motions(scene, model);
 }
 

@@ -50,15 +50,49 @@ TEST_CASE("obj as written: zero bytes at the end, empty indices, free forms, nan
 
 TEST_CASE("obj as written: vertex colours are sRGB, of 1 or of 255; white where a position has none") {
     const std::string rest = "v 0 1 0\nf 1 2 3\n";
-    const Model model = model_of("v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0 1\n" + rest);
+    const Model model = model_of("v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0 0.5\n" + rest);
     const auto& colors = model.meshes[0].colors;
     REQUIRE(colors.size() == 3);
     CHECK(colors[0].r == 1);
-    CHECK(std::abs(colors[0].g - 0.21404114f) < 1e-6f);  // IEC 61966-2-1
-    CHECK(colors[1] == glm::vec4(0, 0, 1, 1));           // behind w
+    CHECK(std::abs(colors[0].g - 0.21404114f) < 1e-6f);                       // IEC 61966-2-1
+    CHECK(glm::length(colors[1] - glm::vec4(0, 0, 0.21404114f, 1)) < 1e-6f);  // behind w
     CHECK(colors[2] == glm::vec4(1));
     CHECK(model_of("v 0 0 0 255 0 0\nv 1 0 0 0 0 255\n" + rest).meshes[0].colors[0] == glm::vec4(1, 0, 0, 1));
     CHECK(model_of(written_triangle + "f 1 2 3\n").meshes[0].colors.empty());
+}
+
+// As three.js and tinyobjloader take them: the colour behind x y z, and an opacity behind it. A w of polygons is 1.
+TEST_CASE("obj as written: seven numbers are a colour with its opacity, unless the fourth ones can be w") {
+    const auto color = [](const std::string& a, const std::string& b) {
+        return model_of("v 0 0 0 " + a + "\nv 1 0 0 " + b + "\nv 0 1 0 1 1 1 1\nf 1 2 3\n").meshes[0].colors[0];
+    };
+    CHECK(color("1 0 0 1", "0 1 0 1") == glm::vec4(1, 0, 0, 1));
+    CHECK(color("0 0 1 0.25", "0 1 0 1") == glm::vec4(0, 0, 1, 0.25f));
+    CHECK(color("1 0 0 1", "1 1 0 1") == glm::vec4(1, 0, 0, 1));  // red or w: an opacity of 1 decides
+    CHECK(color("1 0 0 1", "1 1 0 0") == glm::vec4(0, 0, 1, 1));  // w: blue is not always 1
+    CHECK(color("255 0 0 255", "0 255 0 255") == glm::vec4(1, 0, 0, 1));
+    CHECK(color("1 0 0 0", "0 1 0 0").a == 0);  // one has opacity, so that zeros are meant
+}
+
+// ZBrush's own comment: "4 hexadecimal values per vertex. The vertex color format is MMRRGGBB with up to 64 entries per
+// MRGB line."
+TEST_CASE("obj as written: colours that ZBrush writes as comments") {
+    const std::string rest = "f 1 2 3\n";
+    const Model model =
+        model_of(written_triangle + "#MRGB ffff0000ff00ff00\n#MRGB 000000ff\n#End of MRGB block\n" + rest);
+    const auto& colors = model.meshes[0].colors;
+    REQUIRE(colors.size() == 3);
+    CHECK((colors[0] == glm::vec4(1, 0, 0, 1) && colors[1] == glm::vec4(0, 1, 0, 1) &&
+           colors[2] == glm::vec4(0, 0, 1, 1)));
+    const ObjData few = read_as_written(written_triangle + "#MRGB ffff0000\n" + rest);
+    CHECK(few.colors.empty());
+    CHECK(few.left_out == std::vector<std::string>{"#MRGB colours, which are not as many as the vertices"});
+}
+
+TEST_CASE("obj as written: statements that are not read are named once") {
+    const ObjData data = read_as_written(written_triangle +
+                                         "vc 1 0 0\nvc 0 1 0\nusemap a.png\nlod 1\ncstype bezier\nf 1 2 3\nvc 1 1 1\n");
+    CHECK(data.left_out == std::vector<std::string>{"vc", "usemap"});
 }
 
 TEST_CASE("obj as written: smoothing groups") {

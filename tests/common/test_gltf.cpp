@@ -1,6 +1,5 @@
 // glTF as the specification has it: numbers that follow from its text, and files that must be refused.
 #include <meshoptimizer.h>
-#include <unistd.h>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -14,103 +13,9 @@
 #include <array>
 #include <glm/gtc/constants.hpp>
 
-#include "common/base/error.h"
-#include "scene_fixture.h"
+#include "gltf_fixture.h"
 
 using namespace lightwalk;
-
-namespace {
-
-// Two floats 0 and 1, then three positions: (0, 0, 0), (1, 0, 0), (0, 1, 0).
-const std::string head = R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "buffers": [{"byteLength": 44,
-    "uri": "data:application/octet-stream;base64,AAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA="}],
-    "bufferViews": [{"buffer": 0, "byteLength": 8}, {"buffer": 0, "byteOffset": 8, "byteLength": 36}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
-                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
-                  {"bufferView": 1, "componentType": 5126, "count": 2, "type": "VEC3"}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "material": 0}]}], "materials": [{)";
-
-struct Gltf {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / fmt::format("lightwalk_gltf_{}", getpid());
-    Gltf() { std::filesystem::create_directories(folder); }
-    ~Gltf() { std::filesystem::remove_all(folder); }
-    Model read(const std::string& material, const std::string& rest = R"("nodes": [{"mesh": 0}])") {
-        const auto file = folder / "model.gltf";
-        write_file(file, head + material + "}], " + rest + "}");
-        return import_model(file);
-    }
-    std::string error(const std::string& material, const std::string& rest = R"("nodes": [{"mesh": 0}])") {
-        try {
-            read(material, rest);
-        } catch (const InputError& e) {
-            CHECK(std::string(e.what()).find('\n') == std::string::npos);
-            return e.what();
-        }
-        return "";
-    }
-};
-
-}  // namespace
-
-TEST_CASE("glTF: what a material that says nothing is") {
-    const Material m = Gltf().read("").materials[0];
-    CHECK(m.diffuse == glm::vec3(1));
-    CHECK(m.metalness == 1);
-    CHECK(m.roughness == 1);
-    CHECK(m.alpha_cutoff == 0);
-    CHECK(m.sides == Sides::front);
-    CHECK(m.emissive == glm::vec3(0));
-    CHECK((m.metallic_roughness && m.microfacets && !m.unlit && !m.blend));
-}
-
-TEST_CASE("glTF: alpha modes, sides, unlit, emissive strength") {
-    Gltf file;
-    CHECK(file.read(R"("alphaMode": "MASK")").materials[0].alpha_cutoff == 0.5f);
-    CHECK(file.read(R"("alphaMode": "MASK", "alphaCutoff": 0.1)").materials[0].alpha_cutoff == 0.1f);
-    CHECK(file.read(R"("alphaMode": "BLEND")").materials[0].blend);
-    CHECK(file.read(R"("doubleSided": true)").materials[0].sides == Sides::both);
-    CHECK(file.read(R"("extensions": {"KHR_materials_unlit": {}})").materials[0].unlit);
-    const Material m = file.read(R"("emissiveFactor": [1, 0.5, 0],
-        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 3}})")
-                           .materials[0];
-    CHECK(m.emissive == glm::vec3(3, 1.5f, 0));
-}
-
-// The extension's own matrix, with v growing downwards: offset · rotation · scale.
-TEST_CASE("glTF: a texture transform in coordinates whose v grows upwards") {
-    const std::string rest = R"("nodes": [{"mesh": 0}], "textures": [{"source": 0}], "images": [{"uri": "none.png"}])";
-    const Material m = Gltf()
-                           .read(R"("normalTexture": {"index": 0, "texCoord": 1, "scale": 0.25, "extensions":
-        {"KHR_texture_transform": {"offset": [0.5, 0.25], "scale": [2, 4]}}})",
-                                 rest)
-                           .materials[0];
-    const MapPlace& place = m.normal_map.place;
-    CHECK(place.set == 1);
-    CHECK(m.normal_scale == 0.25f);
-    const auto placed = [&](float u, float v) { return place.turn * glm::vec2(u, v) + place.offset; };
-    CHECK(glm::length(placed(0, 1) - glm::vec2(0.5f, 0.75f)) < 1e-6f);   // (0, 0) there: (0.5, 0.25)
-    CHECK(glm::length(placed(1, 0) - glm::vec2(2.5f, -3.25f)) < 1e-6f);  // (1, 1) there: (2.5, 4.25)
-    CHECK(flipped(flipped(place)).offset == place.offset);
-}
-
-// The extension's example: the lower left quadrant of the image, rotated clockwise by 90°. (Its GLSL turns the other way;
-// see github.com/KhronosGroup/glTF/issues/1563.)
-TEST_CASE("glTF: a texture transform turns as the extension's example says") {
-    const std::string rest = R"("nodes": [{"mesh": 0}], "textures": [{"source": 0}], "images": [{"uri": "none.png"}])";
-    const Material m = Gltf()
-                           .read(R"("emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": {
-        "offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]}}})",
-                                 rest)
-                           .materials[0];
-    const MapPlace place = flipped(m.emissive_map.place);  // v from the top
-    const auto placed = [&](float u, float v) { return place.turn * glm::vec2(u, v) + place.offset; };
-    CHECK(glm::length(placed(0, 0) - glm::vec2(0, 1)) < 1e-6f);
-    CHECK(glm::length(placed(1, 0) - glm::vec2(0, 0.5f)) <
-          1e-6f);  // upper right of the surface: upper left of the quadrant
-    CHECK(glm::length(placed(0, 1) - glm::vec2(0.5f, 1)) < 1e-6f);
-    CHECK(glm::length(placed(1, 1) - glm::vec2(0.5f, 0.5f)) < 1e-6f);
-}
 
 namespace {
 
@@ -264,30 +169,4 @@ TEST_CASE("glTF: joints outside of the scene") {
     const Model model = Gltf().read("", skinned);
     REQUIRE((model.nodes.size() == 3 && model.nodes[1].meshes.empty()));
     CHECK(glm::vec3(world_transforms(model)[2][3]) == glm::vec3(1, 2, 0));
-}
-
-TEST_CASE("glTF: what is left out is named once, and counted") {
-    const Model model = Gltf().read(R"("extensions": {"KHR_materials_sheen": {}, "KHR_materials_clearcoat": {}})",
-                                    R"("nodes": [{"mesh": 0}], "extensionsUsed": ["KHR_materials_sheen", "VENDOR_x"])");
-    CHECK(left_out_text(model) == "KHR_materials_clearcoat (1 material), KHR_materials_sheen (1 material), VENDOR_x");
-}
-
-TEST_CASE("glTF: what is malformed is refused in one line") {
-    Gltf file;
-    const auto refused = [&](const std::string& rest, const std::string& why) {
-        const std::string said = file.error("", rest);
-        CAPTURE(rest, said);
-        CHECK(said.find(why) != std::string::npos);
-    };
-    refused(R"("nodes": [{"mesh": 1}])", "meshes 1 is named, there is 1");
-    refused(R"("nodes": [{"mesh": "zero"}])", "not as glTF has it");
-    refused(R"("nodes": [{"mesh": 0, "children": [0]}])", "node 0 has two parents");
-    refused(R"("nodes": [{"mesh": 0}], "extensionsRequired": ["EXT_none"])", "requires the extension EXT_none");
-    refused(R"("nodes": [{"mesh": 0}], "animations": [{"channels": [{"sampler": 3, "target": {"node": 0, "path":
-        "translation"}}], "samplers": []}])",
-            "animation sampler 3 is missing");
-    refused(R"("nodes": [{"mesh": 0}], "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path":
-        "translation"}}], "samplers": [{"input": 0, "output": 1, "interpolation": "CUBICSPLINE"}]}])",
-            "numbers for 2 times");
-    CHECK(file.error(R"("normalTexture": {"index": 0})").find("textures 0 is named") != std::string::npos);
 }

@@ -1,5 +1,6 @@
 """The conformance set: each property that a model file can state is drawn, named as left out, or refused."""
 # Builds: 04_surface_maps
+import json
 import os
 import pathlib
 import sys
@@ -18,6 +19,18 @@ class Conformance(unittest.TestCase):
             for result in models.verdicts([], pathlib.Path(folder)):
                 with self.subTest(result["name"], says=result["says"]):
                     self.assertEqual(result["wrong"], "")
+
+    def test_list(self):
+        """--list model says what was read and what was left out."""
+        program = [chapter_program(models.CHAPTER), "--list", "model"]
+        said = models.run_program([*program, models.SET / "transmission.gltf"])
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("left out: KHR_materials_transmission (1 material)", said.stdout)
+        listed = json.loads(models.run_program([*program, models.SET / "skin.gltf", "--json"]).stdout)
+        self.assertEqual((listed["vertices"], listed["triangles"], listed["skins"], len(listed["cameras"])), (4, 2, 1, 1))
+        self.assertEqual(listed["left_out"], [])
+        listed = json.loads(models.run_program([*program, models.SET / "face_colors.ply", "--json"]).stdout)
+        self.assertEqual([one["what"] for one in listed["left_out"]], ["colours of faces"])
 
 
 if __name__ == "__main__":

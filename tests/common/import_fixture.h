@@ -1,0 +1,41 @@
+// Model files that a test writes.
+#pragma once
+#include <unistd.h>
+
+#include <functional>
+
+#include "catch.h"
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/scene/import.h"
+
+namespace lightwalk {
+
+inline Model model_of(const std::string& name, std::string_view bytes) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("lightwalk_import_text_{}", getpid());
+    std::filesystem::create_directories(folder);
+    write_file(folder / name, bytes);
+    struct Remove {
+        std::filesystem::path folder;
+        ~Remove() { std::filesystem::remove_all(folder); }
+    } remove{folder};
+    return import_model(folder / name);
+}
+
+/// The one line with which an action is refused; empty if it is not.
+inline std::string refusal_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& e) {
+        CHECK(std::string(e.what()).find('\n') == std::string::npos);
+        return e.what();
+    }
+    return "";
+}
+
+inline std::string error_of_model(const std::string& name, std::string_view bytes) {
+    return refusal_of([&] { model_of(name, bytes); });
+}
+
+}  // namespace lightwalk
