@@ -187,6 +187,11 @@ def skinned():
 
 seen("skin", skinned(), "the upper edge is 2 m to the right of the lower one",
      [[0.3, 0.95, RED], [0.95, 0.3, RED]], holes=[[0.1, 0.1], [0.3, 0.3]])
+bound = skinned()
+bound.json["skins"][0]["inverseBindMatrices"] = bound.floats(
+    [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1] for x in (0, -2)])
+seen("skin with inverse bind matrices", bound, "both joints are where they were bound",
+     [[0.05, 0.05, RED], [0.95, 0.05, RED], [0.05, 0.95, RED]])
 walking = skinned()
 walking.json["animations"] = [{"channels": [{"sampler": 0, "target": {"node": 3, "path": "translation"}}], "samplers": [
     {"input": walking.floats([[0], [1]]), "output": walking.floats([[2, 0, 0], [-2, 0, 0]])}]}]
