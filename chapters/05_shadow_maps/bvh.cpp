@@ -1,37 +1,23 @@
 #include "05_shadow_maps/bvh.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <numeric>
+#include <functional>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <utility>
 
+#include "05_shadow_maps/bvh_split.h"
 #include "common/base/error.h"
-#include "common/scene/mesh.h"
 
 namespace lightwalk {
 namespace {
-
-constexpr int bin_count = 16;
-
-struct Boxed {
-    Bounds box;
-    glm::vec3 center{0.0f};
-    uint32_t index = 0;
-};
-using Run = std::vector<Boxed>::iterator;
 
 Bounds box_of(const RayTriangle& t) {
     Bounds box;
     for (const glm::vec3& corner : {t.a, t.b, t.c}) box.add(corner);
     return box;
-}
-
-// Half of its surface; in double precision, for the square of a planet's size is no float.
-double area(const Bounds& box) {
-    if (box.empty()) return 0;
-    const glm::dvec3 e(box.extent());
-    return e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
 void check(const std::vector<RayTriangle>& triangles) {
@@ -43,75 +29,72 @@ void check(const std::vector<RayTriangle>& triangles) {
                                      i, p.x, p.y, p.z);
 }
 
-struct Bin {
-    Bounds box;
-    uint32_t count = 0;
+// A part of the tree, its root first. Leaves count triangles of the whole.
+struct Grown {
+    std::vector<BvhNode> nodes{1};
+    uint32_t depth = 0;
 };
 
-struct Cut {
-    int axis = -1;  ///< -1: none
-    int bin = 0;    ///< the first on the upper side
-    double cost = INFINITY;
-    float origin = 0, bins_per_m = 0;
-    int bin_of(const Boxed& b) const {
-        return std::min(static_cast<int>((b.center[axis] - origin) * bins_per_m), bin_count - 1);
+Grown grow(Run all, Run begin, Run end, uint32_t depth) {
+    Grown grown;
+    struct Task {
+        uint32_t node, depth;
+        Run begin, end;
+    };
+    std::vector<Task> tasks{{0, depth, begin, end}};
+    while (!tasks.empty()) {
+        const Task task = tasks.back();
+        tasks.pop_back();
+        grown.depth = std::max(grown.depth, task.depth);
+        const Run middle = split(task.begin, task.end, BVH_STACK - task.depth);
+        if (middle == task.end) {
+            grown.nodes[task.node].first = static_cast<uint32_t>(task.begin - all);
+            grown.nodes[task.node].count = static_cast<uint32_t>(task.end - task.begin);
+            continue;
+        }
+        const auto child = static_cast<uint32_t>(grown.nodes.size());
+        grown.nodes[task.node].first = child;
+        grown.nodes.resize(grown.nodes.size() + 2);
+        tasks.push_back({child + 1, task.depth + 1, middle, task.end});
+        tasks.push_back({child, task.depth + 1, task.begin, middle});
     }
-};
-
-// The best cut along one axis, where it is cheaper than `best`.
-void try_axis(Run begin, Run end, const Bounds& centers, int axis, Cut& best) {
-    Cut cut{.axis = axis, .origin = centers.lower[axis]};
-    const float extent = centers.upper[axis] - centers.lower[axis];
-    cut.bins_per_m = bin_count / extent;
-    if (!(extent > 0) || !std::isfinite(cut.bins_per_m)) return;
-    std::array<Bin, bin_count> bins;
-    for (Run i = begin; i != end; ++i) {
-        Bin& bin = bins[static_cast<size_t>(cut.bin_of(*i))];
-        bin.box.add(i->box);
-        ++bin.count;
-    }
-    std::array<double, bin_count> upper_cost{};
-    Bin upper;
-    for (size_t i = bin_count - 1; i > 0; --i) {
-        upper.box.add(bins[i].box);
-        upper.count += bins[i].count;
-        upper_cost[i] = area(upper.box) * upper.count;
-    }
-    Bin lower;
-    const auto total = static_cast<uint32_t>(end - begin);
-    for (size_t i = 1; i < bin_count; ++i) {
-        lower.box.add(bins[i - 1].box);
-        lower.count += bins[i - 1].count;
-        cut.cost = area(lower.box) * lower.count + upper_cost[i];
-        cut.bin = static_cast<int>(i);
-        if (lower.count > 0 && lower.count < total && cut.cost < best.cost) best = cut;
-    }
+    return grown;
 }
 
-// How many levels a tree of halves needs for so many triangles.
-uint32_t levels_of_halves(uint32_t count) { return std::bit_width((count + BVH_LEAF - 1) / BVH_LEAF - 1u); }
+// Both sides below one root. Children stand side by side, then what is below the first, then below the second.
+Grown joined(const Grown& lower, const Grown& upper) {
+    Grown both{.nodes = {{.first = 1}, lower.nodes[0], upper.nodes[0]}, .depth = std::max(lower.depth, upper.depth)};
+    const auto add = [&](const Grown& side, BvhNode& root) {
+        const auto shift = static_cast<uint32_t>(both.nodes.size() - 1);
+        if (root.count == 0) root.first += shift;
+        for (size_t i = 1; i < side.nodes.size(); ++i) {
+            both.nodes.push_back(side.nodes[i]);
+            if (side.nodes[i].count == 0) both.nodes.back().first += shift;
+        }
+    };
+    both.nodes.reserve(lower.nodes.size() + upper.nodes.size() + 1);
+    add(lower, both.nodes[1]);
+    add(upper, both.nodes[2]);
+    return both;
+}
 
-// Where the upper side begins; `end` where the run is to be a leaf. `levels` may still come below.
-Run split(Run begin, Run end, uint32_t levels) {
-    Bounds box, centers;
-    for (Run i = begin; i != end; ++i) {
-        box.add(i->box);
-        centers.add(i->center);
-    }
-    const auto count = static_cast<uint32_t>(end - begin);
-    Cut best;
-    if (levels_of_halves(count) < levels)
-        for (int axis = 0; axis < 3; ++axis) try_axis(begin, end, centers, axis, best);
-    // Going down costs as much as one triangle.
-    const bool helps = best.axis >= 0 && area(box) + best.cost < area(box) * count;
-    if (count <= BVH_LEAF && !helps) return end;
-    if (best.axis >= 0) return std::partition(begin, end, [&](const Boxed& b) { return best.bin_of(b) < best.bin; });
-    const glm::vec3 extent = centers.extent();
-    const int widest = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    const Run middle = begin + count / 2;
-    std::nth_element(begin, middle, end,
-                     [&](const Boxed& a, const Boxed& b) { return a.center[widest] < b.center[widest]; });
-    return middle;
+// At the same time where a thread can be had, and afterwards where none can.
+std::future<Grown> at_the_same_time(bool wanted, std::function<Grown()> work) {
+    if (wanted) try {
+            return std::async(std::launch::async, work);
+        } catch (const std::system_error&) {}
+    return std::async(std::launch::deferred, work);
+}
+
+// Large sides grow at the same time, where there are cores; the tree does not depend on that.
+Grown grow_sides(Run all, Run begin, Run end, uint32_t depth) {
+    constexpr auto large = 1 << 14;
+    const Run middle = end - begin < large ? end : split(begin, end, BVH_STACK - depth);
+    if (middle == end) return grow(all, begin, end, depth);
+    auto upper = at_the_same_time(1u << depth < std::thread::hardware_concurrency(),
+                                  [=] { return grow_sides(all, middle, end, depth + 1); });
+    const Grown lower = grow_sides(all, begin, middle, depth + 1);
+    return joined(lower, upper.get());
 }
 
 }  // namespace
@@ -119,39 +102,19 @@ Run split(Run begin, Run end, uint32_t levels) {
 Bvh::Bvh(std::vector<RayTriangle> triangles) {
     check(triangles);
     if (triangles.empty()) triangles.push_back({.cutout = NO_CUTOUT});
-    std::vector<Boxed> boxed(triangles.size());
-    for (uint32_t i = 0; i < boxed.size(); ++i) {
-        const Bounds box = box_of(triangles[i]);
-        boxed[i] = {box, 0.5f * box.lower + 0.5f * box.upper, i};
-    }
-    struct Task {
-        uint32_t node, first, count, depth;
-    };
-    nodes_.push_back({});
-    std::vector<Task> tasks{{0, 0, static_cast<uint32_t>(boxed.size()), 0}};
-    while (!tasks.empty()) {
-        const Task task = tasks.back();
-        tasks.pop_back();
-        depth_ = std::max(depth_, task.depth);
-        const Run begin = boxed.begin() + task.first, end = begin + task.count;
-        const auto below = static_cast<uint32_t>(split(begin, end, BVH_STACK - task.depth) - begin);
-        if (below == task.count) {
-            nodes_[task.node].first = task.first;
-            nodes_[task.node].count = task.count;
-            continue;
-        }
-        const auto child = static_cast<uint32_t>(nodes_.size());
-        nodes_[task.node].first = child;
-        nodes_[task.node].count = 0;
-        nodes_.resize(nodes_.size() + 2);
-        tasks.push_back({child + 1, task.first + below, task.count - below, task.depth + 1});
-        tasks.push_back({child, task.first, below, task.depth + 1});
-    }
+    std::vector<Boxed> boxed;
+    boxed.reserve(triangles.size());
+    for (uint32_t i = 0; i < triangles.size(); ++i) boxed.emplace_back(box_of(triangles[i]), i);
+    Grown grown = grow_sides(boxed.begin(), boxed.begin(), boxed.end(), 0);
+    nodes_ = std::move(grown.nodes);
+    depth_ = grown.depth;
     if (depth_ > BVH_STACK)
         throw Failure("the hierarchy has {} levels; rays can traverse at most {}", depth_, BVH_STACK);
+    order_.reserve(boxed.size());
+    triangles_.reserve(boxed.size());
     for (const Boxed& b : boxed) {
-        order_.push_back(b.index);
-        triangles_.push_back(triangles[b.index]);
+        order_.push_back(b.index());
+        triangles_.push_back(triangles[b.index()]);
     }
     set_boxes();
 }

@@ -76,6 +76,15 @@ TEST_CASE("a hierarchy holds every triangle once, in boxes that hold what is bel
     }
 }
 
+TEST_CASE("a hierarchy whose sides grew at the same time is the same each time, and whole") {
+    const auto triangles = random_triangles(70'000, 0.01);
+    const Bvh bvh(triangles);
+    CHECK(wrong_in(bvh, triangles.size()) == "");
+    CHECK(bvh.order() == Bvh(triangles).order());
+    // An even spread: no branch is much deeper than a tree of halves, whose leaves hold four.
+    CHECK(bvh.depth() <= 15 + 8);
+}
+
 TEST_CASE("input that gives a hierarchy nothing to go by") {
     CHECK(wrong_in(Bvh(), 0) == "");
     CHECK(Bvh().triangles().size() == 1);  // of no area
