@@ -142,7 +142,7 @@ foreach(script ${scripts})
     lightwalk_python_test(python.${name} unit ${script})
     lightwalk_script_needs(python.${name} ${script})
     set_tests_properties(python.${name} PROPERTIES COST 100)  # so that the shots, which take a blink each, come last
-    if(name MATCHES "newcomer$")
+    if(name MATCHES "(newcomer|autograder_container)$")
       set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600)  # it builds the course in a clone
     endif()
     if(name MATCHES "equal_methods$")

@@ -167,8 +167,7 @@ def grade(folder: Path, out: Path, *words) -> subprocess.Popen:
 
 
 def kill_and_drain(cluster: Cluster, running: subprocess.Popen, of: int) -> tuple[str, str]:
-    """Whether the picture also depends on the previous frame, by design: an exposure that adapts. Screens, which show the
-    previous frame, are not among the random objects."""
+    """Kills a part at its work and drains a node for a second; what the command printed, and its messages."""
     victim = []
 
     def found():

@@ -2,7 +2,7 @@
 
 Run by root it builds what grading takes, and becomes nobody. Run by a user it has nothing to add to the other tests.
 """
-# Builds: serve_main serve_01_obj serve_02_lambert_phong serve_03_attenuation judge_01_obj judge_02_lambert_phong judge_03_attenuation
+# Builds: 01_obj 02_lambert_phong 03_attenuation compare serve_main serve_01_obj serve_02_lambert_phong serve_03_attenuation judge_01_obj judge_02_lambert_phong judge_03_attenuation
 
 import os
 import subprocess
@@ -15,16 +15,17 @@ import graded_class
 from build.build import build
 from grading.judge import targets
 
-# What only whoever owns the build folder may do was done before: building, and drawing the seed.
+# What only whoever owns the build folder may do was done before: building, and drawing the seed. Verdicts and pictures that
+# are kept go elsewhere.
 AS_USER = """
-import sys, unittest
+import os, pathlib, sys, unittest
 from grading import judge, judge_picture
 judge.build = judge_picture.build = lambda wanted: None
 judge.Judge.draw_seed = lambda self: 7
+judge.KEPT = judge_picture.KEPT = pathlib.Path(os.environ["HOME"]) / "kept"
 unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
 """
-# Others of test_grade_forged keep files in the build folder, which is root's.
-MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_forged.Hoard", "test_grade_forged.Trials")
+MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_forged")
 
 
 def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
@@ -33,15 +34,16 @@ def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
     # Git reads another user's copy only where it is told to.
     trusted = {"GIT_CONFIG_COUNT": "1", "GIT_CONFIG_KEY_0": "safe.directory", "GIT_CONFIG_VALUE_0": "*"}
-    return subprocess.run([*user, sys.executable, *words], cwd=here, env=os.environ | trusted | {"PYTHONPATH": paths, "HOME": home},
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    own = {"PYTHONPATH": paths, "HOME": home, "LIGHTWALK_CACHE": f"{home}/shaders"}
+    return subprocess.run([*user, sys.executable, *words], cwd=here, env=os.environ | trusted | own, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True)
 
 
 @unittest.skipUnless(os.geteuid() == 0, "a user's own tests are these already")
 @unittest.skipIf(graded_class.why_not(), graded_class.why_not())
 class AsUser(unittest.TestCase):
     def test_each_attack_ends_as_it_does_for_root(self):
-        build(targets(list(graded_class.CHAPTERS)))
+        build([*targets(list(graded_class.CHAPTERS)), *graded_class.CHAPTERS, "compare"])
         with tempfile.TemporaryDirectory() as home:
             Path(home).chmod(0o777)
             said = as_nobody(["-c", "import graded_class; print(graded_class.why_not())"], home)

@@ -28,7 +28,7 @@ from grading import sandbox
 from grading.handout import starters
 from grading.judge_compile import compile_answer
 from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures, ToolFailed
-from grading.judge_tree import copy_without_answers, library, objects
+from grading.judge_tree import KEPT, copy_without_answers, library, objects
 from grading.meter import Meter, current
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
@@ -50,7 +50,7 @@ def targets(chapters: list[str]) -> list[str]:
 
 
 def picture_path(digest: str) -> Path:
-    return BUILD / "grade" / "seen" / f"{digest}.png"
+    return KEPT / "seen" / f"{digest}.png"
 
 
 def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
@@ -71,7 +71,7 @@ class Judge:
         sandbox.require()
         build(targets(self.chapters))
         self.folder = BUILD / "grade"
-        self.verdicts = self.folder / "verdicts"
+        self.verdicts = KEPT / "verdicts"
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
         self.starters = starters_of(wanted)

@@ -23,7 +23,7 @@ from pathlib import Path
 from build.build import build
 from check.check import PICTURE_LIMITS
 from grading import sandbox
-from grading.judge_tree import objects
+from grading.judge_tree import KEPT, objects
 from grading.sandbox import Limits, Mounts
 from shots.golden import exceeded, unfit
 from shots.rendering import render
@@ -67,7 +67,7 @@ class Pictures:
         """The shots that show the exercise, the one first that is drawn in the least time, and their pictures, drawn
         outside when they are first asked for."""
         chapter = self.wanted[exercise]
-        folder = BUILD / "grade" / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
+        folder = KEPT / "pictures" / f"{chapter}.{self.versions[chapter][:16]}"
         with self.locks[chapter]:
             times_s = {}
             for name in self.shots[exercise]:

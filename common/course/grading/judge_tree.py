@@ -12,6 +12,8 @@ from pathlib import Path
 from grading.handout import COMPILED, LEFT_OUT
 from tree import BUILD, ROOT, files
 
+KEPT = BUILD / "grade"  # what one call leaves to the next: verdicts, references' pictures, pictures to be shown
+
 
 def library(folder: Path, chapter: str) -> Path:
     """The objects of a chapter and the earlier ones that have neither references nor the truth in them."""

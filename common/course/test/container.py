@@ -79,8 +79,8 @@ def copy_tree(to: Path):
         (to / name).unlink()
 
 
-def contained(root: Path, command: list[str]) -> list[str]:
-    """The command line that runs `command` in the course's folder there, as that system's root."""
+def contained(root: Path, command: list[str], folder: str = TREE) -> list[str]:
+    """The command line that runs `command` in the course's folder there, or another one, as that system's root."""
     words = ["bwrap", "--bind", str(root), "/", "--dev", "/dev", "--proc", "/proc", "--die-with-parent", "--unshare-pid",
              "--unshare-ipc", "--unshare-uts", "--hostname", root.parent.name, "--cap-add", "ALL", "--clearenv"]
     environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "LANG": "C.UTF-8"}
@@ -91,4 +91,4 @@ def contained(root: Path, command: list[str]) -> list[str]:
         words += ["--setenv", name, value]
     if os.path.exists("/etc/resolv.conf"):
         words += ["--ro-bind", os.path.realpath("/etc/resolv.conf"), "/etc/resolv.conf"]
-    return [*words, "--chdir", TREE, "--", *command]
+    return [*words, "--chdir", folder, "--", *command]
