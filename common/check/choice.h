@@ -9,8 +9,8 @@
 
 namespace lightwalk {
 
-/// Measured for one scene's choice.
-struct Measured {
+/// Weighed for one scene's choice.
+struct Weighed {
     double error = 0;
     double cost = 0;       ///< counted: reads, samples, bytes
     std::string unusable;  ///< "a size is 512 or 1024"; empty if it can be measured
@@ -25,10 +25,10 @@ struct ChosenKnob {
 struct ChoiceScene {
     std::string name;  ///< "the grooves"
     double most_error, most_cost;
-    std::function<Measured(std::span<const int> knobs)> measure;  ///< in their ranges
+    std::function<Weighed(std::span<const int> knobs)> measure;  ///< in their ranges
 };
 
-struct Choice {
+struct ChoiceTask {
     std::string include, signature;  ///< as a Probe's; the argument is the scene's number
     std::vector<ChosenKnob> knobs;   ///< of the result
     std::string error_unit;          ///< "%" or " pixels"
@@ -37,6 +37,6 @@ struct Choice {
 };
 
 /// Expects both figures of every scene within their limits; the note states all of them.
-void weigh(Check& check, const Choice& choice);
+void weigh(Check& check, const ChoiceTask& choice);
 
 }  // namespace lightwalk

@@ -40,7 +40,7 @@ double hit(const Ray& ray, int method, int layers) {
 }
 
 ChoiceScene scene(const std::string& name, int surface, double aside, double most_error, double most_reads) {
-    return {name, most_error, most_reads, [=](std::span<const int> knobs) -> Measured {
+    return {name, most_error, most_reads, [=](std::span<const int> knobs) -> Weighed {
                 const int method = knobs[0], layers = knobs[1];
                 double sum = 0;
                 for (int i = 0; i < 128; ++i) {

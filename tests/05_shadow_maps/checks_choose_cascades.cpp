@@ -10,7 +10,7 @@ namespace {
 
 ChoiceScene scene(const std::string& name, double near_m, double far_m, double seen_from_m, double most_px,
                   double most_mib) {
-    return {name, most_px, most_mib, [=](std::span<const int> knobs) -> Measured {
+    return {name, most_px, most_mib, [=](std::span<const int> knobs) -> Weighed {
                 const int count = knobs[0], size = knobs[1];
                 if (size & (size - 1)) return {.unusable = "a size is 512, 1024, 2048 or 4096"};
                 double widest_px = 0;

@@ -64,7 +64,7 @@ double reads(int method, int radius) {
 
 ChoiceScene blur(double sigma, double most_error, double most_reads) {
     return {"the blur of sigma " + number_text(sigma), most_error, most_reads,
-            [sigma](std::span<const int> knobs) -> Measured {
+            [sigma](std::span<const int> knobs) -> Weighed {
                 const int method = knobs[0], radius = knobs[1];
                 return {.error = error(sigma, method, radius), .cost = reads(method, radius)};
             }};

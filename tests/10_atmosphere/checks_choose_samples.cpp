@@ -30,7 +30,7 @@ double summed(const Line& line, int method, int n) {
 }
 
 ChoiceScene scene(const std::string& name, const Line& line, double most_error, double most_cost) {
-    return {name, most_error, most_cost, [line](std::span<const int> knobs) -> Measured {
+    return {name, most_error, most_cost, [line](std::span<const int> knobs) -> Weighed {
                 const int method = knobs[0], n = knobs[1];
                 const double exact = summed(line, 1, 100000);
                 return {.error = 100 * std::abs(summed(line, method, n) / exact - 1), .cost = n + double(method == 2)};

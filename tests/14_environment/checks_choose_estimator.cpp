@@ -67,7 +67,7 @@ double from_sun(const Surface& surface, int n) {
 double both(const Surface& surface, int n) { return from_sun(surface, n / 2) + estimated(surface, 2, n - n / 2, true); }
 
 ChoiceScene scene(const std::string& name, const Surface& surface, double most_error, double most_directions) {
-    return {name, most_error, most_directions, [surface](std::span<const int> knobs) -> Measured {
+    return {name, most_error, most_directions, [surface](std::span<const int> knobs) -> Weighed {
                 const int method = knobs[0], n = knobs[1];
                 const double exact = surface.polished ? estimated(surface, 3, 100000) : both(surface, 200000);
                 const double got = method == 4 ? both(surface, n) : estimated(surface, method, n);

@@ -51,7 +51,7 @@ Passed marched(int volume, int method, int n) {
 }
 
 ChoiceScene scene(const std::string& name, int volume, double most_error, double most_reads) {
-    return {name, most_error, most_reads, [volume](std::span<const int> knobs) -> Measured {
+    return {name, most_error, most_reads, [volume](std::span<const int> knobs) -> Weighed {
                 const int method = knobs[0], n = knobs[1];
                 const Passed exact = marched(volume, 1, 100000), got = marched(volume, method, n);
                 return {
