@@ -135,8 +135,9 @@ Model import_model(const fs::path& path) {
         std::string known;
         for (const std::string_view format : formats) known += (known.empty() ? "" : ", ") + std::string(format);
         if (extension == ".hgt" || extension == ".tif" || extension == ".tiff")
-            throw InputError("{}: a height map or an image, expected a model; chapter 15 reads heights of a 16-bit PNG",
-                             name);
+            throw InputError(
+                "{}: a height map or an image, expected a model; chapter 15 reads heights of .hgt and of a 16-bit PNG",
+                name);
         throw InputError("{}: unknown model format '{}'; there are: {}", name, extension, known);
     }
     if (bytes == 0) throw InputError("{}: the file is empty", name);

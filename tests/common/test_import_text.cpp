@@ -189,6 +189,7 @@ TEST_CASE("height maps are no models, and are sent to chapter 15") {
     for (const char* name : {"N46E007.hgt", "dem.tif", "dem.TIFF"}) {
         const std::string error = error_of_model(name, std::string(64, '\1'));
         CAPTURE(error);
-        CHECK(error.find("a height map or an image, expected a model; chapter 15 reads heights") != std::string::npos);
+        CHECK(error.find("a height map or an image, expected a model; chapter 15 reads heights of .hgt") !=
+              std::string::npos);
     }
 }
