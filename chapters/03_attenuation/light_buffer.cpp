@@ -14,7 +14,9 @@ LightData pack(const Light& light) {
             .radiance = light.color * light.intensity,
             .softness = light.softness,
             .cos_inner = std::cos(light.inner_rad),
-            .cos_outer = std::cos(light.outer_rad)};
+            .cos_outer = std::cos(light.outer_rad),
+            .radius = light.kind == Light::Kind::directional ? std::tan(0.5f * light.size_rad) : 0.5f * light.size_m,
+            .half_tube = 0.5f * light.tube_m};
 }
 
 // [update]

@@ -104,7 +104,8 @@ std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& text
                    texture.desc.format);
 }
 
-Maps::Maps(Module& owner, std::string name) : Module(owner, std::move(name), "maps"), surface(owner, "surface") {}
+Maps::Maps(Module& owner, std::string name)
+    : Module(owner, std::move(name), "maps"), surface(owner, "surface"), lamps(owner, "lamps") {}
 
 void Maps::prepare(Gpu& gpu, Scene& scene) {
     add_tangents(gpu, scene);

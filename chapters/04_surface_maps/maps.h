@@ -2,12 +2,32 @@
 #pragma once
 #include <set>
 
+#include "04_surface_maps/ggx_table.h"
 #include "04_surface_maps/levels.h"
 #include "common/app/module.h"
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
+
+/// How lamps that have a size are reflected by microfacets.
+struct LampShapes : Module {
+    using Module::Module;
+    Choice method{*this,
+                  "method",
+                  {"point", "representative", "ltc", "sampled"},
+                  "point",
+                  "Reflection of lamps with a size by microfacets: as points, as the point nearest to the mirrored ray "
+                  "(representative), by linearly transformed cosines (ltc), or by samples over the lamp"};
+    Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples over each lamp, for the method 'sampled'"};
+
+    Macros macros() const override {
+        Macros all = Module::macros();
+        if (!method.is("point"))
+            all.replace_file("03_attenuation/lamp_points.glsl", "04_surface_maps/lamp_shapes.glsl");
+        return all;
+    }
+};
 
 /// How surfaces reflect lights that do not say it themselves.
 struct SurfaceModel : Module {
@@ -18,6 +38,22 @@ struct SurfaceModel : Module {
         {"blinn_phong", "ggx"},
         "blinn_phong",
         "Reflection of lights by surfaces whose material states no roughness: blinn_phong, or microfacets (ggx)"};
+    Choice diffuse{*this,
+                   "diffuse",
+                   {"lambert", "oren_nayar"},
+                   "lambert",
+                   "Diffuse reflection below microfacets: Lambert's, or that of rough matt surfaces, which conserves "
+                   "energy, too (oren_nayar)"};
+
+    void prepare(Gpu& gpu, Scene&) override { table_.load(gpu); }
+    std::vector<Resource> reads() const override { return {table_.albedos, table_.cosines}; }
+    void bind(Pass& pass) const override {
+        pass.offer("ggx_albedos", table_.albedos, linear_clamp);
+        pass.offer("ggx_cosines", table_.cosines, linear_clamp);
+    }
+
+  private:
+    GgxTable table_;
 };
 
 /// Gives shaders map_surface() of 04_surface_maps/surface_maps.glsl. prepare() when a scene was loaded; then draw() in
@@ -26,6 +62,7 @@ struct Maps : Module {
     Maps(Module& owner, std::string name);
 
     SurfaceModel surface;
+    LampShapes lamps;
 
     // [method]
     Choice method{*this,
@@ -99,6 +136,11 @@ struct Maps : Module {
     void prepare(Gpu& gpu, Scene& scene) override;
 
     bool makes_levels = true;  ///< false: somebody else does
+
+    void expand(std::vector<const Given*>& into) const override {
+        Module::expand(into);
+        into.insert(into.end(), {&surface, &lamps});
+    }
 
     /// Draws the scene with 04_surface_maps' vertex shaders before `fragment`'s: `loaded` and `displaced` are pipelines
     /// with surface.vert and displaced.vert. Each item by the variant that has just its maps.

@@ -63,4 +63,58 @@ inline Mixed mix_orm(glm::dvec3 base, double roughness, double metalness) {
     return {base * (1 - metalness), glm::mix(glm::dvec3(0.04), base, metalness), shininess};
 }
 
+/// The end of a lamp's edge, or where the edge crosses the horizon.
+inline glm::dvec3 above_horizon(glm::dvec3 end, glm::dvec3 other) {
+    return end.z > 0 ? end : end + (other - end) * (end.z / (end.z - other.z));
+}
+
+/// The point of a ball nearest to a ray from the origin.
+inline glm::dvec3 nearest_on_lamp(glm::dvec3 middle, double radius, glm::dvec3 mirrored) {
+    const glm::dvec3 on_ray = std::max(0.0, glm::dot(middle, mirrored)) * mirrored, way = on_ray - middle;
+    return glm::length(way) <= radius ? on_ray : middle + radius * glm::normalize(way);
+}
+
+/// GGX: the density of half vectors, per steradian.
+inline double ggx_density(double n_dot_h, double alpha) {
+    const double d = n_dot_h * n_dot_h * (alpha * alpha - 1) + 1;
+    return alpha * alpha / (3.14159265358979323846 * d * d);
+}
+
+/// Smith's height-correlated masking and shadowing over 4 n·l n·v.
+inline double ggx_visibility(double n_dot_l, double n_dot_v, double alpha) {
+    const double a = alpha * alpha;
+    return 0.5 / (n_dot_v * std::sqrt(n_dot_l * n_dot_l * (1 - a) + a) +
+                  n_dot_l * std::sqrt(n_dot_v * n_dot_v * (1 - a) + a));
+}
+
+/// GGX times n·l with Schlick's Fresnel; z is along the normal.
+inline double ggx(glm::dvec3 l, glm::dvec3 v, double alpha, double f0) {
+    if (l.z <= 0) return 0;
+    const glm::dvec3 h = glm::normalize(l + v);
+    return l.z * ggx_density(h.z, alpha) * ggx_visibility(l.z, v.z, alpha) *
+           (f0 + (1 - f0) * std::pow(1 - glm::dot(v, h), 5));
+}
+
+/// What a surface reflects under radiance 1 from everywhere: an integral over directions to the light in the angles about
+/// the mirrored direction, fine where the lobe is narrow.
+inline double white_reflection(double n_dot_v, double alpha, double f0) {
+    constexpr double around = 6.28318530717958647693;
+    const glm::dvec3 v(std::sqrt(1 - n_dot_v * n_dot_v), 0, n_dot_v), mirrored(-v.x, 0, v.z), side(0, 1, 0);
+    const glm::dvec3 up = glm::cross(mirrored, side);
+    double sum = 0;
+    const int steps = 1200, turns = 400;
+    for (int i = 0; i < steps; ++i) {
+        // Angles that grow evenly in a power: dense within the lobe and out to the whole sphere.
+        const double s = (i + 0.5) / steps, from = std::pow(s, 3) * 0.5 * around;
+        const double width = 3 * s * s * 0.5 * around / steps;
+        for (int j = 0; j < turns; ++j) {
+            const double turn = around * (j + 0.5) / turns;
+            const glm::dvec3 l =
+                std::cos(from) * mirrored + std::sin(from) * (std::cos(turn) * side + std::sin(turn) * up);
+            sum += std::sin(from) * width * (around / turns) * ggx(l, v, alpha, f0);
+        }
+    }
+    return sum;
+}
+
 }  // namespace lightwalk::truth

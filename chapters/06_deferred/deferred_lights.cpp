@@ -4,7 +4,8 @@ namespace lightwalk {
 
 // [record]
 void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with) {
+                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx) {
+    const Macros model{{"SURFACE_GGX", ggx ? "1" : "0"}};
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
     if (volumes) volumes_.update(frame, lights);
     if (tiled)
@@ -15,7 +16,7 @@ void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient,
     // 1. Every pixel once: ambient light, and the lights that it computes here.
     frame.compute(tiled ? "tiles" : "full_screen", {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
                   [&](Compute& pass) {
-                      pass.use(tiled ? tiled_ : full_screen_).set("hdr", color);
+                      pass.use(tiled ? tiled_ : full_screen_, model).set("hdr", color);
                       pass.set("ambient", ambient).set("background", glm::vec3(canvas.background()));
                       if (tiled) pass.set("lights_grid", tiles_.view);
                       if (volumes) pass.set("without_volume", volumes_.without);
@@ -25,7 +26,7 @@ void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient,
     // 2. The other lights, one by one, where they may reach.
     if (volumes)
         frame.raster("volumes", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
-                     [&](Raster& pass) { volumes_.draw(pass.use(volume_)); });
+                     [&](Raster& pass) { volumes_.draw(pass.use(volume_, model)); });
 }
 // [/record]
 

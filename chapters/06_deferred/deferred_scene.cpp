@@ -30,7 +30,8 @@ std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
     std::vector<Batch> kept;
     for (const Batch& batch : surfaces.opaque_batches()) {
         const DrawItem& item = batch.item();
-        if (stored != (maps.has_microfacets(item) || item.material.unlit)) kept.push_back(batch);
+        const bool other = maps.has_microfacets(item) != maps.surface.model.is("ggx");  // than the buffer's
+        if (stored != (other || item.material.unlit)) kept.push_back(batch);
     }
     return kept;
 }
@@ -72,7 +73,8 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     if (forwards) return draw_forward(frame, view, canvas);
     write_gbuffer(frame, canvas);
     const glm::vec3 ambient = shading.rest ? glm::vec3(0.0f) : scene().ambient();
-    deferred_lights_.record(frame, scene(), ambient, view, canvas, gbuffer, lights, {lights, shadow, gbuffer});
+    deferred_lights_.record(frame, scene(), ambient, view, canvas, gbuffer, lights,
+                            {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"));
     add_rest(frame, canvas);
     if (!gbuffer.show.is("picture")) return deferred_lights_.show(frame, canvas, gbuffer);
     draw_unstored(frame, view, canvas);

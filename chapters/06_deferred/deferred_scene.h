@@ -8,7 +8,7 @@ namespace lightwalk {
 
 // [deferred_scene]
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
-/// room for (microfacets, unlit ones) and transparent ones are drawn as LitScene draws them.
+/// room for (unlit ones, and microfacets unless all are) and transparent ones are drawn as LitScene draws them.
 struct DeferredScene : Drawing, ItemCaster {
     DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 

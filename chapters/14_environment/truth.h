@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "04_surface_maps/truth.h"
+
 namespace lightwalk::truth {
 
 constexpr double around = 6.28318530717958647693;  ///< a whole turn, in radians
@@ -50,18 +52,6 @@ inline double sh_irradiance(const std::vector<double>& coefficients, glm::dvec3 
     double sum = 0;
     for (size_t i = 0; i < 9; ++i) sum += (i == 0 ? 1.0 : i < 4 ? 2.0 / 3 : 0.25) * coefficients[i] * basis[i];
     return sum;
-}
-
-inline double ggx_density(double n_dot_h, double alpha) {
-    const double d = n_dot_h * n_dot_h * (alpha * alpha - 1) + 1;
-    return alpha * alpha / (0.5 * around * d * d);
-}
-
-/// Smith's height-correlated masking and shadowing over 4 n·l n·v.
-inline double ggx_visibility(double n_dot_l, double n_dot_v, double alpha) {
-    const double a = alpha * alpha;
-    return 0.5 / (n_dot_v * std::sqrt(n_dot_l * n_dot_l * (1 - a) + a) +
-                  n_dot_l * std::sqrt(n_dot_v * n_dot_v * (1 - a) + a));
 }
 
 /// Light reflected to the eye by a surface with Schlick's Fresnel under radiance `light(l)`, by a sum over `steps`²

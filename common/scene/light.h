@@ -16,10 +16,11 @@ struct Light {
     float inner_rad = 0.3f, outer_rad = 0.5f;  ///< half angles of a spot's cone, 0 <= inner <= outer <= pi
     float softness = 0.5f;                     ///< 0 linear to 1 soft
     bool shadow = false;                       ///< casts shadows
-    float size_m = 0.0f;    ///< diameter of the disc-shaped lamp, which faces the receiver; point and spot
-    float size_rad = 0.0f;  ///< how wide the lamp looks from here, as the sun; directional
-    std::string name{};     ///< for people; may be empty
-    bool locked = false;    ///< not changed in an editor
+    float size_m = 0.0f;     ///< diameter of the disc-shaped lamp, which faces the receiver; point and spot
+    float size_rad = 0.0f;   ///< how wide the lamp looks from here, as the sun; directional
+    glm::vec3 tube_m{0.0f};  ///< from one end of a tube-shaped lamp to the other; no length: a disc; point
+    std::string name{};      ///< for people; may be empty
+    bool locked = false;     ///< not changed in an editor
     bool operator==(const Light&) const = default;
 };
 

@@ -50,6 +50,7 @@
 //     inner_deg, outer_deg, softness   17.2, 28.6 (half angles, 0 to 180, inner at most outer), 0.5 (0 to 1); spot
 //     shadow         false; true: it casts shadows
 //     size_m         0, diameter of the lamp, 0 to 1e3; point and spot
+//     tube_m         [0, 0, 0], from one end of a lamp that is a tube of this diameter to the other, -1e3 to 1e3; point
 //     size_deg       0, how wide the lamp looks (the sun: 0.53), 0 to 90; directional
 //     name           a text; none
 //     hidden         false; true: it is switched off

@@ -214,6 +214,7 @@ Light read_light(KeyReader r, bool& hidden) {
         r.angle("size_deg", light.size_rad, 0, 90);
     else
         r.number("size_m", light.size_m, 0, 1e3);
+    if (light.kind == Light::Kind::point) r.vector("tube_m", light.tube_m, -1e3, 1e3);
     r.done();
     return light;
 }

@@ -98,6 +98,7 @@ json light_json(const Light& light) {
     if (light.shadow) j["shadow"] = true;
     if (light.locked) j["locked"] = true;
     if (light.size_m > 0.0f) j["size_m"] = number(light.size_m);
+    if (light.tube_m != glm::vec3(0.0f)) j["tube_m"] = list(light.tube_m);
     if (light.size_rad > 0.0f) j["size_deg"] = degrees(light.size_rad);
     return j;
 }

@@ -19,9 +19,13 @@ const std::map<std::string, fs::path>& studies() {
     static const std::map<std::string, fs::path> all = [] {
         std::map<std::string, fs::path> found;
         std::error_code error;
-        for (const auto& folder : fs::directory_iterator(course_root() / "chapters", error)) {
-            const fs::path file = folder.path() / "study.json";
-            if (!file_exists(file)) continue;
+        std::vector<fs::path> files;  // study.json, and of further modules study_NAME.json
+        for (const auto& folder : fs::directory_iterator(course_root() / "chapters", error))
+            for (const auto& file : fs::directory_iterator(folder.path(), error))
+                if (file.path().extension() == ".json" && file.path().stem().string().starts_with("study"))
+                    files.push_back(file.path());
+        std::sort(files.begin(), files.end());
+        for (const fs::path& file : files) {
             const json study = json::parse(read_file(file), nullptr, false);
             if (study.is_object() && study.contains("module") && study["module"].is_string())
                 found.emplace(study["module"].get<std::string>(), file);

@@ -253,6 +253,7 @@ json measure_study(const std::string& text, const std::string& file, const Optio
                    {"time_unit", "ms"},
                    {"scenes", done["scenes"]},
                    {"points", json::array()}};
+    if (plan.points[0].knob != "method") result["method_knob"] = plan.points[0].knob;
     if (!plan.charts.is_null()) result["charts"] = plan.charts;
     if (!plan.metrics.empty()) result["metrics"] = plan.metrics;
     double worst = 0;

@@ -31,11 +31,13 @@ class PlanReader {
     StudyPlan read(const JsonNode& study) {
         study.expect_keys({"title", "module", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves",
                            "charts", "better", "metrics", "generate", "test_size", "test_scenes", "candidates",
-                           "budgets", "crops"});
+                           "budgets", "crops", "method_knob"});
         plan_.title = study["title"].text();
+        if (study.has("method_knob")) method_ = &find(study["method_knob"], study["method_knob"].text());
         if (study.has("module"))
-            study["module"].expect(study["module"].text() == find(study["module"], "method").owner.kind(),
-                                   "the kind of the module that has the chapter's methods");
+            study["module"].expect(
+                study["module"].text() == (method_ ? *method_ : find(study["module"], "method")).owner.kind(),
+                "the kind of the module that has the methods");
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
         if (study.has("size")) plan_.size = read_size(study["size"]);
@@ -140,7 +142,9 @@ class PlanReader {
 
     void read_curve(const JsonNode& curve, std::vector<StudyPoint>& into) const {
         curve.expect_keys({"method", "set", "where"});
-        std::vector<StudyPoint> points{{curve.has("method") ? checked(curve["method"], "method") : "", {}, {}}};
+        std::vector<StudyPoint> points{
+            {.method = curve.has("method") ? checked(curve["method"], method_ ? method_->name : "method") : ""}};
+        if (method_) points[0].knob = method_->path();
         if (curve.has("where")) points[0].where = read_set(curve["where"]);
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
@@ -194,7 +198,7 @@ class PlanReader {
                        for (const auto& [other, given] : by_scene)
                            if (other == key && given != value) return false;
                    }
-                   return sets(point.set) || (name == "method" && !point.method.empty());
+                   return sets(point.set) || (name == point.knob && !point.method.empty());
                });
     }
 
@@ -245,7 +249,7 @@ class PlanReader {
     }
 
     const KnobList& knobs_;
-    const KnobBase* const method_;
+    const KnobBase* method_;
     StudyPlan plan_;
 };
 
@@ -263,7 +267,7 @@ StudyPlan read_study_of(const KnobBase& method, const JsonWithLines& source, con
 
 KnobValues StudyPoint::all() const {
     KnobValues values = set;
-    if (!method.empty()) values.emplace_back("method", method);
+    if (!method.empty()) values.emplace_back(knob, method);
     return values;
 }
 

@@ -17,7 +17,8 @@ struct StudyScene {
 struct StudyPoint {
     std::string method;  ///< empty if the chapter has none
     KnobValues set;
-    KnobValues where;  ///< only in scenes where these knobs have these values
+    KnobValues where;             ///< only in scenes where these knobs have these values
+    std::string knob = "method";  ///< whose value the method is
 
     KnobValues all() const;  ///< its settings, including the method
 };

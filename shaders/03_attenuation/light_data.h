@@ -20,6 +20,8 @@ struct LightData {
     float softness;   // of a spot's cone, 0 to 1
     float cos_inner;  // of the half angles of a spot's cone; cos_inner >= cos_outer
     float cos_outer;
+    float radius;    // of the lamp: metres, or the tangent of half the angle that it fills (directional); 0: a point
+    vec3 half_tube;  // metres, from the middle of a tube to an end; no length: the lamp is a disc that faces the point
 };
 // [/light]
 

@@ -58,14 +58,18 @@ struct Lit {
     uint lights;             // how many were computed
 };
 
+// is_above() and reflect_lamp() of one light: as a point, or by its shape.
+#include "03_attenuation/lamp_points.glsl"
+
 // [add_light]
 void add_light(inout Lit sum, uint index, Surface surface, vec3 facing, vec3 position) {
     ++sum.lights;
     Arriving arriving = arriving_light(lights_data[index], position, lights.fade_k);
     if (arriving.radiance == vec3(0.0)) return;
-    arriving.radiance *= float(dot(facing, arriving.to_light) > 0.0);  // a second branch costs 5 % on an H200
-    arriving.radiance *= light_visibility(index, position, facing, arriving.to_light);
-    Reflected reflected = reflect_light(surface, arriving.to_light);
+    vec3 to_light = arriving.to_light;
+    arriving.radiance *= float(is_above(facing, index, position, to_light));  // a second branch costs 5 % on an H200
+    arriving.radiance *= light_visibility(index, position, facing, to_light);
+    Reflected reflected = reflect_lamp(surface, index, position, to_light);
     sum.diffuse += arriving.radiance * reflected.diffuse;
     sum.specular += arriving.radiance * reflected.specular;
 }

@@ -1,7 +1,6 @@
 // A surface with all its maps under chapter 03's lights, which may be far brighter than white.
-#include "03_attenuation/lighting.glsl"
-#include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/reflection.glsl"
+#include "03_attenuation/unshadowed.glsl"
 #include "common/put_surface.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// Microfacets: GGX with the height-correlated masking of Smith, and the reflection of one light by them.
+// Microfacets: GGX with the height-correlated masking of Smith, and the reflection of one light by a coat of them.
 #include "common/schlick.glsl"
 #include "common/structs.h"
 
@@ -21,26 +21,46 @@ float ggx_visibility(float n_dot_l, float n_dot_v, float alpha) {
     return 0.5 / max(l + v, 1e-20);
 }
 
-// Light in the unit of white's radiance, hence the pi. Coloured by Fresnel's term already (Schlick, 1994); the rest enters
-// the surface (glTF 2.0, appendix B).
+// [multiscatter]
+// Energy that GGX loses by dropping second microfacet hits: C. Fdez-Aguera, "A Multiple-Scattering Microfacet Model
+// for Real-Time Image-based Lighting", JCGT 8(1), 2019. In units of irradiance over pi.
+vec3 multiple_scattering(vec3 f0, vec2 ab) {
+    float missing = 1.0 - ab.x - ab.y;
+    vec3 single = f0 * ab.x + ab.y, mean = f0 + (1.0 - f0) / 21.0;
+    return single * mean * missing / (1.0 - mean * missing);
+}
+// [/multiscatter]
+
+// [coat]
+// A coat of microfacets over a matt body. Shares of light, from this view:
+struct Coat {
+    vec3 f0;        // reflectance at normal incidence
+    vec3 single;    // share that leaves after one microfacet
+    vec3 multiple;  // share that leaves after several
+    vec3 entering;  // share that the body gets
+};
+
+// `ab`: A and B of the split sum, for this view and roughness.
+Coat coat_of(vec3 f0, vec2 ab) {
+    vec3 single = f0 * ab.x + ab.y, multiple = multiple_scattering(f0, ab);
+    return Coat(f0, single, multiple, max(1.0 - single - multiple, 0.0));
+}
+// [/coat]
+
+// An exponent of Blinn and Phong's model as GGX's alpha: B. Walter et al., EGSR 2007, section 5.2. It is at most 8192, so
+// that alpha is at least 1/64.
+float alpha_of(float shininess) { return sqrt(2.0 / (shininess + 2.0)); }
+
+// Light in the unit of white's radiance, hence the pi. Coloured by Fresnel's term already (Schlick, 1994).
 // [ggx]
-Reflected reflect_by_ggx(Surface surface, vec3 f0, vec3 to_light) {
+Reflected reflect_by_ggx(Surface surface, Coat coat, vec3 to_light) {
     float n_dot_l = dot(surface.normal, to_light);
     if (n_dot_l <= 0.0) return Reflected(vec3(0.0), vec3(0.0));
-    float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0);
+    float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0), alpha = alpha_of(surface.shininess);
     vec3 between = to_light + surface.to_eye, h = between * inversesqrt(max(dot(between, between), 1e-12));
-    float alpha = sqrt(2.0 / (surface.shininess + 2.0));  // B. Walter et al., EGSR 2007, section 5.2
-    vec3 fresnel = mix(f0, vec3(1.0), schlick_power(dot(surface.to_eye, h)));
+    vec3 fresnel = mix(coat.f0, vec3(1.0), schlick_power(dot(surface.to_eye, h)));
     float density = ggx_density(clamp(dot(surface.normal, h), 0.0, 1.0), alpha);
     vec3 specular = pi * density * ggx_visibility(n_dot_l, n_dot_v, alpha) * fresnel;
-    return Reflected((1.0 - fresnel) * n_dot_l, specular * n_dot_l);
+    return Reflected(coat.entering * n_dot_l, (specular + coat.multiple) * n_dot_l);
 }
 // [/ggx]
-
-// The share of light from everywhere that microfacets reflect, over f0: B. Karis, "Physically Based Shading on Mobile",
-// 2014, a fit to the split sum of chapter 14.
-vec2 reflected_from_everywhere(float roughness, float n_dot_v) {
-    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-    float a = min(r.x * r.x, exp2(-9.28 * n_dot_v)) * r.x + r.y;
-    return vec2(-1.04, 1.04) * a + r.zw;
-}

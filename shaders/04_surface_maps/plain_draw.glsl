@@ -5,5 +5,7 @@
 #define MAPS_COLORS 0
 #define MAPS_TWO_SIDED 0
 #define MAPS_UNLIT 0
+#endif
+#ifndef SURFACE_GGX
 #define SURFACE_GGX 0
 #endif

@@ -1,7 +1,6 @@
 // A surface with all its maps, lit by chapter 03's lights; or the error of its bump method.
-#include "03_attenuation/lighting.glsl"
-#include "03_attenuation/unshadowed.glsl"
 #include "04_surface_maps/reflection.glsl"
+#include "03_attenuation/unshadowed.glsl"
 
 layout(location = 0) out vec4 color;
 

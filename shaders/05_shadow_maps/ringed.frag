@@ -1,5 +1,4 @@
 // A planet and its ring, which shadow each other without a map; the ring is transparent.
-#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/planet_shadow.glsl"
 #include "common/put_surface.glsl"

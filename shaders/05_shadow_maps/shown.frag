@@ -1,6 +1,5 @@
 // Pictures of the knob SHOW, and the picture by rays. Alpha is the kind of error, for measure().
 #define OWN_LIGHT_VISIBILITY
-#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/shadow_truth.glsl"

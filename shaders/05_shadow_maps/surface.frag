@@ -1,5 +1,4 @@
 // A surface with all its maps, and its shadows.
-#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "common/put_surface.glsl"

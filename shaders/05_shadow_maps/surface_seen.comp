@@ -1,5 +1,4 @@
 // Surfaces with all their maps and shadows, shaded at the visible point: equals surface.frag.
-#include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shade_seen.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"

@@ -15,7 +15,3 @@ struct Pixel {
     PixelMaterial material;
 };
 // [/pixel]
-
-vec3 ambient_radiance(PixelMaterial m, vec3 ambient) {
-    return (m.mixed.diffuse + m.ambient_specular * m.mixed.specular) * ambient * m.occlusion;
-}

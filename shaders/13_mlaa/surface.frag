@@ -1,6 +1,5 @@
 // A surface with all its maps and shadows. Light is clipped to the displayable range here, if that is to happen
 // before pixels are mixed.
-#include "03_attenuation/lighting.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "common/put_surface.glsl"

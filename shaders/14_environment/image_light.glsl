@@ -87,16 +87,6 @@ struct FromAround {
     vec3 multiple;       // of `specular`: light that left the microfacets after more than one of them
 };
 
-// [multiscatter]
-// Energy that GGX loses by dropping second microfacet hits: C. Fdez-Aguera, "A Multiple-Scattering Microfacet Model
-// for Real-Time Image-based Lighting", JCGT 8(1), 2019. In units of irradiance over pi.
-vec3 multiple_scattering(vec3 f0, vec2 ab) {
-    float missing = 1.0 - ab.x - ab.y;
-    vec3 single = f0 * ab.x + ab.y, mean = f0 + (1.0 - f0) / 21.0;
-    return single * mean * missing / (1.0 - mean * missing);
-}
-// [/multiscatter]
-
 #include "14_environment/sampled.glsl"
 
 // Radiance that a surface reflects by its smooth coat of microfacets, by the method chosen.

@@ -77,34 +77,6 @@ TEST_CASE_METHOD(OnLight, "coefficients that the device sums are those of 14.sh_
     }
 }
 
-namespace {
-
-/// A white environment's reflection by GGX with Schlick's Fresnel: an integral over directions to the light in the
-/// angles about the mirrored direction, fine where the lobe is narrow. Independent of the table's samples.
-double integral(double n_dot_v, double alpha, double f0) {
-    const glm::dvec3 v(std::sqrt(1 - n_dot_v * n_dot_v), 0, n_dot_v), mirrored(-v.x, 0, v.z), side(0, 1, 0);
-    const glm::dvec3 up = glm::cross(mirrored, side);
-    double sum = 0;
-    const int steps = 1200, turns = 400;
-    for (int i = 0; i < steps; ++i) {
-        // Half angles with tangents that grow evenly in a power: dense within the lobe and out to the whole sphere.
-        const double s = (i + 0.5) / steps, from = std::pow(s, 3) * 0.5 * truth::around;
-        const double width = 3 * s * s * 0.5 * truth::around / steps;
-        for (int j = 0; j < turns; ++j) {
-            const double turn = truth::around * (j + 0.5) / turns;
-            const glm::dvec3 l =
-                std::cos(from) * mirrored + std::sin(from) * (std::cos(turn) * side + std::sin(turn) * up);
-            if (l.z <= 0) continue;
-            const glm::dvec3 h = glm::normalize(l + v);
-            sum += std::sin(from) * width * (truth::around / turns) * l.z * truth::ggx_density(h.z, alpha) *
-                   truth::ggx_visibility(l.z, n_dot_v, alpha) * (f0 + (1 - f0) * std::pow(1 - glm::dot(v, h), 5));
-        }
-    }
-    return sum;
-}
-
-}  // namespace
-
 TEST_CASE_METHOD(OnLight, "the split sum's table against sums in double precision", "[14.split_sum]") {
     load("");
     frame.end();
@@ -118,7 +90,8 @@ TEST_CASE_METHOD(OnLight, "the split sum's table against sums in double precisio
     for (const uint32_t y : {6u, 16u, 32u, 63u})
         for (const uint32_t x : {1u, 2u, 3u, 6u, 20u, 40u, 63u}) {
             const double n_dot_v = x / 63.0, alpha = y / 63.0;
-            const double both = integral(n_dot_v, alpha, 1), b = integral(n_dot_v, alpha, 0);
+            const double both = truth::white_reflection(n_dot_v, alpha, 1),
+                         b = truth::white_reflection(n_dot_v, alpha, 0);
             INFO("n.v " << n_dot_v << ", alpha " << alpha);
             CHECK(double(at(x, y).x) == Approx(both - b).margin(4e-3));
             CHECK(double(at(x, y).y) == Approx(b).margin(4e-3));
@@ -140,7 +113,8 @@ TEST_CASE_METHOD(OnLight, "light that leaves after several facets is reflected b
             light.method.set(method);
             return double(shown({{n, to_eye, glm::vec3(float(f0)), 1.0f}}).front().specular.g);
         };
-        const double single = integral(0.6, 1, f0), missing = 1 - integral(0.6, 1, 1);
+        const double single = truth::white_reflection(0.6, 1, f0);
+        const double missing = 1 - truth::white_reflection(0.6, 1, 1);
         const double right = single * mean * missing / (1 - mean * missing);
         INFO("F0 " << f0);
         CHECK(reflected("multiscatter") - reflected("dominant") == Approx(right).epsilon(0.03).margin(1e-4));

@@ -110,7 +110,8 @@ class Scenes(BadInput):
                 self.draw("02", "--scene", scene,
                           says=rf"{key}{number}\.json:2" + ("" if number_is_no_json else ".*(inner_deg|" + key + ")"))
         for light in ('"type": "point", "softness": 1', '"type": "directional", "range_m": 3', '"type": "laser"',
-                      '"type": "directional", "size_m": 1', '"type": "point", "size_deg": 1'):
+                      '"type": "directional", "size_m": 1', '"type": "point", "size_deg": 1',
+                      '"type": "spot", "tube_m": [1, 0, 0]', '"type": "point", "tube_m": 1', '"type": "point", "tube_m": [0, 0, 1e9]'):
             self.draw("02", "--scene", self.write("key.json", f'{{"lights": [\n{{{light}}}]}}'), says=r"key\.json:2")
 
 

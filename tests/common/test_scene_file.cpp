@@ -157,7 +157,7 @@ TEST_CASE("what is written is read back the same") {
                      "motion": {"spin_deg_per_s": 20, "axis": [1, 1, 0], "period_s": 9,
                                 "path": [{"time_s": 1}, {"time_s": 2.5, "position": [1, 2, 3], "scale": 2}]}}],
         "lights": [{"type": "point", "position": [1, 2, 3], "range_m": 4, "intensity": 5,
-                    "shadow": true, "size_m": 0.25}, {"shadow": true, "size_deg": 0.53}],
+                    "shadow": true, "size_m": 0.25, "tube_m": [0.5, 0, 2]}, {"shadow": true, "size_deg": 0.53}],
         "knobs": {"samples": 3}})",
                                   "s.json");
     write_file(folder.path / "sky.hdr", "read when the scene is loaded");

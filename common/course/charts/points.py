@@ -16,7 +16,7 @@ def request_of(study: dict, point: dict, truth: bool = False) -> tuple[str, dict
     if not scene.get("file"):
         return None
     own = study["truth"] if truth else point
-    method = {"method": own["method"]} if own.get("method") else {}
+    method = {study.get("method_knob", "method"): own["method"]} if own.get("method") else {}
     return scene["file"], method | {name: text(value) for part in (scene.get("set", {}), own.get("knobs", {})) for name, value in part.items()}
 
 

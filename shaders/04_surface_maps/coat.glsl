@@ -1,0 +1,92 @@
+// How the surface being lit reflects lights: by Blinn and Phong's model, or by microfacets over a matt body.
+#include "02_lambert_phong/blinn_phong_light.glsl"
+#include "04_surface_maps/microfacets.glsl"
+#include "04_surface_maps/plain_draw.glsl"
+#define HAS_COAT
+
+#if SURFACE_GGX
+uniform sampler2D ggx_albedos;
+
+// Of the surface being lit.
+Coat lit_coat;
+vec3 lit_body;
+
+// Where the tables of GGX hold this view and roughness: see 04_surface_maps/ggx_table.h.
+vec2 in_ggx_table(Surface surface) {
+    float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0);
+    vec2 size = vec2(textureSize(ggx_albedos, 0));
+    return (vec2(1.0 - sqrt(1.0 - n_dot_v), sqrt(alpha_of(surface.shininess))) * (size - 1.0) + 0.5) / size;
+}
+
+#if SURFACE_DIFFUSE == SURFACE_DIFFUSE_OREN_NAYAR
+// [oren_nayar]
+// A rough matt body: J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF", JCGT
+// 14(1), 2025. Share of white light that single scattering leaves, from a direction at this cosine.
+float single_share(float cosine, float roughness) {
+    float sine = sqrt(max(1.0 - cosine * cosine, 0.0)), angle = acos(clamp(cosine, -1.0, 1.0));
+    float g = sine * (angle - sine * cosine) + 2.0 / 3.0 * (sine / max(cosine, 1e-4) * (1.0 - sine * sine * sine) - sine);
+    return (1.0 + roughness / pi * g) / (1.0 + (0.5 - 2.0 / (3.0 * pi)) * roughness);
+}
+
+vec3 rough_diffuse(Surface surface, vec3 albedo, float roughness, vec3 to_light) {
+    float l = max(dot(surface.normal, to_light), 0.0), v = max(dot(surface.normal, surface.to_eye), 0.0);
+    float s = dot(to_light, surface.to_eye) - l * v, most = max(max(l, v), 1e-4);
+    float single = (1.0 + roughness * (s > 0.0 ? s / most : s)) / (1.0 + (0.5 - 2.0 / (3.0 * pi)) * roughness);
+    float mean = (1.0 + (2.0 / 3.0 - 28.0 / (15.0 * pi)) * roughness) / (1.0 + (0.5 - 2.0 / (3.0 * pi)) * roughness);
+    float twice = (1.0 - single_share(l, roughness)) * (1.0 - single_share(v, roughness)) / max(1.0 - mean, 1e-6);
+    return single + albedo * mean / (1.0 - albedo * (1.0 - mean)) * twice;
+}
+// [/oren_nayar]
+#endif
+
+#endif
+
+// Call it before any light is added.
+void coat_surface(Surface surface, vec3 f0, vec3 body) {
+#if SURFACE_GGX
+    lit_coat = coat_of(f0, textureLod(ggx_albedos, in_ggx_table(surface), 0.0).rg);
+    lit_body = body;
+#endif
+}
+
+// Factor of the lights' specular sum. GGX is coloured by Fresnel's term already.
+vec3 specular_factor(vec3 specular) {
+#if SURFACE_GGX
+    return vec3(1.0);
+#else
+    return specular;
+#endif
+}
+
+// Ambient light that does not come from the body; `otherwise` without a coat.
+vec3 ambient_of_coat(vec3 otherwise) {
+#if SURFACE_GGX
+    vec3 everywhere = lit_coat.single + lit_coat.multiple;
+    return everywhere - everywhere * lit_body;  // the body has the rest
+#else
+    return otherwise;
+#endif
+}
+
+#include "03_attenuation/lighting.glsl"
+
+Reflected reflect_light(Surface surface, vec3 to_light) {
+#if SURFACE_GGX
+    Reflected reflected = reflect_by_ggx(surface, lit_coat, to_light);
+#if SURFACE_DIFFUSE == SURFACE_DIFFUSE_OREN_NAYAR
+    reflected.diffuse *= rough_diffuse(surface, lit_body, sqrt(alpha_of(surface.shininess)), to_light);
+#endif
+    return reflected;
+#else
+    return reflect_by_blinn_phong(surface, to_light);
+#endif
+}
+
+// The exponent of a coat whose alpha is known more exactly; Blinn and Phong's model keeps its own.
+float shininess_of(float shininess, float alpha) {
+#if SURFACE_GGX
+    return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 0.0, most_shininess);
+#else
+    return shininess;
+#endif
+}

@@ -1,0 +1,87 @@
+// A lamp and an environment of equal light on the same ball.
+#include "../common/module_fixture.h"
+#include "01_obj/camera_view.h"
+#include "01_obj/obj.h"
+#include "14_environment/lit_around.h"
+#include "14_environment/truth.h"
+
+using namespace lightwalk;
+
+namespace {
+
+struct Balls : OnModules {
+    ImageLight light{owner, "environment"};
+    LitAround objects{owner, "objects", light};
+    std::filesystem::path patch = std::filesystem::temp_directory_path() / "lightwalk_patch.pfm";
+
+    ~Balls() { std::filesystem::remove(patch); }
+
+    ImageRgb picture(const SceneFile& file) {
+        Scene scene;
+        scene.load(gpu, file, [](const auto& path) { return load_model(path, Loader::parallel); });
+        owner.prepare_all(gpu, scene);
+        const View view = view_of(scene.file.camera, {48, 48});
+        begin(view.size);
+        light.record(frame, scene);
+        Canvas canvas(frame.hdr, frame.depth, glm::vec4(0));
+        lightwalk::draw(frame, view, canvas, {objects});
+        frame.end();
+        return read_linear(gpu, frame.hdr);
+    }
+
+    /// A picture that is dark but for a spot about `middle`, and the irradiance over pi that it sends to what faces it.
+    double write_patch(glm::dvec3 middle, double sigma_rad) {
+        ImageRgb picture(2048, 1024);
+        double sum = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                const glm::dvec3 d = truth::direction_at({(x + 0.5) / picture.width, (y + 0.5) / picture.height});
+                const double away = std::acos(std::clamp(glm::dot(d, middle), -1.0, 1.0)) / sigma_rad;
+                const auto value = static_cast<float>(away < 5 ? 2000 * std::exp(-0.5 * away * away) : 0.0);
+                picture.at(x, y) = glm::vec3(value);
+                sum += double(value) * truth::equirect_solid_angle(y, picture.width, picture.height);
+            }
+        write_pfm(patch, picture);
+        return sum / (0.5 * truth::around);
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Balls, "a ball under a lamp is the ball under a small patch of equal light", "[14.lamp_agrees]") {
+    // The middle of a texel of the cube's level of 16 × 16, from which irradiance is summed: elsewhere the patch would move.
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(5.0 / 16, 7.0 / 16, 1));
+    light.method.set("truth");
+    objects.maps.lamps.samples.value = 1024;
+    for (const float metalness : {1.0f, 0.0f})
+        for (const float roughness : {0.2f, 0.5f, 0.8f}) {
+            // The smoothest ball's lobe is no wider than what its samples resolve: there the patch is wider, and so is the
+            // lamp, a disc of the same variance.
+            const bool is_smooth = roughness < 0.3f;
+            const double sigma_rad = glm::radians(is_smooth ? 0.75 : 0.25), white = write_patch(to_light, sigma_rad);
+            objects.maps.lamps.method.set(is_smooth ? "sampled" : "point");
+            SceneFile file;
+            file.camera = {.position = {0, 0, 3}, .target = {0, 0, 0}, .fov_y_rad = 0.8f, .near_m = 0.1f, .far_m = 10};
+            file.objects = {{.name = "ball", .parent = {}, .model = "models/sphere.obj"}};
+            file.objects[0].material.diffuse = glm::vec3(0.9f, 0.6f, 0.3f);
+            file.objects[0].material.roughness = roughness;
+            file.objects[0].material.metalness = metalness;
+            objects.maps.surface.model.set("ggx");
+            SceneFile by_lamp = file, by_patch = file;
+            by_lamp.lights = {{.intensity = float(white), .direction = -glm::vec3(to_light)}};
+            by_lamp.lights[0].size_rad = float(4 * sigma_rad);
+            by_lamp.ambient = glm::vec3(0);
+            by_patch.environment.image = patch;
+            const ImageRgb lamp = picture(by_lamp), around = picture(by_patch);
+            double sum = 0, off = 0, most = 0;
+            for (const glm::vec3& pixel : lamp.pixels) most = std::max(most, double(pixel.g));
+            for (size_t i = 0; i < lamp.pixels.size(); ++i) {
+                const double a = lamp.pixels[i].g, b = around.pixels[i].g;
+                if (is_smooth && a < 0.02 * most) continue;  // beyond the lobe too few samples meet the patch
+                sum += a, off += std::abs(a - b);
+            }
+            CAPTURE(metalness, roughness, sum, most, off / sum);
+            CHECK(sum > 1);
+            CHECK(off / sum < 0.01);
+        }
+}
