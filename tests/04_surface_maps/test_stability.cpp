@@ -279,6 +279,7 @@ TEST_CASE("a map that is off or missing is not in the shader") {
         Macros macros{{"SHOW", "0"}, {"SHOW_HIT_ERROR", "1"}, {"SHOW_SWIM", "2"}, {"SHOW_NORMAL", "3"}};
         macros.add(lights.macros());
         macros.add(maps.macros());
+        macros.add(maps.surface.macros());
         for (const std::string slot : slots)
             if (left_out == slot || left_out == "all") macros.set("MAPS_" + slot, "0");
         return compile_stages(pipeline, flatten_stages(pipeline, macros)).spirv[1].size();
