@@ -160,7 +160,7 @@ class Readers(unittest.TestCase):
                 pass
             runs_of(text)
             added(text, b"")
-            self.assertLess(time.process_time() - start_s, 2, data)  # 0.5 s alone
+            self.assertLess(time.process_time() - start_s, 5, data)  # 0.5 s; two minutes where it grows as the square
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 import os
 import socket
 import threading
-import time
 import unittest
 from pathlib import Path
 
@@ -37,7 +36,6 @@ class Hostile(Class):
             cls.student(name, {exercise: right(exercise) + f"// {name}\n" for exercise in HONEST})
         for name, (answers, _) in TRIED.items():
             cls.student(name, {exercise: with_words(text, words) for exercise, text in answers.items()})
-        cls.start_s = time.monotonic()
 
     @classmethod
     def listen(cls, one):
