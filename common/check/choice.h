@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// Weighed for one scene's choice.
+/// Figures of one scene's choice.
 struct Weighed {
     double error = 0;
     double cost = 0;       ///< counted: reads, samples, bytes
