@@ -59,7 +59,7 @@ SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json
 # Replacements for the ends in chapters that borrow the knob: their scenes have many more triangles and lights than
 # the original chapter's, and take seconds for one picture.
 BORROWED = {"maps.subdivide": ["1", "2"], "shadow.resolution": ["16", "512"], "shadow.blur": ["0", "4"],
-            "rays.truth_samples": ["1", "4"], "shadow.taps": ["1", "64"], "shadow.search_taps": ["1", "64"],
+            "rays.truth_samples": ["1", "4"], "lamps.samples": ["1", "64"], "shadow.taps": ["1", "64"], "shadow.search_taps": ["1", "64"],
             "maps.steps": ["1", "64"], "julia.iterations": ["1", "64"], "skin.map_size": ["0", "64"],
             "skin.sky_rays": ["1", "4"], "skin.sky_size": ["16", "32"], "dof.views": ["1", "4"],
             "environment.turn_deg": ["0", "90"]}
