@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "common/base/exercise.h"
+#include "common/scene/pick.h"
 
 namespace lightwalk {
-
-// [pick_ray_types]
-/// The ray behind a pixel: metres, world space; `direction` has unit length.
-struct PickRay {
-    glm::vec3 origin{0.0f}, direction{0.0f, 0.0f, -1.0f};
-};
-// [/pick_ray_types]
 
 /// Specification: exercise/pick_ray.cpp.
 EXERCISE("18.pick_ray", PickRay, pick_ray, const glm::mat4& clip_to_world, glm::vec2 cursor_px, glm::uvec2 size);

@@ -5,8 +5,8 @@
 #include "01_obj/obj.h"
 #include "18_playground/gizmo.h"
 #include "18_playground/live_scene.h"
-#include "18_playground/pick.h"
 #include "18_playground/playground.h"
+#include "common/scene/pick.h"
 #include "common/scene_fixture.h"
 #include "editor_fixture.h"
 

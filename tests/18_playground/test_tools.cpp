@@ -3,7 +3,7 @@
 
 #include "01_obj/camera_view.h"
 #include "18_playground/gizmo.h"
-#include "18_playground/pick.h"
+#include "common/scene/pick.h"
 #include "editor_fixture.h"
 
 using namespace lightwalk;

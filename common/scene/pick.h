@@ -1,13 +1,22 @@
 // Picking with rays, on the processor.
 #pragma once
-#include "18_playground/exercises.h"
+#include <optional>
+
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
+// [pick_ray_types]
+/// The ray behind a pixel: metres, world space; `direction` has unit length.
+struct PickRay {
+    glm::vec3 origin{0.0f}, direction{0.0f, 0.0f, -1.0f};
+};
+// [/pick_ray_types]
+
 struct Hit {
     uint32_t item;  ///< of Scene::items
     float distance_m;
+    glm::vec3 normal{0.0f};  ///< of a triangle, in the world, on the side of the ray's origin
 };
 
 /// Where the ray enters the box, in metres: 0 where it begins inside; nothing where it misses.

@@ -1,4 +1,4 @@
-#include "18_playground/pick.h"
+#include "common/scene/pick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,11 @@ std::vector<Hit> boxes_on(const Scene& scene, const PickRay& ray) {
     return found;
 }
 
+glm::vec3 facing(const PickRay& ray, const glm::dvec3& normal) {
+    const glm::vec3 unit(glm::normalize(normal));
+    return glm::dot(unit, ray.direction) > 0.0f ? -unit : unit;
+}
+
 }  // namespace
 
 std::optional<Hit> pick_box(const Scene& scene, const PickRay& ray) {
@@ -76,7 +81,9 @@ std::optional<Hit> pick_triangle(const Scene& scene, const PickRay& ray) {
         for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {
             const auto corner = [&](uint32_t k) { return mesh.vertices[mesh.indices[i + k]].position; };
             const auto t = hit_triangle(origin, direction, corner(0), corner(1), corner(2));
-            if (t && (!nearest || *t < double(nearest->distance_m))) nearest = Hit{box.item, static_cast<float>(*t)};
+            if (!t || (nearest && *t >= double(nearest->distance_m))) continue;
+            const glm::dvec3 a(corner(0)), across = glm::cross(glm::dvec3(corner(1)) - a, glm::dvec3(corner(2)) - a);
+            nearest = Hit{box.item, static_cast<float>(*t), facing(ray, glm::transpose(glm::dmat3(to_mesh)) * across)};
         }
     }
     return nearest;
