@@ -19,6 +19,7 @@ class Arrival {
     bool step(double budget_ms) { return slices_.step(gpu_, budget_ms); }  ///< true: all of it is there
     float share() const { return slices_.share(); }
     void give(Scene& scene) const;
+    const Model& model() const { return model_->model; }
     // [/arrival]
 
   private:

@@ -44,6 +44,9 @@ struct Entry {
 };
 // [/entry]
 
+/// It has a direction and no place.
+inline bool is_sun(const Entry& entry) { return entry.light() && entry.light()->kind == Light::Kind::directional; }
+
 // [document]
 /// Entries by id, the root among them, and the steps that led here. Changes are made between begin() and commit():
 ///

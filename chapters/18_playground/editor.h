@@ -7,6 +7,9 @@
 
 namespace lightwalk {
 
+/// As a scene file names it: relative to the course's assets, as any clone finds it, or whole.
+std::filesystem::path asset_name(const std::filesystem::path& file);
+
 /// Large (27 functions, 19 members): a document and what it means for a chapter.
 class Editor {
   public:
@@ -62,9 +65,8 @@ class Editor {
     void remove_selected();
     void group_selected(const Scene& scene);  ///< about the middle of their drawn bounds
 
-    /// A model in front of the camera, on the scene's ground.
-    EntryId add_model(const Chapter& chapter, const std::filesystem::path& model);
-    EntryId add_light(const Chapter& chapter, Light::Kind kind);
+    EntryId add_model(const std::filesystem::path& model, const Placement& placement);
+    EntryId add_light(const Light& light);
     /// Cameras and lights of an object's model file, in the world.
     struct Offered {
         std::vector<std::pair<std::string, Camera>> cameras;  ///< by name

@@ -58,7 +58,8 @@ Bounds Editor::selected_bounds(const Scene& scene) const {
         if (flags[i]) box.add(scene.items[i].bounds);
     for (const EntryId id : selection.ids) {
         const Entry* const entry = document.find(id);
-        const bool light = entry && entry->light(), hidden = entry && entry->object() && is_hidden(document, id);
+        const bool light = entry && entry->light() && !is_sun(*entry),
+                   hidden = entry && entry->object() && is_hidden(document, id);
         if (!light && !hidden) continue;
         const glm::vec3 place(world_of(document, id)[3]);
         box.add(place - 0.5f);
@@ -83,30 +84,27 @@ void Editor::group_selected(const Scene& scene) {
         notice = "no object is selected that could be grouped";
 }
 
-EntryId Editor::add_model(const Chapter& chapter, const std::filesystem::path& given) {
-    const std::filesystem::path file = find_asset(given), assets = course_root() / "assets";
+std::filesystem::path asset_name(const std::filesystem::path& file) {
+    const std::filesystem::path assets = course_root() / "assets";
+    return lies_below(file, assets)
+               ? std::filesystem::weakly_canonical(file).lexically_relative(std::filesystem::weakly_canonical(assets))
+               : std::filesystem::absolute(file);
+}
+
+EntryId Editor::add_model(const std::filesystem::path& given, const Placement& placement) {
+    const std::filesystem::path file = find_asset(given);
     SceneObject object;
-    object.model =
-        lies_below(file, assets)
-            ? std::filesystem::weakly_canonical(file).lexically_relative(std::filesystem::weakly_canonical(assets))
-            : std::filesystem::absolute(file);
+    object.model = asset_name(file);
     object.name = file.stem().string();
-    object.position = chapter.camera.target;
+    object.position = placement.position;
+    object.rotation_deg = placement.rotation_deg;
+    object.scale = placement.scale;
     const EntryId id = lightwalk::add_object(document, object);
     selection.set({id});
     return id;
 }
 
-EntryId Editor::add_light(const Chapter& chapter, Light::Kind kind) {
-    const Camera& camera = chapter.camera;
-    const float distance = glm::distance(camera.position, camera.target);
-    Light light{.kind = kind, .color = {1.0f, 0.85f, 0.65f}};
-    light.position = camera.target + glm::vec3(0.0f, 0.35f * distance, 0.0f);
-    light.range_m = distance;
-    light.intensity = kind == Light::Kind::directional ? 1.0f : std::max(0.1f * distance * distance, 0.01f);
-    light.direction =
-        kind == Light::Kind::directional ? glm::normalize(glm::vec3(-0.5f, -1.0f, -0.4f)) : glm::vec3(0, -1, 0);
-    light.shadow = true;
+EntryId Editor::add_light(const Light& light) {
     const EntryId id = lightwalk::add_light(document, light);
     selection.set({id});
     return id;

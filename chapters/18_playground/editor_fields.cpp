@@ -11,6 +11,9 @@
 namespace lightwalk {
 namespace {
 
+// At the right end of each row, whether there is something to reset or not.
+float reset_px() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x; }
+
 constexpr const char* dash = "—";  // for a number that is not the same in all
 
 // Over the last drawn field, which itself has all digits: a person edits the full value, since Dear ImGui would round
@@ -115,12 +118,11 @@ bool EditorFields::takes(const char* label, float* values, int count, const floa
 
 bool EditorFields::numbers(const char* label, const char* help, glm::vec3& value, float speed, glm::bvec3 mixed) {
     const glm::vec3 before = value;
+    label_left(label);
     ImGui::BeginGroup();
     ImGui::PushID(label);
-    const bool changed = three_numbers(value, short_label_px, speed, 0.0f, 0.0f, mixed);
+    const bool changed = three_numbers(value, reset_px(), speed, 0.0f, 0.0f, mixed);
     ImGui::PopID();
-    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::TextUnformatted(label);
     ImGui::EndGroup();
     log_place(std::string("numbers.") + label);
     help_on_hover(help);
@@ -130,9 +132,11 @@ bool EditorFields::numbers(const char* label, const char* help, glm::vec3& value
 bool EditorFields::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
                           bool mixed) {
     const float before = value;
-    const bool changed = once_left(ImGui::GetID(label), &value, 1, [&] {
-        ImGui::SetNextItemWidth(-label_px);
-        return ImGui::DragFloat(label, &value, speed, lower, upper, mixed ? dash : "%.5g");
+    label_left(label);
+    const std::string field = std::string("##") + label;
+    const bool changed = once_left(ImGui::GetID(field.c_str()), &value, 1, [&] {
+        ImGui::SetNextItemWidth(-reset_px());
+        return ImGui::DragFloat(field.c_str(), &value, speed, lower, upper, mixed ? dash : "%.5g");
     });
     log_place(std::string("number.") + label);
     help_on_hover(help);
@@ -143,18 +147,23 @@ bool EditorFields::number(const char* label, const char* help, float& value, flo
 bool EditorFields::color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const glm::vec3 before = value;
+    label_left(label);
     ImGui::PushID(label);
     ImGui::BeginGroup();
-    bool changed = three_numbers(value, color_label_px + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, mixed);
+    bool changed = three_numbers(value, reset_px() + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, mixed);
     ImGui::EndGroup();
     log_place(std::string("color.") + label);
     help_on_hover(help);
     ImGui::SameLine(0.0f, gap);
     changed |= once_left(
-        ImGui::GetID(label), &value.x, 3,
-        [&] { return ImGui::ColorEdit3(label, &value.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs); },
+        ImGui::GetID("##color"), &value.x, 3,
         [&] {
-            ImGui::PushID(label);
+            return ImGui::ColorEdit3(
+                "##color", &value.x,
+                ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+        },
+        [&] {
+            ImGui::PushID("##color");
             const bool open = ImGui::IsPopupOpen("picker");
             ImGui::PopID();
             return open;
@@ -173,8 +182,10 @@ bool EditorFields::check(const char* label, const char* help, bool& on, bool mix
 }
 
 bool EditorFields::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
-    ImGui::SetNextItemWidth(-label_px);
-    const bool open = ImGui::BeginCombo(label, mixed ? dash : names.begin()[static_cast<size_t>(index)]);
+    label_left(label);
+    ImGui::SetNextItemWidth(-reset_px());
+    const bool open = ImGui::BeginCombo((std::string("##") + label).c_str(),
+                                        mixed ? dash : names.begin()[static_cast<size_t>(index)]);
     log_place(std::string("choice.") + label);
     if (!open) return false;
     bool changed = false;

@@ -39,6 +39,19 @@ void SceneFiles::save(bool overwrite) {
     saves_as_ = false;
 }
 
+void SceneFiles::ask_name() {
+    if (asks()) return;
+    editor.end_drag(true);
+    if (saves_own()) name = editor.store.path.filename().string();
+    asked_ = {.what = Question::name, .key = 0, .begins = true};
+    view_.changed = true;
+}
+
+void SceneFiles::save_as() {
+    saves_as_ = true;
+    save();
+}
+
 // The course's own scenes are not written over.
 bool SceneFiles::saves_own() const {
     const fs::path& file = editor.store.path;
@@ -50,7 +63,7 @@ fs::path SceneFiles::save_target() const {
     return saves_own() ? editor.store.path : named.extension() == ".json" ? named : fs::path(named.string() + ".json");
 }
 
-// Called like the scene, and beside it.
+// Beside the scene, where it has a folder of its own.
 fs::path SceneFiles::export_target() const { return fs::absolute(save_target().replace_extension(".gltf")); }
 
 void SceneFiles::ask_export() {
@@ -87,7 +100,10 @@ void SceneFiles::draw_question() {
         return;
     const Question asked = asked_.what;
     ImGui::TextUnformatted(question_text(asked).c_str());
-    draw_answers(asked, pressed);
+    if (asked == Question::name)
+        draw_name(pressed);
+    else
+        draw_answers(asked, pressed);
     if (asked_.what == asked) return ImGui::EndPopup();
     view_.changed = true;
     ImGui::CloseCurrentPopup();
@@ -97,6 +113,8 @@ void SceneFiles::draw_question() {
 std::string SceneFiles::question_text(Question asked) const {
     const fs::path& own = editor.store.path;
     switch (asked) {
+        case Question::name:
+            return "Save the scene as";
         case Question::close:
             return "The scene has changes that are not saved.";
         case Question::overwrite:
@@ -106,6 +124,25 @@ std::string SceneFiles::question_text(Question asked) const {
         default:
             return (own.empty() ? save_target() : own).string() + " was not saved when the program ended last.";
     }
+}
+
+// Enter saves, Escape leaves all as it is; in the field and outside of it.
+void SceneFiles::draw_name(int pressed) {
+    ImGui::SetNextItemWidth(TextWidth{420.0f});
+    focus_next(asked_.begins);
+    const ImGuiInputTextFlags flags = ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue;
+    const bool enter = text_field("##scene name", name, "scene.json", true, flags);
+    const bool escape = ImGui::IsItemDeactivated() && key_pressed(ImGuiKey_Escape);
+    saves_as_ = true;
+    ImGui::TextColored(quiet_color, "%s", fs::absolute(save_target()).c_str());
+    saves_as_ = false;
+    const bool saves =
+        tool_button("save", "Enter") || enter || pressed == GLFW_KEY_ENTER || pressed == GLFW_KEY_KP_ENTER;
+    ImGui::SameLine();
+    const bool cancels =
+        tool_button("cancel name", "Esc: nothing is saved", false, "cancel") || escape || pressed == GLFW_KEY_ESCAPE;
+    if (cancels || (saves && !name.empty())) asked_.what = Question::nothing;
+    if (saves && !cancels && !name.empty()) save_as();
 }
 
 // Enter is the first answer, Escape the one that leaves all as it is.

@@ -9,7 +9,8 @@ class SceneFiles : public EditorPart {
     using EditorPart::EditorPart;
 
     void save(bool overwrite = false);
-    void save_as() { saves_as_ = true, save(); }  ///< to the file that `name` says
+    void ask_name();  ///< saves to the file whose name is then typed
+    void save_as();   ///< to the file that `name` says
     void ask_export();
     void export_due();  ///< when the scene matches the document: two keys may come in one frame
     bool may_close();
@@ -23,9 +24,10 @@ class SceneFiles : public EditorPart {
     std::string name = "scene.json";  ///< of a scene that has none, or is not written over
 
   private:
-    enum class Question { nothing, close, overwrite, recover, export_over };
+    enum class Question { nothing, name, close, overwrite, recover, export_over };
     std::string question_text(Question asked) const;
     void draw_answers(Question asked, int pressed);
+    void draw_name(int pressed);
     bool saves_own() const;
     std::filesystem::path save_target() const;
     std::filesystem::path export_target() const;
@@ -33,6 +35,7 @@ class SceneFiles : public EditorPart {
     struct {
         Question what = Question::nothing;
         int key = 0;
+        bool begins = false;  ///< the next frame puts the keyboard into its field
     } asked_;
     bool saves_as_ = false, exports_ = false, closes_ = false;
     std::filesystem::path exported_;                ///< last export, which may be overwritten

@@ -6,40 +6,37 @@
 
 namespace lightwalk {
 
-void StepsPanel::draw(float scale) {
-    if (!shown) return void(listed_ = SIZE_MAX);
-    ImGui::SetNextWindowPos({view_.covered_px + 10.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({260.0f * scale, 320.0f * scale}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("steps", &shown, ImGuiWindowFlags_NoSavedSettings)) {
-        const std::vector<Document::Listed> steps = editor.document.steps();
-        size_t done = editor.document.done();
-        if (std::exchange(listed_, done) != done) scroll_to_row(done);
-        // Row i is where i steps are done.
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(steps.size()) + 1);
-        while (clipper.Step())
-            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                const auto row = static_cast<size_t>(i);
-                const bool undone = row > 0 && steps[row - 1].undone;
-                ImGui::PushID(i);
-                if (undone) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-                const std::string label = row == 0 ? "(before all of these)" : steps[row - 1].name;
-                if (ImGui::Selectable(label.c_str(), row == editor.document.done())) done = row;
-                if (undone) ImGui::PopStyleColor();
-                log_place(fmt::format("step.{}", i));
-                ImGui::PopID();
-            }
-        if (done != editor.document.done()) {
-            ++editor.gesture;
-            editor.go_to(view_.chapter, done);
+void StepsPanel::draw() {
+    begin_padded_child("steps", {0.0f, 0.0f});
+    const std::vector<Document::Listed> steps = editor.document.steps();
+    size_t done = editor.document.done();
+    if (std::exchange(listed_, done) != done) scroll_to_row(done);
+    // Row i is where i steps are done.
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(steps.size()) + 1);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto row = static_cast<size_t>(i);
+            const bool undone = row > 0 && steps[row - 1].undone;
+            ImGui::PushID(i);
+            if (undone) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+            const std::string label = row == 0 ? "(before all of these)" : steps[row - 1].name;
+            if (ImGui::Selectable(label.c_str(), row == editor.document.done())) done = row;
+            if (undone) ImGui::PopStyleColor();
+            log_place(fmt::format("step.{}", i));
+            ImGui::PopID();
         }
+    if (done != editor.document.done()) {
+        ++editor.gesture;
+        editor.go_to(view_.chapter, done);
     }
-    ImGui::End();
+    ImGui::EndChild();
 }
 
 void KeysPanel::draw(float scale) {
     if (!shown) return;
-    ImGui::SetNextWindowPos({view_.covered_px + 10.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
+    const ImVec2 corner{static_cast<float>(view_.picture.corner.x) + 10.0f * scale, 10.0f * scale};
+    ImGui::SetNextWindowPos(corner, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("keys", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
         static constexpr const char* keys[][2] = {
             {"click, Shift and click", "select; add to the selection"},
@@ -55,7 +52,7 @@ void KeysPanel::draw(float scale) {
             {"Ctrl+Z, Ctrl+Y, F4", "undo, redo; the list of all steps"},
             {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
             {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save (with Shift: as), export to glTF"},
-            {"Ctrl+A, Esc", "select all; nothing, then close"},
+            {"Ctrl+A, Esc", "select all; nothing, then (twice) close"},
             {"F12, F1, H", "picture; these keys; the knobs"},
             {"F2, F3, F5", "switch all exercises, mine beside reference, reload"},
             {"drag, wheel, right button", "orbit, come closer, look and fly"},

@@ -1,4 +1,4 @@
-// Windows of the editor that a key opens: all steps by name, and all keys.
+// Lists of the editor that a key opens: all steps by name, and all keys.
 #pragma once
 #include "18_playground/editor_part.h"
 
@@ -8,7 +8,7 @@ namespace lightwalk {
 class StepsPanel : public EditorPart {
   public:
     using EditorPart::EditorPart;
-    void draw(float scale);
+    void draw();
     bool shown = false;
 
   private:

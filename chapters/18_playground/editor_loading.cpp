@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "18_playground/file_browser.h"
+#include "18_playground/landing.h"
 #include "18_playground/utf8.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
@@ -25,10 +26,13 @@ bool is_utf8(const std::string& text) {
     return true;
 }
 
+bool shows(const SceneObject& object, const fs::path& file) {
+    return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
+}
+
 bool has_model(const Scene& scene, const fs::path& file) {
-    return std::any_of(scene.file.objects.begin(), scene.file.objects.end(), [&](const SceneObject& object) {
-        return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
-    });
+    return std::any_of(scene.file.objects.begin(), scene.file.objects.end(),
+                       [&](const SceneObject& object) { return shows(object, file); });
 }
 
 }  // namespace
@@ -62,7 +66,7 @@ void LoadingPanel::want(const fs::path& file, bool adds) {
     try {
         if (!adds && editor.store.has_unsaved(editor.document))
             throw InputError("save first (Ctrl+S), or undo: {} was not opened", file.filename().string());
-        Wanted one{.file = find_asset(file), .adds = adds};
+        Wanted one{.file = find_asset(file), .adds = adds, .ray = placing_ray(view_)};
         if (adds && !is_utf8(one.file.string()))
             throw InputError("{}: the path is not UTF-8, and a scene file holds nothing else; rename the file",
                              clean_name(one.file.filename().string()));
@@ -109,10 +113,12 @@ void LoadingPanel::carry_on_loading(Gpu& gpu) {
     if (editor.drag) return;  // the scene stays unchanged under the mouse
     Wanted done = std::move(now);
     wanted_.pop_front();
+    const Bounds box = box_of(done);
     view_.chapter.arrived = std::move(done.arrived);
     view_.changed = true;  // the panels of this frame were made before
     if (done.adds) {
-        editor.add_model(view_.chapter, done.file);
+        const Camera& camera = view_.chapter.camera;
+        editor.add_model(done.file, placed_model(landing_on(scene, camera, done.ray), camera, box));
         log_event("added " + clean_name(done.file.filename().string()));
     } else {
         view_.chapter.opens = done.file;
@@ -121,30 +127,26 @@ void LoadingPanel::carry_on_loading(Gpu& gpu) {
 }
 // [/carry_on]
 
-void LoadingPanel::draw(float scale) {
+// In its own space: of the one that has arrived, or of the object that shows it already.
+Bounds LoadingPanel::box_of(const Wanted& wanted) const {
+    if (!wanted.arrived.empty()) return model_bounds(wanted.arrived.back()->model());
+    for (const DrawItem& item : scene.items)
+        if (shows(scene.file.objects[item.object], wanted.file)) return model_bounds(item.model->model);
+    return {};
+}
+
+void LoadingPanel::draw() {
     if (wanted_.empty()) return;
-    // Of a known height, so that it stands where it belongs in its first frame too.
-    const float height = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().WindowPadding.y;
-    const float left = view_.covered_px + 14.0f * scale;
-    ImGui::SetNextWindowPos({left, static_cast<float>(view_.picture.y) - height - 12.0f * scale});
-    // The button has room in the smallest window, too.
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float beside = ImGui::CalcTextSize("cancel").x + 2.0f * (style.FramePadding.x + style.WindowPadding.x) +
-                         style.ItemSpacing.x + 14.0f * scale;
-    const float width = std::clamp(static_cast<float>(view_.picture.x) - left - beside, 60.0f * scale, 300.0f * scale);
-    ImGui::SetNextWindowBgAlpha(0.9f);
-    ImGui::Begin("loading", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    const float button = ImGui::CalcTextSize("cancel").x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
+    const ImVec2 size{ImGui::GetContentRegionAvail().x - button, 0.0f};
     const Wanted& now = wanted_.front();
     if (loading_.busy() || now.arrived.empty())
-        ImGui::ProgressBar(loading_.share(), {width, 0.0f}, loading_.words().c_str());
+        ImGui::ProgressBar(loading_.share(), size, loading_.words().c_str());
     else
-        ImGui::ProgressBar(now.arrived.back()->share(), {width, 0.0f},
-                           (now.file.filename().string() + ": uploading").c_str());
+        ImGui::ProgressBar(now.arrived.back()->share(), size, (now.file.filename().string() + ": uploading").c_str());
     ImGui::SameLine();
     if (tool_button("cancel", "Esc: the scene stays as it is")) cancel();
-    ImGui::End();
 }
 
 }  // namespace lightwalk

@@ -16,7 +16,7 @@ class LoadingPanel : public EditorPart {
     void cancel();
     /// Once per frame, also of those in which the window draws its panels only.
     void carry_on();
-    void draw(float scale);
+    void draw();
     void was_shown();  ///< this frame shows the loaded model
 
   private:
@@ -24,6 +24,7 @@ class LoadingPanel : public EditorPart {
     struct Wanted {
         std::filesystem::path file;
         bool adds = false;
+        PickRay ray;  ///< to where it is placed
         std::vector<std::filesystem::path> models;
         std::vector<std::unique_ptr<Arrival>> arrived;
     };
@@ -35,6 +36,7 @@ class LoadingPanel : public EditorPart {
     };
     void carry_on_loading(Gpu& gpu);
     void stop(const std::string& why);
+    Bounds box_of(const Wanted& wanted) const;
     void note_pace(double start, double own_s);
     std::deque<Wanted> wanted_;
     std::optional<Pace> pace_;

@@ -2,34 +2,26 @@
 #include <algorithm>
 
 #include "18_playground/editor_window.h"
+#include "18_playground/landing.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
 
-// Not in a window in which it would cover most of the picture, as the panel on the right.
-float EditorWindow::covered_px(glm::uvec2 picture, float scale) const {
-    const float wanted = 270.0f * scale;
-    return wanted < 0.6f * static_cast<float>(picture.x) ? wanted : 0.0f;
-}
-
-bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
+bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) {
     view_.picture = picture;
-    view_.covered_px = covered_px(picture, scale);
     view_.automatic = automatic;
     const bool changed = std::exchange(view_.changed, false);
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;
     const auto handles = std::pair(editor.tool, editor.local);
-    if (view_.covered_px > 0.0f) {
-        draw_left_panel();
-    } else {
+    const bool lists = browser_.shown || steps_.shown;  // where the tree is otherwise
+    if (dock_px == 0.0f || lists) {
         tree_.give_up_fields();
         properties_.wants_keyboard = false;
     }
-    browser_.draw(scale, view_.covered_px);
-    loading_.draw(scale);
-    steps_.draw(scale);
+    if (dock_px > 0.0f) draw_dock(dock_px, scale);
+    take_dropped();
     keys_.draw(scale);
     files_.draw_question();
     carry_on_previews();
@@ -37,51 +29,70 @@ bool EditorWindow::draw_panels(glm::uvec2 picture, float scale) {
            handles != std::pair(editor.tool, editor.local) || editor.document.in_step();
 }
 
-void EditorWindow::draw_left_panel() {
+void EditorWindow::draw_dock(float width_px, float scale) {
     ImGui::SetNextWindowPos({0.0f, 0.0f});
-    ImGui::SetNextWindowSize({view_.covered_px, static_cast<float>(view_.picture.y)});
-    ImGui::SetNextWindowBgAlpha(0.88f);
+    ImGui::SetNextWindowSize({width_px, ImGui::GetIO().DisplaySize.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::Begin("editor", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0f * scale, 3.0f * scale});  // four buttons side by side
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {5.0f * scale, 5.0f * scale});
     draw_toolbar();
     draw_lights_toolbar();
-    tree_.draw();
-    properties_.draw();
+    ImGui::PopStyleVar(2);
+    loading_.draw();
+    if (browser_.shown) {
+        browser_.draw(scale);
+    } else if (steps_.shown) {
+        steps_.draw();
+    } else {
+        tree_.draw();
+        properties_.draw();
+    }
     ImGui::End();
 }
 
 void EditorWindow::draw_toolbar() {
-    if (tool_button("open", "Ctrl+O: files, to add or to open")) browser_.shown = !browser_.shown;
+    if (tool_button("open", "Ctrl+O: files, to add or to open", browser_.shown, with_icon(icon::folder, "open")))
+        show_files(!browser_.shown);
     ImGui::SameLine();
-    if (tool_button("undo", "Ctrl+Z")) editor.undo(*this);
+    if (tool_button("undo", "Ctrl+Z: undo", false, icon_or(icon::undo, "undo"))) editor.undo(*this);
     ImGui::SameLine();
-    if (tool_button("redo", "Ctrl+Y")) editor.redo(*this);
+    if (tool_button("redo", "Ctrl+Y: redo", false, icon_or(icon::redo, "redo"))) editor.redo(*this);
     ImGui::SameLine();
-    if (tool_button("steps", "F4: all steps by name; a click goes back or forward to one", steps_.shown))
-        steps_.shown = !steps_.shown;
+    if (tool_button("steps", "F4: all steps by name; a click goes back or forward to one", steps_.shown,
+                    with_icon(icon::list, "steps")))
+        show_steps(!steps_.shown);
     ImGui::SameLine();
-    if (tool_button("?", "F1: all keys", keys_.shown)) keys_.shown = !keys_.shown;
-    if (tool_button("move", "1: move along axes and planes; with Shift in steps", editor.tool == Tool::move))
+    if (tool_button("?", "F1: all keys", keys_.shown, icon_or(icon::help, "?"))) keys_.shown = !keys_.shown;
+    if (tool_button("move", "1: move along axes and planes; with Shift in steps", editor.tool == Tool::move,
+                    with_icon(icon::move, "move")))
         editor.tool = Tool::move;
     ImGui::SameLine();
-    if (tool_button("turn", "2: rotate; with Shift by 15°", editor.tool == Tool::rotate)) editor.tool = Tool::rotate;
+    if (tool_button("turn", "2: rotate; with Shift by 15°", editor.tool == Tool::rotate, with_icon(icon::turn, "turn")))
+        editor.tool = Tool::rotate;
     ImGui::SameLine();
-    if (tool_button("size", "3: scale", editor.tool == Tool::scale)) editor.tool = Tool::scale;
+    if (tool_button("size", "3: scale", editor.tool == Tool::scale, with_icon(icon::scale, "size")))
+        editor.tool = Tool::scale;
     ImGui::SameLine();
-    if (tool_button(editor.local ? "local" : "world", "L: axes of the world or of the object"))
+    if (tool_button(editor.local ? "local" : "world", "L: axes of the world or of the object", false,
+                    with_icon(editor.local ? icon::object : icon::world, editor.local ? "local" : "world")))
         editor.local = !editor.local;
 }
 
 void EditorWindow::draw_lights_toolbar() {
-    const char* const kinds[] = {"sun", "lamp", "spot"};
+    const char *const kinds[] = {"sun", "lamp", "spot"}, *const icons[] = {icon::sun, icon::lamp, icon::spot};
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ImGui::SameLine();
-        if (tool_button(kinds[i], "Add a light: directional, point, spot"))
-            editor.add_light(*this, static_cast<Light::Kind>(i));
+        if (tool_button(kinds[i], "Add a light: directional, point, spot", false, with_icon(icons[i], kinds[i])))
+            add_light(static_cast<Light::Kind>(i));
     }
-    if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says")) scatter_lights();
+    if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says", false,
+                    with_icon(icon::scatter, "scatter")))
+        scatter_lights();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::DragInt("##scatter", &scatter_count_, 10.0f, 1, 100000, "%d lights");
@@ -92,6 +103,35 @@ void EditorWindow::draw_lights_toolbar() {
 
 void EditorWindow::scatter_lights() {
     editor.selection.set(scatter(editor.document, scene.bounds, scatter_count_, unsigned(editor.document.size())));
+}
+
+void EditorWindow::add_light(Light::Kind kind) {
+    const Landing landing = landing_on(scene, camera, placing_ray(view_));
+    editor.add_light(placed_light(kind, landing, scene, view_now));
+}
+
+// An image becomes the diffuse map of what is selected.
+void EditorWindow::choose_file(const std::filesystem::path& file, bool adds) {
+    if (is_image(file))
+        properties_.set_map(editor.selection.ids, "diffuse", asset_name(file).string());
+    else
+        loading_.want(file, adds);
+}
+
+// A model is placed where it was dropped; an image goes to the object there.
+void EditorWindow::take_dropped() {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::vec2 pixel = glm::vec2(mouse.x, mouse.y) - glm::vec2(view_.picture.corner);
+    const bool over = glm::all(glm::greaterThanEqual(pixel, glm::vec2(0.0f))) &&
+                      glm::all(glm::lessThan(pixel, glm::vec2(view_.picture.size)));
+    const auto file = over ? browser_.dropped() : std::nullopt;
+    if (!file) return;
+    view_.pointer = pixel;
+    if (is_image(*file)) {
+        const auto hit = pick_triangle(scene, placing_ray(view_));
+        editor.select_item(scene, hit ? std::optional(hit->item) : std::nullopt, false);
+    }
+    choose_file(*file, file->extension() != ".json");
 }
 
 void EditorWindow::carry_on_previews() {

@@ -12,6 +12,7 @@ constexpr float click_px = 4.0f;  // a press that moved less is a click
 // [mouse]
 bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_picture) {
     take_picked();
+    view_.pointer = over_picture ? std::optional(cursor_px) : std::nullopt;
     const View& view = view_.chapter.view_now;
     if (view.size.x == 0) return false;
     const bool pressed = input.left && !was_down_, released = !input.left && was_down_;
@@ -24,6 +25,7 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
     }
     if (input.left || released) moved_px_ = std::max(moved_px_, glm::length(cursor_px - press_px_));
     const auto place = gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local);
+    if (place) tool_ = place->tool;
     if (!editor.drag) {
         const Handle before = editor.hot;
         if (!input.left || pressed)
@@ -57,6 +59,22 @@ bool EditorPointer::drag(const Input& input, glm::vec2 cursor_px, bool released)
     return true;
 }
 // [/mouse]
+
+std::vector<std::string> EditorPointer::words() const {
+    if (editor.drag) return {editor.drag->words(), "Shift: in steps", "Esc: as it was"};
+    if (!editor.hot) return {};
+    static constexpr const char *verbs[] = {"move", "turn", "scale"}, *axes[] = {"x", "y", "z"};
+    const std::string verb = std::string("drag: ") + verbs[static_cast<int>(tool_)];
+    const char* const steps = tool_ == Tool::rotate ? "Shift: by 15°" : "Shift: in steps";
+    switch (editor.hot.kind) {
+        case Handle::Kind::whole:
+            return {verb + (tool_ == Tool::scale ? " all axes alike" : " in the picture"), steps};
+        case Handle::Kind::plane:
+            return {verb + " across " + axes[editor.hot.axis], steps};
+        default:
+            return {verb + (tool_ == Tool::rotate ? " about " : " along ") + axes[editor.hot.axis], steps};
+    }
+}
 
 void EditorPointer::take_picked() {
     Picker& picker = view_.chapter.picker;

@@ -6,11 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/window/knob_widgets.h"
 
 namespace lightwalk {
+
+namespace {
+
+std::string map_of(const Entry& entry, const std::string& slot) {
+    const auto& maps = entry.object()->material.maps;
+    const auto given = maps.find(slot);
+    return given == maps.end() ? std::string() : given->second.string();
+}
+
+}  // namespace
 
 void PropertiesPanel::draw() {
     fields_.begin_frame();
@@ -116,28 +128,34 @@ void PropertiesPanel::draw_material(EntryId id) {
 
 // An empty field is a map that the model has, or none; where several differ it is empty too, and "none" clears all.
 void PropertiesPanel::edit_map(const std::string& slot) {
-    const auto map_of = [&](EntryId one) {
-        const auto& maps = editor.document.at(one).object()->material.maps;
-        const auto given = maps.find(slot);
-        return given == maps.end() ? std::string() : given->second.string();
-    };
     std::vector<EntryId> ids;
     for (const EntryId one : together_)
         if (!editor.document.at(one).object()->model.empty()) ids.push_back(one);
-    const std::string before = map_of(ids.back());
-    const bool mixed = std::any_of(ids.begin(), ids.end(), [&](EntryId one) { return map_of(one) != before; });
+    const std::string before = map_of(editor.document.at(ids.back()), slot);
+    const bool mixed = std::any_of(ids.begin(), ids.end(),
+                                   [&](EntryId one) { return map_of(editor.document.at(one), slot) != before; });
     std::string file = mixed ? "" : before;
-    ImGui::SetNextItemWidth(-label_px);
-    if (!text_field((slot + " map").c_str(), file, mixed ? "— (none clears)" : "none")) return;
-    if (mixed ? file.empty() : file == before) return;
-    if (file == "none") file.clear();
+    label_left(slot.c_str());
+    ImGui::SetNextItemWidth(-pick_px());
+    const bool typed = text_field(("##" + slot + " map").c_str(), file, mixed ? "— (none clears)" : "none");
+    const std::vector<EntryId> all = together_;
+    pick_button(view_, slot + " map", [this, all, slot](const std::string& chosen) { set_map(all, slot, chosen); });
+    if (!typed || (mixed ? file.empty() : file == before)) return;
+    set_map(together_, slot, file == "none" ? "" : file);
+}
+
+void PropertiesPanel::set_map(std::vector<EntryId> ids, const std::string& slot, const std::string& file) {
+    std::erase_if(ids, [&](EntryId one) {
+        const Entry* const entry = editor.document.find(one);
+        return !entry || !entry->object() || entry->object()->model.empty() || map_of(*entry, slot) == file;
+    });
     try {
         if (!file.empty()) find_asset(file);
     } catch (const InputError& e) {
         editor.notice = e.what();
         return;
     }
-    std::erase_if(ids, [&](EntryId one) { return map_of(one) == file; });
+    if (ids.empty()) editor.notice = "no object is selected that could have another " + slot + " map";
     fields_.refuse(
         edit_all(editor.document, ids, slot + " map", editor.gesture, editor.store.path, [&](EntryId, Entry& entry) {
             auto& maps = entry.object()->material.maps;
@@ -195,7 +213,15 @@ void PropertiesPanel::edit(const Property& property,
     for (int i = 0; i < 3; ++i)
         if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
     const glm::vec3 before = value;
-    if (!field(value, shared.mixed)) return;
+    const bool changed = field(value, shared.mixed);
+    if (!resettable(editor.document, shared.ids, property).empty()) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+        ImGui::PushID(property.name.c_str());
+        const bool resets = reset_button(property.name);
+        ImGui::PopID();
+        if (resets) return fields_.refuse(reset_property(editor.document, shared.ids, property, editor.store.path));
+    }
+    if (!changed) return;
     fields_.refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before),
                                 editor.gesture, editor.store.path));
 }

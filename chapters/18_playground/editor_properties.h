@@ -16,6 +16,9 @@ class PropertiesPanel : public EditorPart {
     bool wants_keyboard = false;  ///< its first field gets it in the next frame
     MaterialBall ball;
 
+    /// Of all these objects with a model; an empty file clears the map.
+    void set_map(std::vector<EntryId> ids, const std::string& slot, const std::string& file);
+
   private:
     void draw_switches(EntryId id);
     void draw_object(EntryId id);

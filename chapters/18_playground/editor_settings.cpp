@@ -1,6 +1,7 @@
 // Scene-wide entries of the tree: camera, surroundings, water and fog.
 #include "18_playground/editor_settings.h"
 
+#include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -12,15 +13,17 @@ namespace {
 struct Facet {
     const char* name;
     const char* help;
+    const char* icon;
     std::vector<std::string> modules;  ///< modules with its knobs
 };
 
 const std::vector<Facet>& facets() {
-    static const std::vector<Facet> all{{"camera", "The scene's own view, which it is opened with", {}},
-                                        {"environment", "Light from all around", {"environment", "backdrop"}},
-                                        {"sky", "Sun, air and planet", {"atmosphere", "sky"}},
-                                        {"water", "A surface of waves", {"water"}},
-                                        {"fog", "Air that scatters light, below a height", {"fog"}}};
+    static const std::vector<Facet> all{
+        {"camera", "The scene's own view, which it is opened with", icon::camera, {}},
+        {"environment", "Light from all around", icon::image, {"environment", "backdrop"}},
+        {"sky", "Sun, air and planet", icon::cloud, {"atmosphere", "sky"}},
+        {"water", "A surface of waves", icon::water, {"water"}},
+        {"fog", "Air that scatters light, below a height", icon::fog, {"fog"}}};
     return all;
 }
 
@@ -45,16 +48,16 @@ bool SettingsPanel::is_there(const std::string& facet) const {
 void SettingsPanel::draw_rows() {
     for (const Facet& facet : facets()) {
         const bool there = is_there(facet.name), is_chosen = editor.selection.has(root_entry) && chosen == facet.name;
-        ImGui::Indent(13.0f);
+        ImGui::Indent(TextWidth{13.0f});
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-        if (ImGui::Selectable(facet.name, is_chosen)) {
+        if (ImGui::Selectable(with_icon(facet.icon, facet.name).c_str(), is_chosen)) {
             editor.selection.set({root_entry});
             chosen = facet.name;
         }
         if (!there) ImGui::PopStyleColor();
         log_place(std::string("entry.") + facet.name);
         help_on_hover(facet.help);
-        ImGui::Unindent(13.0f);
+        ImGui::Unindent(TextWidth{13.0f});
     }
 }
 
@@ -99,10 +102,7 @@ void SettingsPanel::draw() {
     bool changed =
         fields_.color("ambient", "Light from all sides where there is no environment", settings.ambient, 1e4f);
     changed |= fields_.color("background", "Colour where nothing is drawn, linear", settings.background, 1e4f);
-    ImGui::SetNextItemWidth(-color_label_px);
-    text_field("##save as", files_.name, "scene.json");
-    ImGui::SameLine();
-    if (tool_button("save as", "Ctrl+Shift+S: saves to this file, which is edited from then on")) files_.save_as();
+    if (tool_button("save as", "Ctrl+Shift+S: saves to another file, which is edited from then on")) files_.ask_name();
     if (changed) set("scene", settings);
 }
 
@@ -134,8 +134,16 @@ bool SettingsPanel::draw_camera(SceneSettings& settings) {
 bool SettingsPanel::draw_environment(SceneSettings& settings) {
     bool changed = false;
     std::string image = settings.environment.image.string();
-    ImGui::SetNextItemWidth(-short_label_px);
-    if (text_field("image", image, "none") && image != settings.environment.image) try {
+    label_left("image");
+    ImGui::SetNextItemWidth(-pick_px());
+    const bool typed = text_field("##image", image, "none");
+    pick_button(view_, "environment", [this](const std::string& file) {
+        SceneSettings other = editor.document.settings();
+        other.environment.image = file;
+        other.environment.where = "environment";
+        set("environment", other);
+    });
+    if (typed && image != settings.environment.image) try {
             if (!image.empty()) find_asset(image);
             settings.environment.image = image;
             settings.environment.where = "environment";

@@ -9,6 +9,17 @@
 
 namespace lightwalk {
 
+namespace {
+
+constexpr TextWidth eye_px{20.0f};
+
+const char* icon_of(const Entry& entry) {
+    if (const SceneObject* object = entry.object()) return object->model.empty() ? icon::group : icon::object;
+    return is_sun(entry) ? icon::sun : entry.light()->kind == Light::Kind::point ? icon::lamp : icon::spot;
+}
+
+}  // namespace
+
 // [tree]
 void TreePanel::draw() {
     ImGui::SetNextItemWidth(-1.0f);
@@ -24,7 +35,8 @@ void TreePanel::draw() {
     };
     if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
     begin_padded_child("tree", {0.0f, ImGui::GetContentRegionAvail().y * 0.45f});
-    if (ImGui::Selectable("scene", editor.selection.has(root_entry) && settings_.chosen.empty())) {
+    if (ImGui::Selectable(with_icon(icon::scene, "scene").c_str(),
+                          editor.selection.has(root_entry) && settings_.chosen.empty())) {
         editor.selection.set({root_entry});
         settings_.chosen.clear();
     }
@@ -51,14 +63,14 @@ void TreePanel::draw() {
 void TreePanel::draw_row(const TreeRow& row) {
     ImGui::PushID(static_cast<int>(row.id));
     ImGui::PushID(row.node);
-    ImGui::Indent(12.0f * static_cast<float>(row.depth) + 1.0f);
+    ImGui::Indent(TextWidth{12.0f} * static_cast<float>(row.depth) + 1.0f);
     if (row.node >= 0)
         ImGui::TextColored(quiet_color, "  node %d", row.node);
     else if (renaming_.id == row.id)
         draw_name_field(row.id);
     else
         draw_name(row);
-    ImGui::Unindent(12.0f * static_cast<float>(row.depth) + 1.0f);
+    ImGui::Unindent(TextWidth{12.0f} * static_cast<float>(row.depth) + 1.0f);
     ImGui::PopID();
     ImGui::PopID();
 }
@@ -79,8 +91,10 @@ void TreePanel::draw_name(const TreeRow& row) {
     if (row.has_children) ImGui::SameLine();
     if (entry.hidden) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
     const bool hidden = entry.hidden;
-    const std::string label = shown_as + (entry.locked ? "  (locked)" : "") + (entry.included ? "  (included)" : "");
-    if (ImGui::Selectable(label.c_str(), editor.selection.has(row.id), ImGuiSelectableFlags_AllowDoubleClick)) {
+    const std::string locked = entry.locked ? "  " + std::string(icon_or(icon::lock, "(locked)")) : "";
+    const std::string label = with_icon(icon_of(entry), shown_as) + locked + (entry.included ? "  (included)" : "");
+    const ImVec2 room{ImGui::GetContentRegionAvail().x - eye_px, 0.0f};
+    if (ImGui::Selectable(label.c_str(), editor.selection.has(row.id), ImGuiSelectableFlags_AllowDoubleClick, room)) {
         choose(row.id);
         if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
     }
@@ -88,6 +102,22 @@ void TreePanel::draw_name(const TreeRow& row) {
     log_place("entry." + shown_as);
     draw_menu(row.id);
     drag_and_drop(row.id, shown_as);
+    draw_eye(row.id, hidden, shown_as);
+}
+
+// At the right end of its row.
+void TreePanel::draw_eye(EntryId id, bool hidden, const std::string& shown_as) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - eye_px);
+    const bool clicked = ImGui::InvisibleButton("eye", {eye_px, ImGui::GetTextLineHeight()});
+    log_place("eye." + shown_as);
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    ImGui::GetWindowDrawList()->AddText(corner,
+                                        ImGui::GetColorU32(ImGui::IsItemHovered() ? ImVec4{1, 1, 1, 1} : quiet_color),
+                                        hidden ? icon_or(icon::hidden, "-") : icon_or(icon::eye, "o"));
+    help_on_hover(hidden ? "Show it and its children" : "Hide it and its children");
+    if (!clicked) return;
+    ++editor.gesture;
+    set_hidden(editor.document, {id}, !hidden);
 }
 
 // A range begins where no Shift was held, and stays there for the next one.

@@ -22,6 +22,7 @@ class TreePanel : public EditorPart {
     void choose(EntryId id);
     void drag_and_drop(EntryId id, const std::string& shown_as);
     void draw_menu(EntryId id);
+    void draw_eye(EntryId id, bool hidden, const std::string& shown_as);
     SettingsPanel& settings_;
     std::string search_;
     bool searches_ = false;  ///< the next frame puts the keyboard into the field

@@ -9,7 +9,11 @@
 namespace lightwalk {
 
 EditorWindow::EditorWindow() {
-    browser_.chosen = [this](const std::filesystem::path& file, bool adds) { loading_.want(file, adds); };
+    browser_.chosen = [this](const std::filesystem::path& file, bool adds) { choose_file(file, adds); };
+    view_.pick = [this](const std::string& what, const FileBrowser::Take& take) {
+        steps_.shown = false;
+        browser_.pick_image(what, take);
+    };
     view_.press = [this](const KeyPress& key) {
         if (key.mods & GLFW_MOD_CONTROL)
             on_control_key(key);
@@ -21,6 +25,7 @@ EditorWindow::EditorWindow() {
 }
 
 bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) {
+    leaving_ = leaving_ && !input.left;
     return pointer_.move(input, cursor_px, over_picture);
 }
 
@@ -45,18 +50,20 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
     else if (key == GLFW_KEY_G)
         editor.group_selected(scene);
     else if (key == GLFW_KEY_O)
-        browser_.shown = !browser_.shown;
+        show_files(!browser_.shown);
     else if (key == GLFW_KEY_E)
         files_.ask_export();
     else if (key == GLFW_KEY_A)
         editor.selection.set(editor.document.at(root_entry).children);
     else if (key == GLFW_KEY_S && (pressed.mods & GLFW_MOD_SHIFT))
-        files_.save_as();
-    else if (key == GLFW_KEY_F)
+        files_.ask_name();
+    else if (key == GLFW_KEY_F) {
+        show_files(false);
         tree_.begin_search();
-    else if (const EntryId active = editor.selection.active(); key == GLFW_KEY_R && active > root_entry)
+    } else if (const EntryId active = editor.selection.active(); key == GLFW_KEY_R && active > root_entry) {
+        show_files(false);
         tree_.begin_renaming(active);
-    else
+    } else
         return false;
     editor.selection.drop_missing(editor.document);
     return true;
@@ -65,7 +72,7 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
 bool EditorWindow::on_shift_key(int key) {
     const EntryId active = editor.selection.active();
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_3) {
-        editor.add_light(*this, static_cast<Light::Kind>(key - GLFW_KEY_1));
+        add_light(static_cast<Light::Kind>(key - GLFW_KEY_1));
         return true;
     }
     if (key == GLFW_KEY_4) {
@@ -86,6 +93,7 @@ bool EditorWindow::on_shift_key(int key) {
 
 bool EditorWindow::on_key(const KeyPress& pressed) {
     const int key = pressed.key;
+    leaving_ = leaving_ && key == GLFW_KEY_ESCAPE;
     if (files_.asks()) {  // which is answered first
         files_.answer(key);
         return true;
@@ -97,7 +105,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
     ++editor.gesture;
     if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
     if ((pressed.mods & GLFW_MOD_SHIFT) && on_shift_key(key)) return true;
-    const bool in_files = browser_.shown;  // which has arrows and Enter of its own
+    const bool in_files = browser_.shown || steps_.shown;  // instead of the tree, and with keys of their own
     switch (key) {
         case GLFW_KEY_UP:
         case GLFW_KEY_DOWN:
@@ -125,7 +133,7 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             keys_.shown = !keys_.shown;
             return true;
         case GLFW_KEY_F4:
-            steps_.shown = !steps_.shown;
+            show_steps(!steps_.shown);
             return true;
         case GLFW_KEY_DELETE:
             editor.remove_selected();
@@ -147,20 +155,26 @@ bool EditorWindow::on_escape() {
     } else if (loading_.loads()) {
         loading_.cancel();
     } else if (browser_.shown || keys_.shown || steps_.shown) {
-        browser_.shown = keys_.shown = steps_.shown = false;
+        browser_.close();
+        keys_.shown = steps_.shown = false;
     } else {
-        if (editor.selection.ids.empty()) return false;
+        if (editor.selection.ids.empty()) return !leaves();
         editor.selection.clear();
     }
     return true;
 }
 
+// Unsaved changes are asked about; else one Escape too many would close the window without a word.
+bool EditorWindow::leaves() {
+    if (editor.store.has_unsaved(editor.document) || std::exchange(leaving_, true)) return true;
+    editor.notice = "Esc again closes the window";
+    return false;
+}
+
 void EditorWindow::frame_selected() {
     const Bounds box = editor.selected_bounds(scene);
-    const glm::vec2 size(view_.picture);
-    // Its middle is the picture's, about which the camera turns: as much is free on the right as the panel leaves on the left.
-    const float free = std::max(size.x - 2.0f * view_.covered_px, 0.4f * size.x);
-    CameraControl::frame(camera, box.empty() ? scene.bounds : box, free / size.y);
+    const glm::vec2 size(view_.picture.size);
+    CameraControl::frame(camera, box.empty() ? scene.bounds : box, size.x / size.y);
 }
 
 void EditorWindow::bring_up_to_date(Gpu& gpu) {

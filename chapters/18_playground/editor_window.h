@@ -9,14 +9,15 @@
 namespace lightwalk {
 
 /// It places its panels, each of which owns its state, and gives them the keys: one member for each of them.
-/// Large (21 functions, 12 members): it places panels: one member each.
+/// Large (28 functions, 14 members): it places panels: one member each.
 struct EditorWindow : Playground, WindowTool {
     EditorWindow();
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;
     bool on_key(const KeyPress& key) override;
     void on_drop(const std::vector<std::filesystem::path>& files) override;
-    bool draw_panels(glm::uvec2 picture, float scale) override;
-    float covered_px(glm::uvec2 picture, float scale) const override;
+    bool draw_panels(const Area& picture, float dock_px, float scale) override;
+    int dock_width() const override { return 310; }
+    std::vector<std::string> mouse_words() const override { return pointer_.words(); }
     bool on_save() override;
     bool may_close() override { return files_.may_close(); }
     bool wants_to_close() override { return files_.closes(); }
@@ -30,14 +31,20 @@ struct EditorWindow : Playground, WindowTool {
     bool on_control_key(const KeyPress& key);
     bool on_shift_key(int key);
     bool on_escape();
+    bool leaves();
     void draw_toolbar();
     void draw_lights_toolbar();
-    void draw_left_panel();
+    void draw_dock(float width_px, float scale);
+    void show_files(bool shown) { browser_.close(), browser_.shown = shown, steps_.shown = false; }
+    void show_steps(bool shown) { browser_.close(), steps_.shown = shown; }
     void carry_on_previews();
     void scatter_lights();
+    void add_light(Light::Kind kind);
+    void choose_file(const std::filesystem::path& file, bool adds);
+    void take_dropped();
     void frame_selected();
 
-    EditorView view_{.chapter = *this, .automatic = nullptr, .press = {}};
+    EditorView view_{.chapter = *this, .automatic = nullptr, .press = {}, .pick = {}};
     EditorFields fields_{view_};
     SceneFiles files_{view_};
     SettingsPanel settings_{view_, fields_, files_};
@@ -49,6 +56,7 @@ struct EditorWindow : Playground, WindowTool {
     KeysPanel keys_{view_};
     FileBrowser browser_;
     int scatter_count_ = 100;
+    bool leaving_ = false;  ///< the last key was an Escape with nothing to end
 };
 
 }  // namespace lightwalk

@@ -1,5 +1,7 @@
 #include "18_playground/file_browser.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -28,6 +30,11 @@ bool has_words(const std::string& name, const std::string& filter) {
     return true;
 }
 
+bool ends_as(const fs::path& file, std::initializer_list<const char*> endings) {
+    const std::string ending = lower(file.extension().string());
+    return std::any_of(endings.begin(), endings.end(), [&](const char* one) { return ending == one; });
+}
+
 fs::path recent_list() {
     const fs::path folder = state_folder();
     return folder.empty() ? folder : folder / "recent_files";
@@ -36,10 +43,7 @@ fs::path recent_list() {
 }  // namespace
 
 bool can_be_opened(const fs::path& file) {
-    static constexpr const char* endings[] = {".json", ".obj", ".gltf", ".glb", ".ply",
-                                              ".stl",  ".dae", ".fbx",  ".3ds", ".off"};
-    const std::string ending = lower(file.extension().string());
-    return std::any_of(std::begin(endings), std::end(endings), [&](const char* one) { return ending == one; });
+    return ends_as(file, {".json", ".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".3ds", ".off"});
 }
 
 // [list_folder]
@@ -51,7 +55,8 @@ Listing list_folder(const fs::path& folder, const std::string& filter) {
         const bool is_folder = entry->is_directory(one);
         const fs::path name = entry->path().filename();
         if (one || name.string().starts_with('.')) continue;
-        if (!is_folder && (!entry->is_regular_file(one) || !can_be_opened(name) || !has_words(name.string(), filter)))
+        if (!is_folder && (!entry->is_regular_file(one) || !(can_be_opened(name) || is_image(name)) ||
+                           !has_words(name.string(), filter)))
             continue;
         listing.files.push_back({entry->path(), is_folder, lower(name.extension().string()) == ".json",
                                  is_folder ? 0 : entry->file_size(one)});
@@ -94,22 +99,61 @@ void FileBrowser::go(const fs::path& folder) {
     marked_ = 0;
 }
 
-void FileBrowser::draw(float scale, float left_px) {
-    if (!shown) {
-        fresh_ = false;
-        return;
+void FileBrowser::pick_image(const std::string& what, const Take& take) {
+    image_for_ = what;
+    take_image_ = take;
+    shown = true;
+    if (listing_.folder.empty() || listing_.folder.filename() == "models" || listing_.folder.filename() == "scenes")
+        listing_.folder = course_root() / "assets" / (what == "environment" ? "environments" : "textures");
+    drawn_in_ = -1;  // its folder is read again
+}
+
+std::optional<fs::path> FileBrowser::dropped() const {
+    const ImGuiPayload* const dragged = ImGui::GetDragDropPayload();
+    if (!dragged || !dragged->IsDataType("file") || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return std::nullopt;
+    return fs::path(std::string(static_cast<const char*>(dragged->Data), static_cast<size_t>(dragged->DataSize)));
+}
+
+// Thumbnail, name and size; true: it was clicked.
+bool FileBrowser::draw_file(const Listing::File& file, bool marked, float scale) {
+    const std::string name = clean_name(file.path.filename().string());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight(), height = std::max(scale * float(Thumbnails::size.y), 2.0f * line);
+    const float left = scale * (float(Thumbnails::size.x) + 8.0f);
+    const bool clicked = ImGui::Selectable("##file", marked, 0, {0.0f, height});
+    log_place("file." + name);
+    help_on_hover(name.c_str());
+    if (!file.is_folder && ImGui::BeginDragDropSource()) {
+        const std::string path = file.path.string();
+        ImGui::SetDragDropPayload("file", path.data(), path.size());
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::EndDragDropSource();
     }
-    if (!std::exchange(fresh_, true)) {
+    if (const Image8* picture = file.is_folder ? nullptr : thumbnails.of(file.path)) {
+        draw_pixels(*picture, corner, scale);
+        log_place("thumbnail." + name);
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float text = file.is_folder ? corner.y + 0.5f * (height - line) : corner.y;
+    list.AddText({corner.x + left, text}, ImGui::GetColorU32(ImGuiCol_Text),
+                 (file.is_folder ? name + "/" : name).c_str());
+    const std::string size = fmt::format("{:.1f} MB", double(file.bytes) / 1e6);
+    if (!file.is_folder) list.AddText({corner.x + left, text + line}, ImGui::GetColorU32(quiet_color), size.c_str());
+    return clicked;
+}
+
+void FileBrowser::draw(float scale) {
+    const int frame = ImGui::GetFrameCount();
+    if (std::exchange(drawn_in_, frame) != frame - 1) {  // it was closed
         filter_.clear();
         if (listing_.folder.empty()) listing_.folder = course_root() / "assets" / "models";
         go(listing_.folder);
         recent_ = recent_files();
     }
-    ImGui::SetNextWindowSize({520.0f * scale, 460.0f * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowPos({left_px + 20.0f * scale, 60.0f * scale}, ImGuiCond_FirstUseEver);
-    if (!ImGui::Begin("files", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
-        ImGui::End();
-        return;
+    if (take_image_) {
+        ImGui::TextColored(reference_color, "choose: %s", image_for_.c_str());
+        ImGui::SameLine();
+        if (tool_button("none of them", "Esc: it stays as it was")) close();
     }
     ImGui::SetNextItemWidth(-1.0f);
     std::optional<fs::path> take, enter;
@@ -120,17 +164,21 @@ void FileBrowser::draw(float scale, float left_px) {
         else
             take = typed;
     }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5.0f * scale, 3.0f * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {5.0f * scale, 5.0f * scale});
     if (tool_button("up", "The folder above (Backspace)")) enter = listing_.folder.parent_path();
     ImGui::SameLine();
     if (tool_button("models", "The course's models")) enter = course_root() / "assets" / "models";
     ImGui::SameLine();
     if (tool_button("scenes", "The course's scenes")) enter = course_root() / "assets" / "scenes";
     ImGui::SameLine();
+    if (tool_button("images", "The course's textures")) enter = course_root() / "assets" / "textures";
+    ImGui::SameLine();
     if (tool_button("here", "The current folder")) {
         std::error_code gone;
         enter = fs::current_path(gone);
     }
-    ImGui::SameLine();
+    ImGui::PopStyleVar(2);
     ImGui::Checkbox("add to the scene", &adds_);
     log_place("tool.adds");
     help_on_hover("On: a model is added to this scene. Off: the file is opened in its place.");
@@ -154,24 +202,10 @@ void FileBrowser::draw(float scale, float left_px) {
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Listing::File& file = listing_.files[static_cast<size_t>(i)];
-            const std::string name = clean_name(file.path.filename().string());
             ImGui::PushID(i);
-            const ImVec2 at = ImGui::GetCursorScreenPos(),
-                         picture_size{float(Thumbnails::size.x), float(Thumbnails::size.y)};
-            if (const Image8* picture = file.is_folder ? nullptr : thumbnails.of(file.path)) {
-                draw_pixels(*picture, at, scale);
-                log_place("thumbnail." + name);
-            }
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scale * (picture_size.x + 8.0f));
-            if (ImGui::Selectable((file.is_folder ? name + "/" : name).c_str(), i == marked_, 0,
-                                  {0.0f, scale * picture_size.y})) {
+            if (draw_file(file, i == marked_, scale)) {
                 marked_ = i;
                 (file.is_folder ? enter : take) = file.path;
-            }
-            log_place("file." + name);
-            if (!file.is_folder) {
-                ImGui::SameLine(ImGui::GetContentRegionAvail().x - 80.0f * scale);
-                ImGui::TextColored(quiet_color, "%.1f MB", double(file.bytes) / 1e6);
             }
             ImGui::PopID();
         }
@@ -193,12 +227,27 @@ void FileBrowser::draw(float scale, float left_px) {
         log_place("recent." + name);
         help_on_hover(whole.c_str());
     }
-    ImGui::End();
     if (enter) go(*enter);
     if (take) {
-        shown = false;
-        if (chosen) chosen(*take, adds_ && lower(take->extension().string()) != ".json");
+        const Take take_image = take_image_;
+        close();
+        if (take_image)
+            take_image(*take);
+        else if (chosen)
+            chosen(*take, adds_ && lower(take->extension().string()) != ".json");
     }
+}
+
+float pick_px() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + 4.0f; }
+
+void pick_button(EditorView& view, const std::string& what, const std::function<void(const std::string&)>& take) {
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushID(what.c_str());
+    const bool clicked = ImGui::Button(icon_or(icon::folder, "..."), {-1.0f, 0.0f});
+    ImGui::PopID();
+    log_place("pick." + what);
+    help_on_hover("Choose a file");
+    if (clicked) view.pick(what, [take](const fs::path& file) { take(asset_name(file).string()); });
 }
 
 }  // namespace lightwalk

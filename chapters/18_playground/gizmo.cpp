@@ -48,13 +48,23 @@ std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection&
     GizmoPlace place{.tool = tool};
     glm::dvec3 sum(0.0);
     int count = 0;
+    bool any_sun = false;
     for (const EntryId id : selection.ids)
         if (const Entry* entry = document.find(id); entry && (entry->object() || entry->light())) {
+            if (is_sun(*entry)) {
+                any_sun = true;
+                continue;
+            }
             sum += glm::dvec3(world_of(document, id)[3]);
             ++count;
         }
-    if (count == 0) return std::nullopt;
-    place.pivot = glm::vec3(sum / double(count));
+    if (count == 0 && !any_sun) return std::nullopt;
+    if (count == 0) {
+        place.tool = tool = Tool::rotate;
+        place.pivot = view.camera.target;
+    } else {
+        place.pivot = glm::vec3(sum / double(count));
+    }
     if (local || tool == Tool::scale) {
         const glm::mat3 m(world_of(document, selection.active()));
         for (int i = 0; i < 3; ++i)

@@ -28,7 +28,7 @@ struct GizmoSizes {
     float arrow = 90, plane = 28, reach = 7;
 };
 
-/// The gizmo of the selection: in its middle, along the world's axes or those of the active object.
+/// The gizmo of the selection: in its middle, or for a sun, which is turned only, at the camera's target; along the world's axes or those of the active object.
 std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection& selection, const View& view, Tool tool,
                                       bool local);
 

@@ -133,7 +133,7 @@ void GizmoDrag::translate(const glm::dvec3& by) {
         if (SceneObject* object = entry.object()) {
             const glm::dvec3 own = glm::inverse(glm::dmat3(start.parent)) * by;
             object->position = glm::vec3(glm::dvec3(start.placement.position) + own);
-        } else if (Light* light = entry.light()) {
+        } else if (Light* light = entry.light(); light && !is_sun(entry)) {
             light->position = glm::vec3(glm::dvec3(start.light_position) + by);
         }
     }
@@ -158,7 +158,7 @@ void GizmoDrag::rotate(const glm::vec3& axis, double angle_rad) {
             object->rotation_deg = rotation_deg_of(seen(own, start.mirrored), object->rotation_deg);
         } else if (Light* light = entry.light()) {
             const Pose turned = rotate_about_pivot({start.light_position}, place_.pivot, axis, angle);
-            light->position = angle == 0.0f ? start.light_position : turned.position;
+            light->position = angle == 0.0f || is_sun(entry) ? start.light_position : turned.position;
             light->direction =
                 angle == 0.0f ? start.light_direction : glm::normalize(turned.orientation * start.light_direction);
         }
@@ -179,7 +179,7 @@ void GizmoDrag::scale(const glm::dvec3& by) {
             const glm::dvec3 world(start.parent * glm::dvec4(start.placement.position, 1.0)), pivot(place_.pivot);
             const glm::dvec4 moved(pivot + by.x * (world - pivot), 1.0);
             object->position = by.x == 1.0 ? start.placement.position : glm::vec3(glm::inverse(start.parent) * moved);
-        } else if (Light* light = entry.light(); light && alike && starts_.size() > 1) {
+        } else if (Light* light = entry.light(); light && alike && starts_.size() > 1 && !is_sun(entry)) {
             const glm::dvec3 pivot(place_.pivot);
             light->position = glm::vec3(pivot + by.x * (glm::dvec3(start.light_position) - pivot));
         }

@@ -55,6 +55,22 @@ void add_gizmo(std::vector<MarkLine>& lines, const GizmoPlace& place, const View
     }
 }
 
+namespace {
+
+// An arrow to the camera's target, from a disc on the side of the sun.
+void add_sun(std::vector<MarkLine>& lines, const Light& light, const View& view) {
+    const glm::vec3 target = view.camera.target, d = glm::normalize(light.direction), color(1.0f, 0.6f, 0.1f);
+    const float pixel = view.pixel_rad() * glm::distance(view.eye, target);
+    const auto [u, v] = across(d);
+    const glm::vec3 from = target - 150.0f * pixel * d, tip = target - 20.0f * pixel * d,
+                    back = tip - 14.0f * pixel * d;
+    add_line(lines, circle(from, 10.0f * pixel * u, 10.0f * pixel * v, 24), color, 2.0f);
+    add_line(lines, {from, tip}, color, 2.0f);
+    for (const glm::vec3& side : {u, -u, v, -v}) add_line(lines, {back + 5.0f * pixel * side, tip}, color, 2.0f);
+}
+
+}  // namespace
+
 void add_lights(std::vector<MarkLine>& lines, const Document& document, const Selection& selection, const View& view) {
     const glm::vec3 forward = glm::normalize(view.camera.target - view.camera.position);
     const auto [right, up] = across(forward);
@@ -62,7 +78,11 @@ void add_lights(std::vector<MarkLine>& lines, const Document& document, const Se
     for (const EntryId id : document.at(root_entry).children) {
         const Entry& entry = document.at(id);
         const Light* light = entry.light();
-        if (!light || light->kind == Light::Kind::directional || entry.hidden) continue;
+        if (!light || entry.hidden) continue;
+        if (is_sun(entry)) {
+            if (selection.has(id)) add_sun(lines, *light, view);
+            continue;
+        }
         const float depth = glm::dot(light->position - view.eye, forward);
         if (depth < view.camera.near_m) continue;
         const bool chosen = selection.has(id);

@@ -48,6 +48,9 @@ class Thumbnails {
     std::unique_ptr<Arrival> arrival_;
 };
 
+/// A picture that a texture or an environment can be.
+bool is_image(const std::filesystem::path& file);
+
 /// Where a file's thumbnail is kept: by its path, size and time of writing. Empty where there is no such place.
 std::filesystem::path thumbnail_file(const std::filesystem::path& file);
 

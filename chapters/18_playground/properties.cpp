@@ -15,7 +15,6 @@ using Kind = Light::Kind;
 
 bool is_light(const Entry& entry) { return entry.light(); }
 bool is_spot(const Entry& entry) { return entry.light() && entry.light()->kind == Kind::spot; }
-bool is_directional(const Entry& entry) { return entry.light() && entry.light()->kind == Kind::directional; }
 bool has_direction(const Entry& entry) { return entry.light() && entry.light()->kind != Kind::point; }
 bool has_place(const Entry& entry) { return entry.light() && entry.light()->kind != Kind::directional; }
 bool is_object(const Entry& entry) { return entry.object(); }
@@ -29,7 +28,8 @@ Property of_light(const char* name, bool (*has)(const Entry&), Value Light::*fie
                     entry.light()->*field = value;
                 else
                     entry.light()->*field = static_cast<Value>(value.x);
-            }};
+            },
+            [=](Entry& entry) { entry.light()->*field = Light().*field; }};
 }
 
 Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light::*field) {
@@ -38,12 +38,18 @@ Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light
                 Light& light = *entry.light();
                 light.*field = glm::radians(value.x);
                 light.inner_rad = std::min(light.inner_rad, light.outer_rad);
+            },
+            [=](Entry& entry) {
+                Light& light = *entry.light();
+                light.*field = Light().*field;
+                light.inner_rad = std::min(light.inner_rad, light.outer_rad);
             }};
 }
 
 Property of_object(const char* name, glm::vec3 SceneObject::*field) {
     return {name, is_object, [=](EntryId, const Entry& entry) { return entry.object()->*field; },
-            [=](Entry& entry, const glm::vec3& value) { entry.object()->*field = value; }};
+            [=](Entry& entry, const glm::vec3& value) { entry.object()->*field = value; },
+            [=](Entry& entry) { entry.object()->*field = SceneObject().*field; }};
 }
 
 template <class Value>
@@ -60,7 +66,8 @@ Property of_material(const std::string& name, std::optional<Value> MaterialOverr
                     entry.object()->material.*field = value;
                 else
                     entry.object()->material.*field = value.x;
-            }};
+            },
+            [=](Entry& entry) { (entry.object()->material.*field).reset(); }};
 }
 
 const Property& named(const std::vector<Property>& all, const std::string& name) {
@@ -89,7 +96,7 @@ const Property& light_property(const std::string& name) {
                                      of_light("lamp size", has_place, &Light::size_m),
                                      of_light("softness", is_spot, &Light::softness),
                                      of_light("shadow", is_light, &Light::shadow),
-                                     angle_of_light("angular size", is_directional, &Light::size_rad),
+                                     angle_of_light("angular size", is_sun, &Light::size_rad),
                                      angle_of_light("inner angle", is_spot, &Light::inner_rad),
                                      angle_of_light("outer angle", is_spot, &Light::outer_rad)};
     }();
@@ -104,15 +111,15 @@ const Property& object_property(const std::string& name) {
 }
 
 Property material_property(const std::string& name, std::function<const Material*(EntryId)> own) {
-    using Given = MaterialOverride;
+    using Override = MaterialOverride;
     const Material plain;
-    if (name == "diffuse") return of_material(name, &Given::diffuse, plain.diffuse, own, &Material::diffuse);
-    if (name == "specular") return of_material(name, &Given::specular, plain.specular, own, &Material::specular);
-    if (name == "emissive") return of_material(name, &Given::emissive, plain.emissive, own, &Material::emissive);
-    if (name == "shininess") return of_material(name, &Given::shininess, plain.shininess, own, &Material::shininess);
-    if (name == "opacity") return of_material(name, &Given::opacity, plain.opacity, own, &Material::opacity);
-    if (name == "roughness") return of_material(name, &Given::roughness, plain.roughness);
-    if (name == "metalness") return of_material(name, &Given::metalness, plain.metalness);
+    if (name == "diffuse") return of_material(name, &Override::diffuse, plain.diffuse, own, &Material::diffuse);
+    if (name == "specular") return of_material(name, &Override::specular, plain.specular, own, &Material::specular);
+    if (name == "emissive") return of_material(name, &Override::emissive, plain.emissive, own, &Material::emissive);
+    if (name == "shininess") return of_material(name, &Override::shininess, plain.shininess, own, &Material::shininess);
+    if (name == "opacity") return of_material(name, &Override::opacity, plain.opacity, own, &Material::opacity);
+    if (name == "roughness") return of_material(name, &Override::roughness, plain.roughness);
+    if (name == "metalness") return of_material(name, &Override::metalness, plain.metalness);
     throw Failure("there is no property '{}'", name);
 }
 
@@ -166,6 +173,24 @@ Said set_property(Document& document, const std::vector<EntryId>& ids, const Pro
                     [&](EntryId id, Entry& entry) { property.set(entry, wanted(id)); });
 }
 // [/set_property]
+
+std::vector<EntryId> resettable(const Document& document, const std::vector<EntryId>& ids, const Property& property) {
+    std::vector<EntryId> found;
+    for (const EntryId id : ids) {
+        const Entry& entry = document.at(id);
+        if (!property.reset || !property.has(entry)) continue;
+        Entry plain = entry;
+        property.reset(plain);
+        if (property.get(id, plain) != property.get(id, entry)) found.push_back(id);
+    }
+    return found;
+}
+
+Said reset_property(Document& document, const std::vector<EntryId>& ids, const Property& property,
+                    const std::filesystem::path& file) {
+    return edit_all(document, resettable(document, ids, property), "reset " + property.name, 0, file,
+                    [&](EntryId, Entry& entry) { property.reset(entry); });
+}
 
 Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::string& what, uint64_t gesture,
               const std::filesystem::path& file, const std::function<void(EntryId, Entry&)>& edit) {

@@ -10,6 +10,7 @@ struct Property {
     std::function<bool(const Entry&)> has;  ///< a point light has no cone
     std::function<glm::vec3(EntryId, const Entry&)> get;
     std::function<void(Entry&, const glm::vec3&)> set;
+    std::function<void(Entry&)> reset = {};  ///< to what holds where the file says nothing; none: nothing does
 };
 
 /// A common value of several entries.
@@ -47,6 +48,11 @@ SharedValue shared_value(const Document& document, const std::vector<EntryId>& i
 /// of them.
 Said set_property(Document& document, const std::vector<EntryId>& ids, const Property& property, const glm::vec3& value,
                   glm::bvec3 which = glm::bvec3(true), uint64_t gesture = 0, const std::filesystem::path& file = {});
+
+/// Those that reset_property() would change.
+std::vector<EntryId> resettable(const Document& document, const std::vector<EntryId>& ids, const Property& property);
+Said reset_property(Document& document, const std::vector<EntryId>& ids, const Property& property,
+                    const std::filesystem::path& file);
 
 /// The same for any edit that sets the same in all.
 Said edit_all(Document& document, const std::vector<EntryId>& ids, const std::string& what, uint64_t gesture,

@@ -6,6 +6,7 @@
 
 #include "common/image/image.h"
 #include "common/window/event_log.h"
+#include "common/window/icons.h"
 #include "common/window/overlay.h"
 #include "common/window/panel.h"
 
@@ -17,8 +18,16 @@ struct TextWidth {
     operator float() const { return px_at_15 * ImGui::GetFontSize() / 15.0f; }
 };
 
-/// Widths of labels on the right of their fields.
-inline constexpr TextWidth label_px{110.0f}, short_label_px{70.0f}, color_label_px{80.0f};
+/// The column of labels on the left of their fields.
+inline constexpr TextWidth label_px{92.0f};
+
+/// A label; the next widget stands beside it.
+inline void label_left(const char* label) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(left + label_px);
+}
 
 /// Whether a key went down since the frame before.
 inline bool key_pressed(ImGuiKey key) {
@@ -90,10 +99,10 @@ inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {
         }
 }
 
-/// A button with a position logged for tests.
-inline bool tool_button(const char* label, const char* help, bool pressed = false, ImVec2 size = {0, 0}) {
+/// A button with a position logged for tests, as "tool." and its name. `text`: what it shows, where that is another.
+inline bool tool_button(const char* label, const char* help, bool pressed = false, const std::string& text = "") {
     if (pressed) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0.24f, 0.47f, 0.70f, 1.0f});
-    const bool clicked = ImGui::Button(label, size);
+    const bool clicked = ImGui::Button(((text.empty() ? label : text) + "###" + label).c_str());
     if (pressed) ImGui::PopStyleColor();
     log_place(std::string("tool.") + label);
     help_on_hover(help);

@@ -39,11 +39,11 @@ struct FilmWindow::Bar {
 };
 
 // [strip]
-bool FilmWindow::draw_panels(glm::uvec2 picture, float scale) {
+bool FilmWindow::draw_panels(const Area& picture, float, float scale) {
     if (!reel.is_open() || !shown_) return false;
     const bool asked = wanted_.has_value();
-    const float height = 116.0f * scale, width = float(picture.x);
-    ImGui::SetNextWindowPos({0.0f, float(picture.y) - height});
+    const float height = 116.0f * scale, width = float(picture.size.x);
+    ImGui::SetNextWindowPos({0.0f, float(picture.size.y) - height});
     ImGui::SetNextWindowSize({width, height});
     ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("timeline", nullptr,

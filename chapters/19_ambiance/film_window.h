@@ -10,7 +10,7 @@ struct FilmWindow : Ambiance, WindowTool {
     bool on_mouse(const Input&, glm::vec2, bool) override { return false; }
     bool on_key(const KeyPress& key) override;
     void on_drop(const std::vector<std::filesystem::path>&) override {}
-    bool draw_panels(glm::uvec2 picture, float scale) override;
+    bool draw_panels(const Area& picture, float dock_px, float scale) override;
     bool on_save() override;
     bool may_close() override { return true; }
     bool wants_to_close() override { return false; }

@@ -13,16 +13,15 @@ constexpr float radians_per_pixel = 0.006f;
 
 }  // namespace
 
-void CameraMouse::move(const Input& input, glm::uvec2 picture, double seconds) {
+void CameraMouse::move(const Input& input, glm::vec2 cursor_px, glm::uvec2 picture, double seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = input.left || input.right || input.middle;
     if (!held) dragging_ = false;
-    if (tool_has_mouse(input, picture)) return;
-    const bool over_picture = input.cursor.x * pixels_per_unit() < static_cast<float>(picture.x);
+    if (tool_has_mouse(input, cursor_px, picture)) return;
+    const bool over_picture = cursor_px.x < static_cast<float>(picture.x);
     const bool was_dragging = dragging_;
     if (held && over_picture && !io.WantCaptureMouse) dragging_ = true;
-    if (!held && over_picture && !io.WantCaptureMouse)
-        follow_mouse(input.cursor * pixels_per_unit() / glm::vec2(picture));
+    if (!held && over_picture && !io.WantCaptureMouse) follow_mouse(cursor_px / glm::vec2(picture));
     // The way to where the button went down is no drag: a frame that takes long reads both at once.
     if (was_dragging && dragging_ && glm::length(input.moved) > 0.0f) drag(input);
     if (input.wheel != 0.0f && !io.WantCaptureMouse)
@@ -53,10 +52,10 @@ void CameraMouse::fly(const Input& input, double seconds) {
 }
 
 // During a camera drag the tool sees no mouse, but is informed of it: a drag is not a click.
-bool CameraMouse::tool_has_mouse(const Input& input, glm::uvec2 picture) {
+bool CameraMouse::tool_has_mouse(const Input& input, glm::vec2 cursor, glm::uvec2 picture) {
     auto* const tool = dynamic_cast<WindowTool*>(&chapter_);
     if (!tool) return false;
-    const glm::vec2 cursor = input.cursor * pixels_per_unit(), size(picture);
+    const glm::vec2 size(picture);
     const bool over = cursor.x >= 0.0f && cursor.y >= 0.0f && cursor.x < size.x && cursor.y < size.y;
     const bool taken = tool->on_mouse(input, cursor, over && !dragging_ && !ImGui::GetIO().WantCaptureMouse);
     return taken && !dragging_;

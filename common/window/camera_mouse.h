@@ -13,15 +13,15 @@ class CameraMouse {
     CameraMouse(Chapter& chapter, Display& display, Activity& activity)
         : chapter_(chapter), display_(display), activity_(activity) {}
 
-    /// `picture`: its size in pixels. `seconds` since the last call, for keys that fly.
-    void move(const Input& input, glm::uvec2 picture, double seconds);
+    /// `cursor_px`: from the corner of the picture, which has the size `picture`, in pixels. `seconds` since the last call,
+    /// for keys that fly.
+    void move(const Input& input, glm::vec2 cursor_px, glm::uvec2 picture, double seconds);
 
   private:
-    bool tool_has_mouse(const Input& input, glm::uvec2 picture);
+    bool tool_has_mouse(const Input& input, glm::vec2 cursor, glm::uvec2 picture);
     void follow_mouse(glm::vec2 place);
     void drag(const Input& input);
     void fly(const Input& input, double seconds);
-    float pixels_per_unit() const { return float(display_.framebuffer_size().x) / float(display_.size().x); }
     Chapter& chapter_;
     Display& display_;
     Activity& activity_;

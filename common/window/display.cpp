@@ -30,9 +30,9 @@ void note(GLFWwindow* window, const F& change) {
     change(*events);
 }
 
-void on_key(GLFWwindow* window, int key, int, int action, int mods) {
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     note(window, [&](Input& input) {
-        if (action == GLFW_PRESS) input.pressed.push_back({key, mods});
+        if (action == GLFW_PRESS) input.pressed.push_back({key_by_letter(key, scancode), mods});
     });
 }
 
@@ -67,6 +67,8 @@ void watch_x_server() {
     dlclose(xlib);
 }
 
+float limited_scale(float scale) { return std::clamp(scale, 1.0f, 4.0f); }
+
 // From GLFW 3.4 on a program chooses between X11 and Wayland when it starts, and Wayland's library complains on the
 // terminal where no session of it can be.
 void choose_platform() {
@@ -78,7 +80,17 @@ void choose_platform() {
 
 }  // namespace
 
-Display::Display(const std::string& title, glm::ivec2 wanted, const std::string& without) : title_(title) {
+// By the scancode alone: the key may have been translated before.
+int key_by_letter(int key, int scancode) {
+    const bool is_digit = key >= GLFW_KEY_0 && key <= GLFW_KEY_9;  // with Shift on French keyboards
+    if (key <= GLFW_KEY_SPACE || key > GLFW_KEY_WORLD_2 || is_digit) return key;
+    const char* const name = glfwGetKeyName(GLFW_KEY_UNKNOWN, scancode);
+    const auto letter = static_cast<unsigned char>(name ? name[0] : 0);
+    if (letter <= ' ' || letter > '~' || name[1]) return key;
+    return letter >= 'a' && letter <= 'z' ? letter - 'a' + GLFW_KEY_A : letter;
+}
+
+Display::Display(const std::string& title, WindowSize size, const std::string& without) : title_(title) {
     choose_platform();
     if (!glfwInit()) {
         const char* why = nullptr;
@@ -90,7 +102,11 @@ Display::Display(const std::string& title, glm::ivec2 wanted, const std::string&
         glfwTerminate();
         throw InputError("this display cannot show Vulkan's pictures; " + without);
     }
+    glm::ivec2 wanted = size.pixels + size.scaled;
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        float scale = 1.0f;
+        glfwGetMonitorContentScale(monitor, &scale, nullptr);
+        wanted = size.pixels + glm::ivec2(glm::vec2(size.scaled) * limited_scale(scale));
         glm::ivec2 corner(0), area(0);
         glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &area.x, &area.y);
         if (area.x > 0 && area.y > 0) wanted = glm::min(wanted, area);
@@ -185,7 +201,7 @@ glm::ivec2 Display::size() const {
 float Display::scale() const {
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window, &x, &y);
-    return std::clamp(x, 1.0f, 4.0f);
+    return limited_scale(x);
 }
 
 }  // namespace lightwalk

@@ -13,9 +13,12 @@ struct GLFWwindow;
 namespace lightwalk {
 
 struct KeyPress {
-    int key = 0;   ///< GLFW_KEY_...
+    int key = 0;   ///< GLFW_KEY_..., by letter
     int mods = 0;  ///< GLFW_MOD_...
 };
+
+/// The key as its layout names it: Ctrl+Z is where a German keyboard has Z. Keys of other alphabets keep their positions.
+int key_by_letter(int key, int scancode);
 
 /// Lengths in the window's own coordinates, y down.
 struct Input {
@@ -28,10 +31,15 @@ struct Input {
     bool acted = false;     ///< more than that the mouse came along: worth a new picture
 };
 
+/// Of a window, in pixels: a part that grows with the desktop's scale, and one that does not.
+struct WindowSize {
+    glm::ivec2 scaled{0}, pixels{0};
+};
+
 class Display {
   public:
     /// Throws InputError if there is no display; `without` suggests an alternative.
-    Display(const std::string& title, glm::ivec2 size, const std::string& without);
+    Display(const std::string& title, WindowSize size, const std::string& without);
     ~Display();
     Display(const Display&) = delete;
 
@@ -52,8 +60,9 @@ class Display {
     bool is_held(int key) const;
     glm::uvec2 framebuffer_size() const;  ///< pixels; 0 while minimised on some systems
     glm::ivec2 size() const;              ///< in the window's own coordinates
-    float scale() const;                  ///< of text, as the desktop asks for
-    void say(const std::string& words);   ///< behind the window's title; empty: nothing
+    float pixels_per_unit() const { return float(framebuffer_size().x) / float(size().x); }
+    float scale() const;                 ///< of text, as the desktop asks for
+    void say(const std::string& words);  ///< behind the window's title; empty: nothing
 
   private:
     struct Events;

@@ -138,11 +138,13 @@ std::string label_of(const KnobBase& knob) {
     return label;
 }
 
-// An arrow that turns back, drawn, because not every font has one. True if it was clicked.
-bool reset_button(const KnobBase& knob) {
+}  // namespace
+
+// Drawn, because not every font has one.
+bool reset_button(const std::string& place) {
     const float side = ImGui::GetFrameHeight();
     const bool clicked = ImGui::InvisibleButton("##reset", {side, side});
-    log_place("reset." + knob.path());
+    log_place("reset." + place);
     const ImVec2 from = ImGui::GetItemRectMin(), middle{from.x + 0.5f * side, from.y + 0.5f * side};
     const ImU32 color =
         ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : mine_color);
@@ -157,8 +159,6 @@ bool reset_button(const KnobBase& knob) {
     if (ImGui::IsItemHovered()) wrapped_tooltip("Sets the default again.");
     return clicked;
 }
-
-}  // namespace
 
 std::string option_help(const std::string& help, const std::string& option) {
     const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
@@ -215,7 +215,7 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     hovered = hovered || ImGui::IsItemHovered();
     if (reset > 0.0f) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - right);
-        if (reset_button(knob)) {
+        if (reset_button(knob.path())) {
             knob.reset();
             changed = true;
         }

@@ -14,6 +14,9 @@ float label_column(const KnobList& knobs);
 /// entry "auto" to the methods that it offers it for.
 bool knob_widget(KnobBase& knob, float label_width, const std::string& beside = "", AutoChoices* automatic = nullptr);
 
+/// An arrow that turns back. True if it was clicked; `place` is logged for tests.
+bool reset_button(const std::string& place);
+
 /// Of a choice's help, the part that speaks of one option: "a fixed kernel (pcf)" of "Shadow filter: one comparison
 /// (hard), a fixed kernel (pcf)". Empty if no part says more than the option's name.
 std::string option_help(const std::string& help, const std::string& option);

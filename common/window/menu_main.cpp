@@ -292,7 +292,7 @@ int run_menu(const std::vector<std::string>& options) {
             if (options[i] == name) return options[i + 1];
         return std::string();
     };
-    Display display("Lightwalk", {1040, 720}, "without one: ./course run draws every chapter's pictures");
+    Display display("Lightwalk", {.scaled = {1040, 720}}, "without one: ./course run draws every chapter's pictures");
     Gpu gpu({.name = value_of("--device"),
              .validate = value_of("--validate") == "on",
              .surface_extensions = Display::surface_extensions()});

@@ -11,6 +11,7 @@
 
 #include "common/base/error.h"
 #include "common/window/event_log.h"
+#include "common/window/icons.h"
 #include "common/window/short_keys.h"
 
 namespace lightwalk {
@@ -29,6 +30,20 @@ ImFont* load_font(std::initializer_list<const char*> files, float pixels) {
     ImFontConfig config;
     config.SizePixels = 13.0f * std::max(1.0f, std::floor(pixels / 13.0f));
     return ImGui::GetIO().Fonts->AddFontDefault(&config);
+}
+
+constexpr const char* icon_file = "/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf";
+constexpr ImWchar icon_glyphs[] = {0xf000, 0xf2e0, 0};
+bool icons_are_there = false;
+
+// Into the font loaded last.
+void add_icons(float pixels) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(icon_file, ignored)) return;
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = pixels * 1.2f;  // all as wide, so that names stand in a column
+    icons_are_there = ImGui::GetIO().Fonts->AddFontFromFileTTF(icon_file, pixels, &config, icon_glyphs);
 }
 
 ImFont* sans(float pixels) {
@@ -121,6 +136,7 @@ Overlay::Overlay(Gpu& gpu, Display& display, Swapchain& swapchain) : gpu_(gpu), 
     const float scale = display.scale();
     set_style(scale);
     ImGui::GetIO().FontDefault = sans(15.0f * scale);
+    add_icons(14.0f * scale);
     mono = load_font({"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
                       "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf"},
                      14.0f * scale);
@@ -209,7 +225,16 @@ ImGuiID number_typed_into() {
     return context.ActiveId == context.TempInputId ? context.ActiveId : 0;
 }
 
+bool close_popup() {
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (open.empty() || !open.back().Window || (open.back().Window->Flags & ImGuiWindowFlags_Modal)) return false;
+    ImGui::ClosePopupToLevel(open.Size - 1, true);
+    return true;
+}
+
 void stop_dragging() { ImGui::ClearActiveID(); }
+
+bool has_icons() { return icons_are_there; }
 
 bool Overlay::input_is_left() const { return short_keys_wait(); }
 

@@ -40,6 +40,9 @@ class Overlay {
 /// The field of a number that is typed into, not dragged, among all that are on the screen; 0: none.
 ImGuiID number_typed_into();
 
+/// Closes the list, menu or colour picker opened last; false: none is open but a question that waits for its answer.
+bool close_popup();
+
 /// The mouse drags no number any more, though it is still held.
 void stop_dragging();
 

@@ -97,6 +97,8 @@ void Panel::times(PanelState& state) {
     if (!same) smooth_ = state.times;
     // The average over about ten frames: a figure that can be read while it changes. The first frame only warms up.
     const double weight = state.picture_is_new ? std::max(0.1, 1.0 / std::max(averaged_, 1)) : 0.0;
+    if (state.picture_is_new) cost_.note(state.times, state.frame_ms);
+    cost_.draw();
     double total = 0;
     ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
@@ -144,8 +146,6 @@ void Panel::footer(PanelState& state, Requests& requests) {
     if (state.clock_runs || state.time_s != 0.0f)
         ImGui::TextColored(quiet_color, "clock at %.1f s", static_cast<double>(state.time_s));
     ImGui::TextColored(quiet_color,
-                       "drag: orbit   Shift+drag: pan   wheel: zoom\n"
-                       "right button + WASD QE: fly   Shift: faster\n"
                        "F: whole scene   Home: its own camera\n"
                        "H: hide this   Esc: close");
 }

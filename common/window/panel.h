@@ -1,5 +1,7 @@
 // The panel beside the picture, and text over the picture.
 #pragma once
+#include "common/window/blit.h"
+#include "common/window/cost_graph.h"
 #include "common/window/exercise_checks.h"
 #include "common/window/knob_sections.h"
 #include "common/window/overlay.h"
@@ -53,12 +55,11 @@ class Panel {
 
     Requests draw(PanelState& state, float scale);
 
-    /// Over the picture, `left` pixels from its left edge: errors in red, and a message that fades.
-    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture,
-                       float left);
+    /// Over the picture: errors in red, and a message that fades.
+    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, const Area& picture);
 
     /// The divider to drag and the names of the two sides. True if it was moved.
-    bool draw_divider(SplitView& split, glm::uvec2 picture);
+    bool draw_divider(SplitView& split, const Area& picture);
 
   private:
     void exercises(PanelState& state, Requests& requests);
@@ -71,6 +72,7 @@ class Panel {
     KnobSections knobs_;
     std::vector<PassTime> smooth_;
     int averaged_ = 0;  ///< frames since the passes changed
+    CostGraph cost_;
 };
 
 }  // namespace lightwalk

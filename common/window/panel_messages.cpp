@@ -31,9 +31,9 @@ std::string shortened(const std::string& text) {
     return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
 }
 
-void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, glm::uvec2 picture,
-                          float left) {
-    const float width = static_cast<float>(picture.x) - left, height = static_cast<float>(picture.y);
+void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, const Area& picture) {
+    const float left = static_cast<float>(picture.corner.x), width = static_cast<float>(picture.size.x),
+                height = static_cast<float>(picture.size.y);
     if (!errors.empty()) {
         ImGui::SetNextWindowPos({left + 8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
         ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
@@ -63,9 +63,10 @@ void Panel::draw_messages(const std::vector<std::string>& errors, const std::str
     }
 }
 
-bool Panel::draw_divider(SplitView& split, glm::uvec2 picture) {
-    const float width = static_cast<float>(picture.x), height = static_cast<float>(picture.y);
-    const float grip = 14.0f, x = split.divider * width;
+bool Panel::draw_divider(SplitView& split, const Area& picture) {
+    const float left = static_cast<float>(picture.corner.x), width = static_cast<float>(picture.size.x),
+                height = static_cast<float>(picture.size.y);
+    const float grip = 14.0f, x = left + split.divider * width;
     ImGui::SetNextWindowPos({x - 0.5f * grip, 0.0f});
     ImGui::SetNextWindowSize({grip, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
@@ -76,9 +77,9 @@ bool Panel::draw_divider(SplitView& split, glm::uvec2 picture) {
     log_place("divider");
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (held) split.divider = glm::clamp(ImGui::GetIO().MousePos.x / width, 0.02f, 0.98f);
+    if (held) split.divider = glm::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.02f, 0.98f);
     ImGui::End();
-    const float line = split.divider * width;
+    const float line = left + split.divider * width;
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, height},
                                             ImGui::GetColorU32({1.0f, 1.0f, 1.0f, held ? 1.0f : 0.75f}), 2.0f);
     const float name_width = ImGui::CalcTextSize("mine").x + 12.0f;

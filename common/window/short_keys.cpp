@@ -9,6 +9,8 @@
 #include <deque>
 #include <set>
 
+#include "common/window/display.h"
+
 namespace lightwalk {
 
 #if IMGUI_VERSION_NUM >= 18700
@@ -108,7 +110,7 @@ void hold_short_keys(GLFWwindow* window) {
     waiting.clear();
     was_typed = false;
     imgui_key = glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
-        take({key, scancode, action, mods});
+        take({key_by_letter(key, scancode), scancode, action, mods});
     });
     imgui_character = glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
         take({0, 0, 0, 0, character});

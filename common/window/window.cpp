@@ -22,7 +22,13 @@ namespace {
 constexpr std::chrono::milliseconds writing{50};
 
 constexpr double watch_every_s = 0.2;  // how often shader files are looked at
-constexpr glm::ivec2 default_size{1480, 660};
+constexpr glm::ivec2 default_size{1480, 720};
+
+// A dock in the window `beside` the panel, or none where it would take most of the picture.
+uint32_t dock_px(const WindowTool* tool, float scale, uint32_t beside) {
+    const float wanted = tool ? static_cast<float>(tool->dock_width()) * scale : 0.0f;
+    return wanted < 0.6f * static_cast<float>(beside) ? static_cast<uint32_t>(wanted) : 0;
+}
 
 }  // namespace
 
@@ -31,8 +37,10 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
     // With --size the picture has that size, as it has without a window.
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
     find_asset(scene);  // a wrong name is said even where there is no display
-    const glm::ivec2 size =
-        options.size_given ? glm::ivec2(options.size) + glm::ivec2(Panel::default_width, 0) : default_size;
+    const auto* const tool = dynamic_cast<const WindowTool*>(&chapter);
+    const glm::ivec2 panels(Panel::default_width + (tool ? tool->dock_width() : 0), StatusLine::height);
+    const WindowSize size =
+        options.size_given ? WindowSize{panels, glm::ivec2(options.size)} : WindowSize{.scaled = default_size};
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
                     "without one: --screenshot FILE writes the picture");
     holder = std::make_unique<Gpu>(DeviceOptions{
@@ -73,9 +81,17 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
     if (tool_) tool_->automatic = &automatic_;
 }
 
-glm::uvec2 Window::picture_size() const {
-    const uint32_t panel = static_cast<uint32_t>(panel_.width(display_.scale(), swapchain_.size.x));
-    return {std::max(swapchain_.size.x - std::min(panel, swapchain_.size.x), 16u), swapchain_.size.y};
+Area Window::picture_area() const {
+    const glm::uvec2 whole = swapchain_.size;
+    const float scale = display_.scale();
+    const auto panel = static_cast<uint32_t>(panel_.width(scale, whole.x));
+    const uint32_t beside = whole.x - std::min(panel, whole.x), dock = dock_px(tool_, scale, beside);
+    const uint32_t status = StatusLine::height_px(scale, whole.y);
+    return {{dock, 0}, glm::max(glm::uvec2(beside - dock, whole.y - status), 16u)};
+}
+
+glm::vec2 Window::on_picture(glm::vec2 cursor) const {
+    return cursor * display_.pixels_per_unit() - glm::vec2(picture_area().corner);
 }
 
 void Window::run() {
@@ -104,7 +120,8 @@ void Window::run() {
         const Sound* sound = clock_.runs ? chapter_.any_sound() : nullptr;
         // Music does not wait for a picture that takes long; without it, the clock of one that does goes slower.
         const double since_last = std::min(steady_s() - last_draw_, sound ? 1.0 : 0.1);
-        mouse_.move(input, picture_size(), since_last);
+        cursor_ = on_picture(input.cursor);
+        mouse_.move(input, cursor_, picture_size(), since_last);
         clock_.time_s = static_cast<float>(sound_.advance(sound, double(clock_.time_s), clock_.runs, since_last));
         if (!automatic_.wanted.empty() && drawn_ > automatic_.asked_at + 1)
             choose_automatically();  // the notice is to be seen
@@ -162,10 +179,12 @@ Requests Window::build_panel(bool picture_is_new) {
                      .picture = picture_size()};
     const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
-    const float covered = tool_ ? tool_->covered_px(picture_size(), display_.scale()) : 0.0f;
-    panel_.draw_messages(errors(), notice_.text(), picture_size(), covered);
-    if (picture_.split.on() && panel_.draw_divider(picture_.split, picture_size())) requests.changed = true;
-    if (tool_ && tool_->draw_panels(picture_size(), display_.scale())) requests.changed = true;
+    const Area area = picture_area();
+    panel_.draw_messages(errors(), notice_.text(), area);
+    if (picture_.split.on() && panel_.draw_divider(picture_.split, area)) requests.changed = true;
+    const float scale = display_.scale(), dock = static_cast<float>(area.corner.x);
+    if (tool_ && tool_->draw_panels(area, dock, scale)) requests.changed = true;
+    draw_status();
     if (automatic_.wanted != asked_before) {
         automatic_.asked_at = drawn_;
         notice_.tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
@@ -173,6 +192,15 @@ Requests Window::build_panel(bool picture_is_new) {
     }
     overlay_.end();
     return requests;
+}
+
+void Window::draw_status() {
+    const Area area = picture_area();
+    const bool free = !ImGui::GetIO().WantCaptureMouse && !ImGui::IsAnyMouseDown();
+    const bool over = free && glm::all(glm::greaterThanEqual(cursor_, glm::vec2(0.0f))) &&
+                      glm::all(glm::lessThan(cursor_, glm::vec2(area.size)));
+    probe_.look(gpu_, picture_.frame(), chapter_, over ? std::optional(glm::uvec2(cursor_)) : std::nullopt);
+    StatusLine::draw(area, tool_ ? tool_->mouse_words() : std::vector<std::string>(), probe_.words());
 }
 
 std::vector<std::string> Window::errors() {
@@ -215,8 +243,9 @@ void Window::draw() {
         screen_.begin({1, 1}, clock_.time_s);
         const Image& picture = picture_.show(screen_);
         screen_.transfer("present", {.reads = {picture}, .writes = {*target}}, [&](VkCommandBuffer commands) {
-            const Area shown{{0, 0}, glm::min(picture.desc.size, target->desc.size)};
-            blit(commands, picture, shown, *target, shown);
+            const glm::uvec2 corner = picture_area().corner,
+                             size = glm::min(picture.desc.size, target->desc.size - corner);
+            blit(commands, picture, {{0, 0}, size}, *target, {corner, size});
         });
         screen_.transfer("panel", {}, [&](VkCommandBuffer commands) { overlay_.draw(commands); });
         screen_.end(swapchain_.acquired(), swapchain_.rendered());

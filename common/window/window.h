@@ -5,8 +5,10 @@
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
+#include "common/window/pixel_probe.h"
 #include "common/window/scene_saver.h"
 #include "common/window/sound_player.h"
+#include "common/window/status_line.h"
 #include "common/window/window_picture.h"
 #include "common/window/window_tool.h"
 
@@ -17,7 +19,7 @@ namespace lightwalk {
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
                const Loading& loading);
 
-/// Large (22 functions, 28 members): the loop of a window: the chapter's clock, its picture, its files.
+/// Large (25 functions, 30 members): the loop of a window: the chapter's clock, its picture, its files.
 class Window {
   public:
     /// `scene` is loaded already.
@@ -47,7 +49,10 @@ class Window {
     Requests build_panel(bool picture_is_new);
     std::vector<std::string> errors();
     void compare_when_still();
-    glm::uvec2 picture_size() const;
+    Area picture_area() const;  ///< of the window: beside the panels, above the status line
+    glm::uvec2 picture_size() const { return picture_area().size; }
+    glm::vec2 on_picture(glm::vec2 cursor) const;  ///< pixels from its corner
+    void draw_status();
 
     const Options& options_;
     LiveChapter& live_;
@@ -67,7 +72,9 @@ class Window {
     AutoChoices automatic_;
     LessonPages lessons_;
     SoundPlayer sound_;
-    Frame screen_;  ///< the window's own passes, not the chapter's
+    PixelProbe probe_;
+    glm::vec2 cursor_{-1.0f};  ///< pixels of the picture
+    Frame screen_;             ///< the window's own passes, not the chapter's
     WindowClock clock_;
     bool close_ = false;
     bool rests_ = false;  ///< until something happens

@@ -38,6 +38,7 @@ fs::path unused(const std::string& name, const std::string& extension) {
 void Window::handle_keys(const Input& input, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const auto& [key, mods] : input.pressed) {
+        if (key == GLFW_KEY_ESCAPE && !typing && close_popup()) continue;
         if (tool_ && !typing && tool_->on_key({key, mods})) {
             requests.changed = true;
             continue;

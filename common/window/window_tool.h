@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/window/auto_choices.h"
+#include "common/window/blit.h"
 #include "common/window/display.h"
 
 namespace lightwalk {
@@ -26,11 +27,11 @@ class WindowTool {
     virtual bool on_key(const KeyPress& key) = 0;
     virtual void on_drop(const std::vector<std::filesystem::path>& files) = 0;
 
-    /// Dear ImGui's widgets over the picture. True: it has to be drawn again.
-    virtual bool draw_panels(glm::uvec2 picture, float scale) = 0;
-
-    /// Pixels from the picture's left edge that its panels cover: messages stand beside them.
-    virtual float covered_px(glm::uvec2 /*picture*/, float /*scale*/) const { return 0.0f; }
+    /// Dear ImGui's widgets beside the picture, in a dock `dock_px` wide on the left; 0: there is no room. True: the picture
+    /// has to be drawn again.
+    virtual bool draw_panels(const Area& picture, float dock_px, float scale) = 0;
+    virtual int dock_width() const { return 0; }                         ///< in pixels at scale 1
+    virtual std::vector<std::string> mouse_words() const { return {}; }  ///< what it does; none: it moves the camera
 
     virtual bool on_save() = 0;         ///< Ctrl+S
     virtual bool may_close() = 0;       ///< false: it asks first, and closes itself when wants_to_close()

@@ -14,6 +14,7 @@ from pathlib import Path
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
+DOCK = 310  # pixels of the editor's panels on the left
 sys.path.insert(0, str(ROOT / "tests/common"))
 from window_session import BUILD, Session, XServer  # noqa: E402
 
@@ -21,11 +22,11 @@ from window_session import BUILD, Session, XServer  # noqa: E402
 def editor(session: Session):
     """The workbench: its statue moved by an arrow, and its material."""
     since = session.said()
-    session.move(682, 262)
+    session.move(DOCK + 539, 248)
     session.press()
     session.release()
     session.wait_for_line("picked statue", since)
-    session.drag((735, 325), (785, 327))  # by its arrow along x
+    session.drag((DOCK + 589, 308), (DOCK + 636, 310))  # by its arrow along x
     session.click("section.Material")
     session.wait(lambda: "ball" in session.places, "the ball of its material")
     session.click("section.Exercises")  # folded, so that knobs and their times come up
@@ -51,7 +52,7 @@ class Window:
     act: Callable[[Session], None]
 
 
-WINDOWS = {"18_editor": Window("18_playground", "scenes/workbench.json", (1060, 860), True, editor),
+WINDOWS = {"18_editor": Window("18_playground", "scenes/workbench.json", (790, 814), True, editor),
            "19_timeline": Window("19_ambiance", "films/ambiance.film", (960, 540), False, timeline)}
 
 
@@ -62,7 +63,7 @@ def make(name: str):
         scene = window.scene
         if scene.endswith(".json"):  # a copy: an editor writes beside its file
             scene = shutil.copy(ROOT / "assets" / scene, folder)
-        server = XServer(width + 400, height + 40)  # the mouse may leave the window
+        server = XServer(width + 340 + DOCK + 60, height + 90)  # the mouse may leave the window
         try:
             session = Session(server, BUILD / "chapters" / window.chapter, ["--size", f"{width}x{height}", "--scene", scene],
                               Path(folder), LIGHTWALK_ROOT=str(ROOT), XDG_CACHE_HOME=folder)

@@ -1,5 +1,6 @@
 """The editor in a window, validated, with a scene of its own: the tests' actions on it."""
 import json
+import math
 import shutil
 import sys
 import tempfile
@@ -15,6 +16,7 @@ class EditorTest(PictureTest):
     """One start, used by one test after the other."""
 
     size = (460, 700)  # of the picture; frames of a larger one take longer
+    left_px = 310  # of the picture, beside the dock
     built: dict = {}  # the scene
     has_own_cache = False  # of thumbnails
 
@@ -27,11 +29,16 @@ class EditorTest(PictureTest):
         cls.add_files()
         cls.server = XServer()
         cls.addClassCleanup(cls.server.close)
+        cls.prepare(cls.server)
         cls.session = cls.start(cls.scene)
 
     @classmethod
     def add_files(cls):
         """Beside the scene, before the start."""
+
+    @classmethod
+    def prepare(cls, server: XServer):
+        """Before the start, as a desktop does."""
 
     @classmethod
     def start(cls, scene: Path) -> Session:
@@ -60,6 +67,25 @@ class EditorTest(PictureTest):
     def undo(self, times: int = 1, key: str = "ctrl+z", words: str = "undone"):
         for _ in range(times):
             self.said_after(f"notice {words}: .*", key)
+
+    def middle(self) -> tuple[int, int]:
+        """Of the picture, in the window."""
+        return self.left_px + self.size[0] // 2, self.size[1] // 2
+
+    def in_window(self, camera: dict, point: list) -> tuple[int, int]:
+        """Where a point of the world is seen; a pinhole camera that stands upright."""
+        def unit(v):
+            return [one / math.dist(v, (0, 0, 0)) for one in v]
+
+        def cross(a, b):
+            return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+        forward = unit([b - a for a, b in zip(camera["position"], camera["target"])])
+        right = unit(cross(forward, [0, 1, 0]))
+        away = [b - a for a, b in zip(camera["position"], point)]
+        x, y, z = (sum(a * b for a, b in zip(away, axis)) for axis in (right, cross(right, forward), forward))
+        pixels = self.size[1] / 2 / math.tan(math.radians(camera["fov_deg"]) / 2) / z
+        return round(self.middle()[0] + pixels * x), round(self.middle()[1] - pixels * y)
 
     def rest(self):
         """The picture, too."""
@@ -94,7 +120,13 @@ class EditorTest(PictureTest):
         session.park()
         session.wait(lambda: session.types, "a field")
 
-    def assert_ended(self):
-        """With nothing to say."""
+    def leave(self):
+        """With nothing to say: what is open is closed, the selection goes, and the last one is asked for twice."""
+        since = self.session.said()
+        for _ in range(4):
+            if not any("Esc again closes" in line for line in self.session.lines[since:]):
+                self.session.key("Escape")
+                self.session.read_all()
+        self.session.key("Escape")
         self.assertEqual(self.session.end(), 0)
         self.assertEqual([line for line in self.session.errors if line], [])

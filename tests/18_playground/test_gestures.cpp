@@ -200,7 +200,7 @@ TEST_CASE("lights are picked where they are seen, the nearest one; what is hidde
     CHECK(editor.selection.ids.empty());
     editor.select_item(driven.window.scene, 1, false);
     CHECK(editor.selection.active() == driven.named("right"));
-    const EntryId plane = editor.add_model(driven.window, "models/plane.obj");  // as any clone of the course finds it
+    const EntryId plane = editor.add_model("models/plane.obj", {});  // as any clone of the course finds it
     CHECK(driven.document().at(plane).object()->model == "models/plane.obj");
 }
 

@@ -72,7 +72,7 @@ TEST_CASE(
             }
         return vertices;
     };
-    editor.window.editor.add_model(editor.window, "models/plane.obj");
+    editor.window.editor.add_model("models/plane.obj", {});
     editor.draw();
     editor.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
     CHECK(editor.window.take_notice() == "exported " + file.string() + "; left out: light from all sides");
@@ -101,7 +101,7 @@ TEST_CASE("nothing is exported over a model that the scene shows") {
     const fs::path file = editor.folder.path / "own.gltf";
     export_gltf(editor.document(), editor.window.scene, file);
     const std::string before = read_file(file);
-    editor.window.editor.add_model(editor.window, file);
+    editor.window.editor.add_model(file, {});
     editor.draw();
     CHECK_THROWS_AS(export_gltf(editor.document(), editor.window.scene, file), InputError);
     CHECK(read_file(file) == before);

@@ -117,7 +117,7 @@ class Fields(EditorTest):
         session.tap("entry.camera")
         session.wait(lambda: "numbers.position" in session.areas, "a position")
         left, top, right, bottom = session.areas["numbers.position"]
-        z = left + (right - left - 70) * 5 // 6  # the third of its numbers; the label takes 70 pixels
+        z = left + (right - left) * 5 // 6  # the third of its numbers
         since = session.said()
         self.open_number(z, (top + bottom) // 2)
         self.type_letters("1e-99", "Return")
@@ -251,20 +251,38 @@ class Fields(EditorTest):
         session.tap("entry.cube")
         session.key("shift+h")
 
-    def test_8_save_as_writes_another_file_which_is_edited_from_then_on_and_asks_before_it_overwrites(self):
+    def ask_for_a_name(self, key: str = ""):
+        """By a key, or the scene's button. The field has the keyboard."""
+        if key:
+            self.session.key(key)
+        else:
+            self.session.tap("entry.scene")
+            self.session.tap("tool.save as")
+        self.session.wait(lambda: self.session.types and "field.scene name" in self.session.places, "the field")
+
+    def test_8_save_as_asks_for_a_name_writes_another_file_and_asks_before_it_overwrites(self):
         self.saved()
         session, before = self.session, self.scene.read_text()
         (self.folder / "other.json").write_text("{}")
-        session.tap("entry.scene")
-        self.type_into("field.save as", "other")
+        files = sorted(self.folder.iterdir())
         since = session.said()
-        session.key("ctrl+shift+s")
+        self.ask_for_a_name("ctrl+shift+s")
+        session.xdotool("type", "third")
+        session.key("Escape")
+        session.wait(lambda: not session.types, "the end of the field")
+        session.read_all()
+        self.assertIsNone(session.process.poll())
+        self.ask_for_a_name("ctrl+shift+s")
+        session.replace("other")
         session.wait(lambda: "answer.cancel" in session.places, "the question")
         session.read_all()
         session.key("Escape")
         session.read_all()
         self.assertEqual((self.folder / "other.json").read_text(), "{}")
-        session.tap("tool.save as")
+        self.assertEqual((sorted(self.folder.iterdir()), self.scene.read_text()), (files, before))
+        self.assertFalse([line for line in session.lines[since:] if line.startswith("saved")])
+        self.ask_for_a_name()
+        session.replace("other.json")
         session.read_all()
         session.key("Return")
         session.wait_for_line(r"saved .*/other\.json", since)
@@ -281,7 +299,7 @@ class Fields(EditorTest):
         session, before = self.session, self.saved()
         whole = session.geometry()[2:]
         session.tap("entry.cube")
-        x, y = self.size[0] // 2, self.size[1] // 2
+        x, y = self.middle()
         tree = session.places["entry." + ODD]
         number = (session.areas["numbers.scale"][0] + 8, session.places["numbers.scale"][1])
         for what, start in (("gizmo", (x + 60, y)), ("tree", tree), ("number", number)):
@@ -304,8 +322,7 @@ class Fields(EditorTest):
 
     def test_x_it_ends_with_nothing_to_say(self):
         self.saved()
-        self.session.key("Escape", "Escape", "Escape")
-        self.assert_ended()
+        self.leave()
 
 
 if __name__ == "__main__":

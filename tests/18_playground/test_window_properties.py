@@ -55,6 +55,17 @@ class Properties(EditorTest):
         self.undo_step("position of one")
         self.assertEqual(self.saved(), self.before)
 
+    def test_2b_a_property_is_reset_in_all_and_an_eye_hides(self):
+        self.select("one", "two")
+        self.session.tap("reset.position")
+        places = [one.get("position", [0, 0, 0]) for one in self.saved()["objects"]]
+        self.assertEqual(places, [[0, 0, 0], [0, 0, 0]])
+        self.undo_step("reset position of 2 entries")
+        self.session.tap("eye.one")
+        self.assertTrue(self.objects()["one"]["hidden"])
+        self.session.tap("eye.one")
+        self.assertEqual(self.saved(), self.before)
+
     def test_3_a_drag_over_a_number_is_one_step_for_all_lights(self):
         self.select("first", "second")
         left, top, right, bottom = self.session.areas["number.intensity"]
@@ -157,8 +168,7 @@ class Properties(EditorTest):
 
     def test_9_it_ends_with_nothing_to_say(self):
         self.saved()
-        self.session.key("Escape", "Escape", "Escape")
-        self.assert_ended()
+        self.leave()
 
 
 if __name__ == "__main__":

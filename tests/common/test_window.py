@@ -81,7 +81,7 @@ class Window(WindowTest):
         self.assert_as_at_the_start()
 
     def test_resizes(self):
-        for width, height in ((500, 300), (1300, 850), (341, 200), (WIDTH + PANEL, HEIGHT)):
+        for width, height in ((500, 300), (1300, 850), (341, 200), self.session.geometry()[2:]):
             self.session.xdotool("windowsize", "--sync", self.session.window, str(width), str(height))
             self.session.settled(0, 0, min(width, 200), min(height, 150))
             if width > PANEL + 100:

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Windows on keyboards and desktops of others: shortcuts by their letters, panels and window that scale together, the pixel
+under the pointer and the cost of a frame. Under Xvfb, validated."""
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from window_session import BUILD, ROOT, Session, XServer
+
+PANEL, STATUS = 340, 46
+SCENE = {"camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fov_deg": 40}, "ambient": [0.2, 0.2, 0.2],
+         "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5]}],
+         "objects": [{"name": "box", "model": "models/cube.obj"}]}
+
+
+class Layout(unittest.TestCase):
+    def start(self, options: list, layout: str = "", scale: float = 1.0) -> Session:
+        server = XServer(2000, 1500)
+        self.addCleanup(server.close)
+        if layout:
+            subprocess.run(["setxkbmap", "-display", server.display, layout], check=True)
+        if scale != 1.0:
+            server.set_text_scale(scale)
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        scene = Path(folder, "box.json")
+        scene.write_text(json.dumps(SCENE))
+        session = Session(server, BUILD / "chapters" / "01_obj", ["--validate", "on", "--scene", str(scene), *options],
+                          Path(folder), LIGHTWALK_ROOT=str(ROOT))
+        self.addCleanup(session.close)
+        session.read_all()
+        return session
+
+    def end(self, session: Session):
+        session.key("Escape")
+        self.assertEqual(session.end(), 0)
+        self.assertEqual([line for line in session.errors if line], [])
+
+    def test_keys_are_those_with_the_letter_on_them(self):
+        session = self.start(["--size", "360x300"], "dvorak")  # H is where others have J
+        before = session.settled(360, 0, PANEL, 300)
+        session.key("h")
+        session.wait(lambda: session.pixels(360, 0, PANEL, 300) != before, "the panel to go")
+        session.key("h")
+        session.wait(lambda: session.pixels(360, 0, PANEL, 300) == before, "the panel")
+        self.end(session)
+
+    def test_window_and_panels_scale_together_and_a_picture_of_a_given_size_does_not(self):
+        for scale in (2, 3):
+            with self.subTest(scale=scale):
+                session = self.start(["--size", "700x300"], scale=scale)
+                self.assertEqual(session.geometry()[2:], (700 + scale * PANEL, 300 + scale * STATUS))
+                left, _, right, _ = session.areas["lesson"]
+                self.assertGreater(left, 700)
+                self.assertGreater(right - left, 0.85 * scale * PANEL)
+                self.end(session)
+
+    def test_escape_closes_a_list_before_the_window(self):
+        session = self.start(["--size", "360x1100"])
+        session.tap("look")
+        session.wait(lambda: "look.the picture" in session.areas, "the list")
+        session.key("Escape")
+        session.read_all()
+        self.assertIsNone(session.process.poll())
+        self.end(session)
+
+    def pixel(self, session: Session, x: int, y: int) -> list:
+        since = session.said()
+        session.move(x, y)
+        return session.wait_for_line(rf"pixel \| {x}, {y}(.*)", since)[1].split(" | ")[1:]
+
+    def test_the_pixel_under_the_pointer_says_value_depth_object_and_material(self):
+        session = self.start(["--size", "360x300"])
+        value, depth, *names = self.pixel(session, 180, 150)
+        self.assertTrue(all(0 <= float(one) <= 1 for one in value.split()), value)
+        self.assertEqual((depth, names[0]), ("3.5 m", "box"))  # its front is at 0.5 m
+        self.assertEqual(len(self.pixel(session, 2, 2)), 1)  # the background has a value alone
+        session.park()
+        self.end(session)
+
+    def test_the_cost_of_the_last_seconds_is_a_graph(self):
+        session = self.start(["--size", "360x1100"])
+        session.wait(lambda: "cost" in session.areas, "the graph")
+        left, top, right, bottom = session.areas["cost"]
+        before = session.settled(left, top, right - left, bottom - top)
+        for _ in range(3):
+            session.drag((100, 100), (140, 110))
+        session.wait(lambda: session.pixels(left, top, right - left, bottom - top) != before, "another graph")
+        self.end(session)
+
+
+if __name__ == "__main__":
+    unittest.main()
