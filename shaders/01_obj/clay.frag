@@ -21,5 +21,5 @@ void main() {
     float brightness = 0.5 + 0.5 * dot(n, up);
     vec3 light = mix(ground, sky, brightness * brightness) * mix(0.3, 1.0, facing);
     vec3 shine = material.specular * pow(brightness * facing, 12.0);
-    color = vec4(diffuse_color(material, uv, view.lod_bias) * light + shine + material.emissive, 1.0);
+    color = vec4(diffuse_color(material, uv, view.lod_bias) * light + shine + emitted_color(material), 1.0);
 }

@@ -27,5 +27,6 @@ void main() {
 #if AMBIENT
     lit.diffuse += ambient;
 #endif
-    color = vec4(diffuse_color(material, uv, view.lod_bias) * lit.diffuse + material.specular * lit.specular + material.emissive, 1.0);
+    color = vec4(diffuse_color(material, uv, view.lod_bias) * lit.diffuse + material.specular * lit.specular +
+                     emitted_color(material), 1.0);
 }

@@ -29,7 +29,7 @@ void main() {
     Surface surface = Surface(normalize(world_normal), normalize(view.eye - world_position), material.shininess);
     Lit lit = light_surface(surface, surface.normal, world_position, item, gl_FragCoord);
     vec3 radiance = diffuse_color(material, uv, view.lod_bias) * (lit.diffuse + ambient) + material.specular * lit.specular +
-                    material.emissive;
+                    emitted_color(material);
 #if SHOW == SHOW_LIGHT_COUNT
     radiance = count_color(lit.lights) * (0.35 + 0.65 * max(surface.normal.y, 0.0));
 #endif

@@ -1,7 +1,7 @@
 // Surfaces other than skin, shaded as they are drawn, or in compute by matt_seen.comp: an eyeball below its cornea, which is
 // dark below the lids, and cloth.
 #include "03_attenuation/lighting.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "12_skin/matt_color.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "11_fractals/environment.glsl"
 
@@ -19,7 +19,7 @@ vec3 matt_radiance() {
         // Light goes through the white of the eye, too: its edge is soft.
         sum += light.visible * max((dot(m.facing, light.to_light) + 0.2) / 1.44, 0.0) * sqrt(occlusion) * light.radiance;
     }
-    return min(m.substance.mixed.diffuse * sum, LARGEST_HALF);
+    return min(matt_color(m.substance) * sum + m.glow, LARGEST_HALF);
 }
 
 #ifndef SEEN

@@ -1,7 +1,7 @@
 // Skin, shaded as it is drawn, or in compute by skin_seen.comp: light that comes out of it, light that comes through it,
 // light that its surface reflects.
 #include "03_attenuation/lighting.glsl"
-#include "04_surface_maps/surface_maps.glsl"
+#include "12_skin/matt_color.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "11_fractals/environment.glsl"
 #include "12_skin/kelemen_szirmay_kalos.glsl"
@@ -63,7 +63,7 @@ vec3 entering(float cosine, float curvature) {
 void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
     light_before = after_blur = vec4(0.0);
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
-    vec3 albedo = m.substance.mixed.diffuse, map = m.substance.mixed.specular;
+    vec3 albedo = matt_color(m.substance), map = m.substance.mixed.specular;
     vec3 n = m.surface.normal, v = m.surface.to_eye, position = m.position;
     float rough = skin.roughness * (map.g > 0.0 ? map.g : 1.0);  // also of a material without a map
     float scale = skin.specular_scale * map.r;

@@ -4,7 +4,7 @@
 
 layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 layout(scalar) readonly buffer ChartBuffer { uint charts[]; };
-layout(location = 9) flat out uint chart;
+layout(location = 11) flat out uint chart;
 
 // [unwrap]
 void main() {

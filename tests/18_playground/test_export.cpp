@@ -159,6 +159,28 @@ TEST_CASE("what is exported to glTF is read back by Assimp: nodes, places, meshe
     CHECK_THROWS_AS(export_gltf(chapter.editor.document, chapter.scene, folder.path / "no" / "x.gltf"), InputError);
 }
 
+// By the numbers of the scene, whose emission is 2.
+TEST_CASE("numbers of materials come back from the export") {
+    const TestFolder folder;
+    write_file(folder.path / "scene.json",
+               R"({"emission": 2, "objects": [{"name": "a", "model": "models/cube.obj", "material":
+        {"diffuse": [0.8, 0.2, 0.1], "roughness": 0.05, "metalness": 1, "emissive": [1.5, 0.6, 0], "two_sided": true}},
+        {"name": "b", "model": "models/cube.obj", "material": {"diffuse": [0.2, 0.7, 0.1], "roughness": 0.35,
+        "metalness": 0.25, "opacity": 0.5}}]})");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
+    const Model back = import_model(folder.path / "out.gltf");
+    REQUIRE(back.materials.size() == 2);
+    const bool in_order = back.materials[0].metalness == 1;
+    const Material &a = back.materials[in_order ? 0 : 1], &b = back.materials[in_order ? 1 : 0];
+    CHECK((a.metalness == 1 && a.roughness == 0.05f && a.sides == Sides::both && !a.blend));
+    CHECK(glm::length(a.emissive - glm::vec3(3, 1.2f, 0)) < 1e-5f);
+    CHECK((b.metalness == 0.25f && b.roughness == 0.35f && b.blend && b.opacity == 0.5f));
+    CHECK((a.diffuse == glm::vec3(0.8f, 0.2f, 0.1f) && b.diffuse == glm::vec3(0.2f, 0.7f, 0.1f)));
+}
+
 TEST_CASE("what textures cut out is cut out of the export, with the opacity map in the alpha of its colours") {
     const TestFolder folder;
     Image8 holes(8, 4), wood(4, 4);

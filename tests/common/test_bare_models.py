@@ -3,6 +3,7 @@ pixel in a hundred is clipped."""
 # Builds: 02_lambert_phong 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 07_mipmaps 12_skin 14_environment 18_playground
 import json
 import os
+import shutil
 import sys
 import tempfile
 import unittest
@@ -46,12 +47,23 @@ class BareModels(unittest.TestCase):
         primitive = box["meshes"][0]["primitives"][0]
         lamps["meshes"] = [{"primitives": [{**primitive, "material": i}]} for i in (0, 1)]
         (cls.folder / "lamps.gltf").write_text(json.dumps(lamps))
-        # A red floor, which lies on the ground.
+        # A red floor, which lies on the ground; a texture in its second coordinates has no effect.
         floor = json.loads((ROOT / "assets/conformance/base_colour.gltf").read_text())
-        floor["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.02, 0.02, 1], "metallicFactor": 0}}]
+        floor["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.02, 0.02, 1], "metallicFactor": 0},
+                               "emissiveTexture": {"index": 0, "texCoord": 1}}]
+        attributes = floor["meshes"][0]["primitives"][0]["attributes"]
+        attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"]
+        floor["images"], floor["textures"] = [{"uri": "corners.png"}], [{"source": 0}]
+        shutil.copy(ROOT / "assets/conformance/corners.png", cls.folder)
         floor["nodes"], floor["scenes"] = [{"mesh": 0, "rotation": [-0.5 ** 0.5, 0, 0, 0.5 ** 0.5]}], [{"nodes": [0]}]
         (cls.folder / "floor.gltf").write_text(json.dumps(floor))
-        cls.models = [cls.folder / "floor.gltf", ROOT / "assets/conformance/flat_normals.gltf", cls.folder / "lamps.gltf",
+        # A red metal, whose emission a black texture ends.
+        Image.new("RGB", (4, 4)).save(cls.folder / "black.png")
+        floor["images"], floor["nodes"] = [{"uri": "black.png"}], [{"mesh": 0}]
+        floor["materials"][0]["pbrMetallicRoughness"] = {"baseColorFactor": [0.8, 0.02, 0.02, 1], "roughnessFactor": 0.5}
+        floor["materials"][0].update(emissiveFactor=[1, 1, 1], emissiveTexture={"index": 0})
+        (cls.folder / "metal.gltf").write_text(json.dumps(floor))
+        cls.models = [cls.folder / "floor.gltf", cls.folder / "metal.gltf", ROOT / "assets/conformance/flat_normals.gltf", cls.folder / "lamps.gltf",
                       ROOT / "assets/models/bunny.obj"]
 
     def test_seen_and_not_clipped(self):
@@ -75,6 +87,9 @@ class BareModels(unittest.TestCase):
         self.assertGreater(sum(differs) / len(differs), 0.03)
         if model.stem == "floor":
             self.assertEqual(holes(image), 0)
+        if model.stem == "metal":
+            red = [r > 2 * max(g, b) and r > 40 for r, g, b in pixels]
+            self.assertGreater(sum(red) / len(red), 0.03)
 
 
 if __name__ == "__main__":
