@@ -94,6 +94,7 @@ void remember_file(const fs::path& file) {
 }
 
 void FileBrowser::go(const fs::path& folder) {
+    thumbnails.leave();
     listing_ = list_folder(folder, filter_);
     typed_ = folder.string();
     marked_ = 0;

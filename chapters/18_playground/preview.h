@@ -35,6 +35,8 @@ class Thumbnails {
     const Image8* of(const std::filesystem::path& file);
     /// Between frames: continues requested previews. True if a picture arrived.
     bool carry_on(Gpu& gpu, Preview& preview);
+    /// Another folder is shown: files that wait are not drawn, but for the one that has begun.
+    void leave() { wanted_.erase(wanted_.begin(), wanted_.end() - (wanted_.empty() ? 0 : 1)); }
     bool busy() const { return !wanted_.empty(); }
 
   private:

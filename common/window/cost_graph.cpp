@@ -42,7 +42,7 @@ void CostGraph::draw() const {
         list.AddRectFilled(from, {right, bottom}, ImGui::GetColorU32({0.32f, 0.35f, 0.40f, 1.0f}));
         list.AddRectFilled({from.x, y_of(costs_[i].gpu_ms)}, {right, bottom}, ImGui::GetColorU32(reference_color));
     }
-    const std::string scale = fmt::format("{:.3g} ms", most);
+    const std::string scale = fmt::format("{:.{}f} ms", most, most < 10.0 ? 2 : 0);
     list.AddText({corner.x + 4.0f, corner.y + 1.0f}, ImGui::GetColorU32(ImGuiCol_Text), scale.c_str());
 }
 
