@@ -38,12 +38,12 @@ struct SurfaceModel : Module {
         {"blinn_phong", "ggx"},
         "blinn_phong",
         "Reflection of lights by surfaces whose material states no roughness: blinn_phong, or microfacets (ggx)"};
-    Choice diffuse{*this,
-                   "diffuse",
-                   {"lambert", "oren_nayar"},
-                   "lambert",
-                   "Diffuse reflection below microfacets: Lambert's, or that of rough matt surfaces, which conserves "
-                   "energy, too (oren_nayar)"};
+    Choice body{*this,
+                "body",
+                {"lambert", "oren_nayar"},
+                "lambert",
+                "Diffuse reflection below microfacets: Lambert's, or that of rough matt surfaces, which conserves "
+                "energy, too (oren_nayar)"};
 
     void prepare(Gpu& gpu, Scene&) override { table_.load(gpu); }
     std::vector<Resource> reads() const override { return {table_.albedos, table_.cosines}; }

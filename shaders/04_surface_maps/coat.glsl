@@ -18,7 +18,7 @@ vec2 in_ggx_table(Surface surface) {
     return (vec2(1.0 - sqrt(1.0 - n_dot_v), sqrt(alpha_of(surface.shininess))) * (size - 1.0) + 0.5) / size;
 }
 
-#if SURFACE_DIFFUSE == SURFACE_DIFFUSE_OREN_NAYAR
+#if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
 // [oren_nayar]
 // A rough matt body: J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF", JCGT
 // 14(1), 2025. Share of white light that single scattering leaves, from a direction at this cosine.
@@ -73,7 +73,7 @@ vec3 ambient_of_coat(vec3 otherwise) {
 Reflected reflect_light(Surface surface, vec3 to_light) {
 #if SURFACE_GGX
     Reflected reflected = reflect_by_ggx(surface, lit_coat, to_light);
-#if SURFACE_DIFFUSE == SURFACE_DIFFUSE_OREN_NAYAR
+#if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
     reflected.diffuse *= rough_diffuse(surface, lit_body, sqrt(alpha_of(surface.shininess)), to_light);
 #endif
     return reflected;

@@ -141,7 +141,7 @@ TEST_CASE_METHOD(OnSurface, "in a furnace of lamps nothing is lost and nothing i
             for (const float f0 : {0.04f, 0.5f, 1.0f})
                 rows.push_back({seen_at(n_dot_v), glm::vec3(f0), glm::vec3(1), float(alpha)});
     for (const char* body : {"lambert", "oren_nayar"}) {
-        surface.diffuse.set(body);
+        surface.body.set(body);
         const auto found = lit(rows, {}, true);
         for (size_t i = 0; i < rows.size(); ++i) {
             INFO(body << ", alpha " << rows[i].alpha << ", n.v " << rows[i].to_eye.z << ", f0 " << rows[i].f0.x);
@@ -149,7 +149,7 @@ TEST_CASE_METHOD(OnSurface, "in a furnace of lamps nothing is lost and nothing i
         }
     }
     // Gold over black, and a grey rough body without a coat worth the name.
-    surface.diffuse.set("oren_nayar");
+    surface.body.set("oren_nayar");
     const auto found = lit({{seen_at(0.3), {1, 0.71f, 0.29f}, glm::vec3(0), 0.64f}}, {}, true);
     CHECK(double(found[0].y) ==
           Approx(truth::white_reflection(0.3, 0.64, 0.71) + multiple(0.3, 0.64, 0.71)).epsilon(0.01));

@@ -130,7 +130,7 @@ USED_WITH = {
     "sphere_shadow.": ["sphere_shadow.method=exact"], "sphere_shadow.width": ["sphere_shadow.method=power"],
     "sphere_shadow.power": ["sphere_shadow.method=power"], "maps.": ["maps.method=occlusion"],
     "maps.subdivide": ["maps.mesh=displaced", "maps.strength=0"],
-    "surface.diffuse": ["surface.model=ggx"], "lamps.": ["surface.model=ggx"],
+    "surface.body": ["surface.model=ggx"], "lamps.": ["surface.model=ggx"],
     "lamps.samples": ["surface.model=ggx", "lamps.method=sampled"],
     "maps.scroll": ["time=0.3"], "walk_m_s": ["time=1.5"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
     "terrain.speed_m_s": ["world=terrain", "time=1.5"], "maps.coverage": ["maps.method=normal"],
