@@ -41,8 +41,8 @@ PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them
 LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
-TURNS = ("autograder|equal_methods", "grade_later|page_site", "grade_shards|page_verdicts|grade_user",
-         "grade_forged|random_scenes")
+TURNS = ("autograder|equal_methods", "grade_later|page_site|window_files|window_monkey",
+         "grade_shards|page_verdicts|grade_user|window_properties", "grade_forged|random_scenes|course_new|window_fields")
 
 
 def add_arguments(parser):
