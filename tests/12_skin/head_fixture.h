@@ -27,7 +27,8 @@ struct OnHead : OnModules {
 
     void load(SceneFile file) {
         scene.load(gpu, std::move(file), [](const auto& path) { return load_model(path, Loader::parallel); });
-        maps.prepare(gpu, scene), skin.prepare(gpu, scene), rays.build(gpu, scene);
+        maps.prepare(gpu, scene), maps.surface.prepare(gpu, scene);
+        skin.prepare(gpu, scene), rays.build(gpu, scene);
         shadow.forget();
     }
 
