@@ -39,8 +39,9 @@ class Handout(unittest.TestCase):
             self.assertNotIn(Path(name), self.contents)
 
     def test_what_is_right_cannot_be_called(self):
-        """A student's file that is linked with a check finds no function of the truth in it."""
-        name = Path("tests/02_lambert_phong/checks_exercises.cpp")
+        """A student's file that is linked with a check finds no function of the truth in it, nor a second time what all
+        objects share (kind u): outside of its group it would be a definition of its own."""
+        name = Path("tests/16_volume/checks_exercises.cpp")
         with tempfile.NamedTemporaryFile(suffix=".o") as file:
             file.write(handout.objects([name])[name])
             file.flush()
@@ -48,6 +49,7 @@ class Handout(unittest.TestCase):
         kinds = {line.split()[-2] for line in said.splitlines() if handout.TRUTH in line}
         self.assertTrue(kinds <= {"t", "r", "b", "d"}, kinds)
         self.assertIn("RegisterCheck", said)
+        self.assertEqual([line for line in said.splitlines() if line.split()[-2] == "u"], [])
 
     def test_no_file_holds_an_answer(self):
         """Lines of a reference that its starter does not have, without white space and comments: a loop's head may stand

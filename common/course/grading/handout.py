@@ -167,9 +167,10 @@ def compile_one(entry: dict, folder: Path) -> bytes:
     words[words.index("-o") + 1] = str(compiled)
     prefix = f"-ffile-prefix-map={ROOT}=."
     # Reference functions are local symbols: a global name would be an answer of one line. A header's function is in a
-    # group, by which the linker would not find it under a name of its own.
+    # group, by which the linker would not find it under a name of its own. Outside of groups no symbol may be unique:
+    # some linkers refuse the second one.
     whole = compiled.with_suffix(".whole.o")
-    run_tool([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", prefix], entry)
+    run_tool([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", "-fno-gnu-unique", prefix], entry)
     run_tool(["ld", "-r", "--force-group-allocation", "-o", whole, compiled], entry)
     names = re.findall(rf" [A-TV-Za-tv-z] (\w*9lightwalk{TRUTH}\w*)$", run_tool(["nm", whole], entry), re.M)
     run_tool(["objcopy", *[f"--localize-symbol={name}" for name in sorted(set(names))], whole], entry)
