@@ -138,11 +138,12 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return vec3(1.0);
 #else
-    // Surfaces facing away are dark anyway, without a map.
-    if (dot(facing, to_light) <= 0.0) return vec3(0.0);
-    vec3 visible = vec3(visibility_in_map(shadow_lights[light], position, facing, to_light));
+    ShadowLight maps = shadow_lights[light];
+    // Of a lamp that casts none, an edge may still be above a surface that faces away from its middle.
+    if (maps.views > 0u && dot(facing, to_light) <= 0.0) return vec3(0.0);
+    vec3 visible = vec3(visibility_in_map(maps, position, facing, to_light));
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
-    visible *= passed_in_map(shadow_lights[light], position, facing);
+    visible *= passed_in_map(maps, position, facing);
 #endif
     return visible;
 #endif

@@ -65,6 +65,17 @@ class PicturesTest(ChapterPictures):
                     picture = self.draw(scene, "--method", method, "--volumes", "off", *model)
                     self.assertLess(self.flip(truth, picture), most)
 
+    def test_lamps_with_a_size_light_as_in_chapter_04(self):
+        """Also below their middles, where a lamp that casts no shadow is still partly above the surface."""
+        for method in ("representative", "ltc", "sampled"):
+            options = ("--set", "surface.model=ggx", "--set", f"lamps.method={method}")
+            truth = self.folder / "04.png"
+            subprocess.run([BUILD / "chapters/04_surface_maps", "--scene", SCENES / "lamps.json", *options, "--size", "160x90",
+                            "--screenshot", truth], check=True, capture_output=True)
+            with self.subTest(method=method):
+                self.assertEqual(self.steps(truth, self.draw("lamps", "--method", "forward", *options)), (0, 0))
+                self.assertLess(self.flip(truth, self.draw("lamps", "--method", "fat", *options)), 0.004)
+
     def test_surfaces_that_a_gbuffer_has_no_room_for(self):
         """Microfacets (a metal in the file's own light) and unlit squares are drawn as forward draws them."""
         for model in ("metallic_roughness_texture.gltf", "own_light.gltf", "texture.gltf"):
