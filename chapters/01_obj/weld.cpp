@@ -136,7 +136,8 @@ bool have_opacity(const ObjData& data) {
     bool fourths_are_1 = true, lasts_are_1 = true;
     for (const ColoredPosition& one : data.colors) {
         if (one.fourth == no_fourth) continue;
-        fourths_are_1 &= one.fourth == 1.0f, lasts_are_1 &= one.color.b == 1.0f;
+        fourths_are_1 &= one.fourth == 1.0f;
+        lasts_are_1 &= one.color.b == 1.0f;
     }
     return !fourths_are_1 || lasts_are_1;
 }
@@ -151,7 +152,8 @@ std::vector<glm::vec4> colors_of(const ObjData& data) {
     float most = 0, most_alpha = 0;
     for (const ColoredPosition& one : data.colors) {
         const glm::vec4 c = given(one);
-        most = std::max({most, c.r, c.g, c.b}), most_alpha = std::max(most_alpha, c.a);
+        most = std::max({most, c.r, c.g, c.b});
+        most_alpha = std::max(most_alpha, c.a);
     }
     std::vector<glm::vec4> colors(data.positions.size() / 3, glm::vec4(1.0f));
     for (const ColoredPosition& one : data.colors) {

@@ -1,6 +1,7 @@
 #include "05_shadow_maps/bvh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <future>
@@ -91,7 +92,7 @@ Grown grow_sides(Run all, Run begin, Run end, uint32_t depth) {
     constexpr auto large = 1 << 14;
     const Run middle = end - begin < large ? end : split(begin, end, BVH_STACK - depth);
     if (middle == end) return grow(all, begin, end, depth);
-    auto upper = at_the_same_time(1u << depth < std::thread::hardware_concurrency(),
+    auto upper = at_the_same_time(depth < std::bit_width(std::max(std::thread::hardware_concurrency(), 1u) - 1u),
                                   [=] { return grow_sides(all, middle, end, depth + 1); });
     const Grown lower = grow_sides(all, begin, middle, depth + 1);
     return joined(lower, upper.get());

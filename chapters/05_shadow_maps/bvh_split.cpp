@@ -47,7 +47,7 @@ struct Cut {
     double cost = INFINITY;
 };
 
-// The grid of bins over a run's centers.
+// The grid of bins over a run's centres.
 struct Grid {
     Four origin, bins_per_m;
     bool has[3];  ///< an extent along this axis

@@ -26,9 +26,10 @@ std::string member(std::string_view zip, size_t entry) {
     if (number_at<uint16_t>(zip, entry + 10) == 0) return std::string(zip.substr(from, packed));
     std::string text(size, '\0');
     z_stream stream{};
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(&zip[from])),
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(zip.data() + from));
     stream.avail_in = static_cast<uInt>(packed);
-    stream.next_out = reinterpret_cast<Bytef*>(text.data()), stream.avail_out = static_cast<uInt>(size);
+    stream.next_out = reinterpret_cast<Bytef*>(text.data());
+    stream.avail_out = static_cast<uInt>(size);
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return {};  // without a header of its own
     inflate(&stream, Z_FINISH);
     text.resize(stream.total_out);

@@ -52,7 +52,8 @@ std::vector<glm::vec4> colors_of(const aiMesh& from) {
     float most = 0, alphas = 0;
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
         const aiColor4D& c = from.mColors[0][i];
-        most = std::max({most, c.r, c.g, c.b}), alphas = std::max(alphas, c.a);
+        most = std::max({most, c.r, c.g, c.b});
+        alphas = std::max(alphas, c.a);
     }
     const float one = most > 2.0f ? 255.0f : 1.0f;
     const auto linear = [&](float x) { return srgb_to_linear(std::clamp(x / one, 0.0f, 1.0f)); };

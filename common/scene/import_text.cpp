@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <set>
 #include <sstream>
@@ -62,7 +63,8 @@ std::string readable_ply(std::string text, const std::string& name, Model& model
         if (words.size() > 1 && words[0] == "comment" && words[1] == "TextureFile" && textures++ == 1)
             leave_out(model, "further textures");
         if (words.size() > 1 && words[0] == "element") {
-            element = words[1], elements.insert(element);
+            element = words[1];
+            elements.insert(element);
             if (!is_one_of(element, {"vertex", "face", "material", "tristrips"}))
                 leave_out(model, "element " + element);
         }
@@ -134,11 +136,11 @@ Color color_of(const OffLines& lines, const std::vector<std::string>& words, siz
     return {};
 }
 
-size_t count_of(const OffLines& lines, const std::string& word, size_t most) {
-    const double count = lines.number(word);
-    if (!(count >= 0 && count <= static_cast<double>(most)))
-        lines.refuse("the header announces more elements than the file has bytes");
-    return static_cast<size_t>(count);
+size_t integer_of(const OffLines& lines, const std::string& word) {
+    const double value = lines.number(word);
+    if (!(value >= 0 && value <= 1e15 && value == std::floor(value)))
+        lines.refuse("'{}' is not an integer from 0", word.substr(0, 40));
+    return static_cast<size_t>(value);
 }
 
 // The header's letters, then the counts, on one line or on two.
@@ -147,10 +149,15 @@ std::pair<size_t, size_t> read_header(OffLines& lines, size_t bytes, Off& off) {
     if (!lines.next(words)) lines.refuse("no header, expected OFF");
     if (std::string kind = words[0]; kind.ends_with("OFF")) {
         kind.resize(kind.size() - 3);
-        if (kind.starts_with("ST")) off.uv = 2, kind.erase(0, 2);
-        if (kind.starts_with('C')) kind.erase(0, 1);
-        if (kind.starts_with('N')) off.normal = 3, kind.erase(0, 1);
-        if (kind.starts_with('4')) off.position = 4, kind.erase(0, 1);
+        const auto takes = [&](std::string_view letters) {
+            const bool there = kind.starts_with(letters);
+            if (there) kind.erase(0, letters.size());
+            return there;
+        };
+        off.uv = takes("ST") ? 2 : 0;
+        takes("C");
+        off.normal = takes("N") ? 3 : 0;
+        off.position = takes("4") ? 4 : 3;
         if (!kind.empty())
             lines.refuse("'{}', expected OFF with any of ST, C, N and 4 before it", words[0].substr(0, 40));
         words.erase(words.begin());
@@ -158,7 +165,9 @@ std::pair<size_t, size_t> read_header(OffLines& lines, size_t bytes, Off& off) {
         if (words.empty() && !lines.next(words)) lines.refuse("no counts after OFF");
     }
     if (words.size() < 2) lines.refuse("{} counts, expected those of vertices and faces", words.size());
-    return {count_of(lines, words[0], bytes), count_of(lines, words[1], bytes)};
+    const size_t vertices = integer_of(lines, words[0]), faces = integer_of(lines, words[1]);
+    if (std::max(vertices, faces) > bytes) lines.refuse("the header announces more elements than the file has bytes");
+    return {vertices, faces};
 }
 
 Off read_off(std::string_view text, const std::string& name) {
@@ -184,13 +193,12 @@ Off read_off(std::string_view text, const std::string& name) {
     }
     for (size_t i = 0; i < faces; ++i) {
         if (!lines.next(words)) lines.refuse("the file ends after {} of {} faces", i, faces);
-        const size_t corners = count_of(lines, words[0], words.size() - 1);
+        const size_t corners = integer_of(lines, words[0]);
+        if (corners >= words.size()) lines.refuse("{} corners of a face, expected {}", words.size() - 1, corners);
         std::vector<size_t>& face = off.faces.emplace_back();
         for (size_t k = 1; k <= corners; ++k) {
-            const double index = lines.number(words[k]);
-            if (!(index >= 0 && index < static_cast<double>(vertices)))
-                lines.refuse("vertex {} of {}", words[k], vertices);
-            face.push_back(static_cast<size_t>(index));
+            face.push_back(integer_of(lines, words[k]));
+            if (face.back() >= vertices) lines.refuse("vertex {} of {}", face.back(), vertices);
         }
         off.face_colors.push_back(color_of(lines, words, corners + 1, words.size(), "colours by index", off.left_out));
     }

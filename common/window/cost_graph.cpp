@@ -26,6 +26,7 @@ void CostGraph::draw() const {
     log_place("cost");
     double most = 0.0;
     for (const Cost& cost : costs_) most = std::max({most, cost.gpu_ms, cost.frame_ms});
+    most = std::max(most, 1e-3);  // of a first picture whose times are not known yet
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The last %.0f s, up to %.2f ms: all passes (blue) and the frame (grey)", seconds, most);
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -110,6 +110,13 @@ TEST_CASE("input that gives a hierarchy nothing to go by") {
     CHECK(Bvh(nested).depth() > 20);
 }
 
+TEST_CASE("triangles ever farther away: one leaves with each branch, and the rest stays large") {
+    std::vector<RayTriangle> triangles = random_triangles(20'000, 0.001);
+    for (float far_m = 2; far_m < 1e11f; far_m *= 1.5f)
+        triangles.push_back(triangle({far_m, 0, 0}, {far_m, 1, 0}, {far_m, 0, 1}));
+    CHECK(wrong_in(Bvh(triangles), triangles.size()) == "");
+}
+
 TEST_CASE("a corner that is no place is refused, by name, and a refit leaves all as it was") {
     std::vector<RayTriangle> triangles = random_triangles(10, 1);
     Bvh bvh(triangles);

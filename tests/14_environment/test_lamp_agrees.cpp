@@ -12,7 +12,7 @@ namespace {
 struct Balls : OnModules {
     ImageLight light{owner, "environment"};
     LitAround objects{owner, "objects", light};
-    std::filesystem::path patch = std::filesystem::temp_directory_path() / "lightwalk_patch.pfm";
+    std::filesystem::path patch = std::filesystem::temp_directory_path() / fmt::format("lightwalk_patch_{}.pfm", getpid());
 
     ~Balls() { std::filesystem::remove(patch); }
 

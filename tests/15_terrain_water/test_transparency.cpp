@@ -59,7 +59,8 @@ std::vector<Errors> table(double least_m, double most_m, double least_alpha, dou
 
 }  // namespace
 
-TEST_CASE("eight layers of alpha 0.5 between 1 and 50 m: what each method is off by, in double precision") {
+TEST_CASE("eight layers of alpha 0.5 between 1 and 50 m: what each method is off by, in double precision",
+          "[15.layers_in_disorder]") {
     const std::vector<Errors> e = table(1, 50, 0.5, 0.5);
     const double means[] = {0.292, 0.213, 0.117, 0.150, 0.094, 0.176, 0.056},
                  most[] = {0.72, 0.43, 0.39, 0.41, 0.32, 0.40, 0.18};
@@ -70,7 +71,8 @@ TEST_CASE("eight layers of alpha 0.5 between 1 and 50 m: what each method is off
     for (size_t i = 0; i < 6; ++i) CHECK(e[6].mean < e[i].mean);
 }
 
-TEST_CASE("layers that lie close together, or are thin: a weight tells nothing, and no order does least harm") {
+TEST_CASE("layers that lie close together, or are thin: a weight tells nothing, and no order does least harm",
+          "[15.layers_in_disorder]") {
     // Within a metre all weights are alike: WBOIT is a plain mean.
     const std::vector<Errors> close = table(10, 11, 0.5, 0.5);
     for (size_t i = 1; i < 6; ++i) CHECK(close[i].mean == Approx(0.208).margin(0.01));

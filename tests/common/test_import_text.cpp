@@ -88,6 +88,9 @@ TEST_CASE("OFF: what is malformed is refused in one line") {
     said("OFF\n4 1 0\n0 0 0\n", "the file ends after 1 of 4 vertices");
     said("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "bad.off:6: vertex 3 of 3");
     said("OFF\n3 1 0\n0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n", "bad.off:4: 'x' is not a number");
+    said("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", "bad.off:6: '1.5' is not an integer from 0");
+    said("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "bad.off:6: '-1' is not an integer from 0");
+    said("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n", "bad.off:6: 3 corners of a face, expected 4");
     said("OFF\n99999999 1 0\n0 0 0\n", "bad.off:2: the header announces more");
     said("OFF\n2 0 0\n0 0 0\n1 0 0\n", "a point cloud");
 }
@@ -178,6 +181,8 @@ TEST_CASE("STL: colours of triangles, in two programs' ways") {
     const Model magics = model_of("magics.stl", binary_stl(std::string("COLOR=\0\377\0\377", 10), {low, bit}));
     CHECK(are(colors_at(magics, {1, -1, 0}), {red}));
     CHECK(are(colors_at(magics, {-1, 1, 0}), {green}));
+    const Model own = model_of("own.stl", binary_stl(std::string("COLOR=\0\377\0\377", 10), {low, high}));
+    CHECK(are(colors_at(own, {1, 1, 0}), {red, blue}));
     const Model header = model_of("header.stl", binary_stl(std::string("COLOR=\0\377\0\377,MATERIAL=", 20), {0, 0}));
     CHECK(are(colors_at(header, {1, 1, 0}), {green, green}));
     CHECK(left_out_text(header) == "MATERIAL of its header");

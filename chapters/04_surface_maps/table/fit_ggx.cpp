@@ -74,7 +74,9 @@ Means means_of(const Lobe& lobe) {
             const double weight = 2 * l.z * (v + std::sqrt(v * v * (1 - square) + square)) *
                                   truth::ggx_visibility(l.z, v, lobe.alpha) / (double(samples * samples) * side * side);
             const double power = std::pow(1 - glm::dot(lobe.v, h), 5);
-            means.a += weight * (1 - power), means.b += weight * power, means.direction += weight * l;
+            means.a += weight * (1 - power);
+            means.b += weight * power;
+            means.direction += weight * l;
         });
     means.direction = glm::normalize(glm::dvec3(means.direction.x, 0, means.direction.z));
     return means;
@@ -130,7 +132,7 @@ Params least(Params start, const Value& value) {
         simplex[i].value = value(simplex[i].at);
     }
     const auto by_value = [](const Corner& a, const Corner& b) { return a.value < b.value; };
-    for (int turn = 0; turn < 150; ++turn) {
+    for (int iteration = 0; iteration < 150; ++iteration) {
         std::sort(simplex.begin(), simplex.end(), by_value);
         if (simplex[3].value - simplex[0].value < 1e-6 * simplex[0].value) break;
         Params middle{};
@@ -193,7 +195,10 @@ void fit(const char* path) {
 }  // namespace
 
 int main(int count, char** words) try {
-    if (count != 2) return std::fputs("usage: fit_ggx FILE.pfm\n", stderr), 2;
+    if (count != 2) {
+        std::fputs("usage: fit_ggx FILE.pfm\n", stderr);
+        return 2;
+    }
     fit(words[1]);
     return 0;
 } catch (const std::exception& error) {
