@@ -27,7 +27,7 @@ bool is_utf8(const std::string& text) {
 }
 
 bool shows(const SceneObject& object, const fs::path& file) {
-    return !object.model.empty() && !object.hidden && find_asset(object.model) == file;
+    return !object.model.empty() && !object.ground && !object.hidden && find_asset(object.model) == file;
 }
 
 bool has_model(const Scene& scene, const fs::path& file) {

@@ -12,6 +12,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/own_files.h"
+#include "common/scene/import.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -30,11 +31,6 @@ bool has_words(const std::string& name, const std::string& filter) {
     return true;
 }
 
-bool ends_as(const fs::path& file, std::initializer_list<const char*> endings) {
-    const std::string ending = lower(file.extension().string());
-    return std::any_of(endings.begin(), endings.end(), [&](const char* one) { return ending == one; });
-}
-
 fs::path recent_list() {
     const fs::path folder = state_folder();
     return folder.empty() ? folder : folder / "recent_files";
@@ -42,9 +38,7 @@ fs::path recent_list() {
 
 }  // namespace
 
-bool can_be_opened(const fs::path& file) {
-    return ends_as(file, {".json", ".obj", ".gltf", ".glb", ".ply", ".stl", ".dae", ".fbx", ".3ds", ".off"});
-}
+bool can_be_opened(const fs::path& file) { return is_model_file(file) || lower(file.extension().string()) == ".json"; }
 
 // [list_folder]
 Listing list_folder(const fs::path& folder, const std::string& filter) {

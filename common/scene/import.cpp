@@ -123,15 +123,24 @@ Model import_here(const fs::path& path, const std::string& extension) {
     return model;
 }
 
-}  // namespace
-
-Model import_model(const fs::path& path) {
-    const std::string name = path.string();
-    std::string extension = path.extension();
+// In small letters.
+std::string extension_of(const fs::path& file) {
+    std::string extension = file.extension();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+bool is_model_file(const fs::path& file) {
+    return std::find(formats.begin(), formats.end(), extension_of(file)) != formats.end();
+}
+
+Model import_model(const fs::path& path) {
+    const std::string name = path.string(), extension = extension_of(path);
     const size_t bytes = InputFile(path).bytes;
-    if (std::find(formats.begin(), formats.end(), extension) == formats.end()) {
+    if (!is_model_file(path)) {
         std::string known;
         for (const std::string_view format : formats) known += (known.empty() ? "" : ", ") + std::string(format);
         if (extension == ".hgt" || extension == ".tif" || extension == ".tiff")

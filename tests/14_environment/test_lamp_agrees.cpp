@@ -1,4 +1,7 @@
 // A lamp and an environment of equal light on the same ball.
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
@@ -12,7 +15,8 @@ namespace {
 struct Balls : OnModules {
     ImageLight light{owner, "environment"};
     LitAround objects{owner, "objects", light};
-    std::filesystem::path patch = std::filesystem::temp_directory_path() / fmt::format("lightwalk_patch_{}.pfm", getpid());
+    std::filesystem::path patch =
+        std::filesystem::temp_directory_path() / fmt::format("lightwalk_patch_{}.pfm", getpid());
 
     ~Balls() { std::filesystem::remove(patch); }
 

@@ -37,6 +37,11 @@ struct TemporaryFile {
 
 }  // namespace
 
+TEST_CASE("a model is known by the end of its name, in any capitals") {
+    for (const char* name : {"a.gltf", "A.3MF", "b/c.Off", "d.obj"}) CHECK(is_model_file(name));
+    for (const char* name : {"a.png", "obj", "a.obj.json", ""}) CHECK_FALSE(is_model_file(name));
+}
+
 TEST_CASE("import: nested nodes, and one mesh under two of them") {
     for (const char* file : {"nested.gltf", "nested.dae"}) {
         CAPTURE(file);
