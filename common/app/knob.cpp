@@ -46,7 +46,7 @@ struct Components<glm::vec<N, float>> {
 };
 
 template <class T>
-constexpr const char* kind = std::is_same_v<T, int>      ? "whole number"
+constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
                              : Components<T>::count == 1 ? "number"
                                                          : "numbers a,b,c";
 
@@ -78,7 +78,7 @@ void Knob<T>::set(const std::string& given) {
     using C = Components<T>;
     const double lower = C::get(range.lower, 0), upper_bound = C::get(range.upper, 0);
     const auto refuse = [&] {
-        const char* const article = C::count == 1 ? "a " : "";
+        const char* const article = C::count > 1 ? "" : std::is_same_v<T, int> ? "an " : "a ";
         throw InputError("{}={}: expected {}{} from {} to {}{}", path(), given, article, kind<T>, format(lower),
                          format(upper_bound), unit.empty() ? "" : " " + unit);
     };

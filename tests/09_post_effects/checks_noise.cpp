@@ -123,7 +123,7 @@ CHECK_EXERCISE("09.film_grain", "A hash of three integers: multiply, exclusive o
         const size_t different = std::set<double>(here.begin(), here.end()).size();
         check.expect(different > all * 97 / 100,
                      fmt::format("{}: of {} numbers only {} are different", when, all, different),
-                     "a large time leaves no digits to a sum or a sine: mix whole numbers");
+                     "a large time leaves no digits to a sum or a sine: mix integer bits");
         expect_even(check, when, here);
         const std::tuple<double, double, double, const char*> others[] = {
             {701, 300, frame, "the pixel to the right"},       {700, 301, frame, "the pixel below"},

@@ -217,7 +217,7 @@ TEST_CASE_METHOD(OnTerrain, "between rings of different density there are cracks
 }
 
 TEST_CASE(
-    "where octaves end: a whole number of them makes steps in the ground, a share of the last none; its slope is right "
+    "where octaves end: whole ones make steps in the ground, a share of the last none; its slope is right "
     "but for the share's own",
     "[figures]") {
     const double wave = 5000, height = 1000, footprint_per_m = 1e-3;

@@ -34,7 +34,7 @@ TEST_CASE_METHOD(OnVolume, "a week later the shell still moves, and evenly, for 
     }
 }
 
-TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, even near 0; whole numbers are the same") {
+TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, even near 0; integers are the same") {
     double apart = 0;
     int count = 0;
     for (int x = -10; x <= 10; ++x)

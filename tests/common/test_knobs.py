@@ -80,7 +80,7 @@ def settings_of(knob, borrowed: bool) -> list[str]:
     if knob["range"] == [-360, 360]:
         return ["-360", "90", "360"]  # whole turns change nothing
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
-    return [",".join([str(int(end) if knob["type"] == "whole number" else end)] * count) for end in knob["range"]]
+    return [",".join([str(int(end) if knob["type"] == "integer" else end)] * count) for end in knob["range"]]
 
 
 # Additional settings by the beginning of a knob's name. A window reads as many texels as its width's square: it

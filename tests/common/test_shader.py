@@ -56,7 +56,7 @@ class Whole(unittest.TestCase):
         self.assertEqual(macros_of({"name": "shadow.method", "type": "choice", "default": "pcf", "options": ["hard", "pcf"]}),
                          {"SHADOW_METHOD": 1, "SHADOW_METHOD_HARD": 0, "SHADOW_METHOD_PCF": 1})
         self.assertEqual(macros_of({"name": "ambient", "type": "switch", "default": True}), {"AMBIENT": 1})
-        self.assertEqual(macros_of({"name": "maps.steps", "type": "whole number", "default": 32.0}), {})
+        self.assertEqual(macros_of({"name": "maps.steps", "type": "integer", "default": 32.0}), {})
 
 
 class Pages(unittest.TestCase):

@@ -106,7 +106,7 @@ def around(knob: dict, base: str) -> list[str]:
     low, high = knob["range"]
     value = float(base)
     tried = (0.25 * value, 4 * value) if value else (low + 0.1 * (high - low), low + 0.5 * (high - low))
-    whole = knob["type"] == "whole number"
+    whole = knob["type"] == "integer"
     return [str(round(one)) if whole else f"{float(f'{one:.3g}'):g}" for one in tried if low <= one <= high]
 
 

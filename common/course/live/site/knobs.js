@@ -58,7 +58,7 @@ const Knobs = {
 
   // The middle of a slider is the default: ranges reach from what is useful to what is possible.
   scale(knob) {
-    const [low, high] = knob.range, whole = knob.type === "whole number";
+    const [low, high] = knob.range, whole = knob.type === "integer";
     const share = (knob.default - low) / (high - low);
     const bend = share > 0 && share < 1 ? Math.min(Math.max(Math.log(share) / Math.log(0.5), 0.25), 12) : high - low > 4 && share <= 0 ? 4 : 1;
     return {

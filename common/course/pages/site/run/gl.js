@@ -45,7 +45,7 @@ const Gl = {
     return program;
   },
 
-  // GLSL ES has no implicit conversions: where the compiler complains of types, whole numbers of that line become floats,
+  // GLSL ES has no implicit conversions: where the compiler complains of types, integers of that line become floats,
   // one at a time, as long as that brings it further. `attempt` compiles a text, which is a part of it, or throws Gl.Mistake.
   forgiving(text, attempt, part = 1) {
     for (let turn = 0; ; ++turn) {
