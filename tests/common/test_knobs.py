@@ -50,6 +50,7 @@ SCENES = {"planet.l": "scenes/earth.json", "planet.turn_deg": "scenes/earth.json
           # Chapter 09's own scene has no light with cascades.
           **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
           "mlaa.taa.": "scenes/passing.json", "screen_occlusion.": "scenes/contact.json", "paint.": "scenes/paint_close.json", "music.": "scenes/beat.json", "sphere.": "scenes/beat.json",
+          "planets.walks": "scenes/saturn_rings.json",
           "planets.clouds": "scenes/earth_portrait.json", "planets.waves": "scenes/earth_portrait.json",
           "planets.air": "scenes/earth_portrait.json", "planets.night": "scenes/earth_night.json",
           "planets.relief": "scenes/moon.json", "planets.sun": "scenes/sun.json", "planets.flow": "scenes/jupiter.json",
@@ -154,7 +155,8 @@ USED_WITH = {
     "probe.lower": ["probe.update=moved", "probe.box=on"], "probe.upper": ["probe.update=moved", "probe.box=on"],
     "volume.truth_samples": ["volume.method=exact"], "volume.shine": ["volume.shading=gradient"],
     "volume.wave_speed": ["volume.wave=0.1", "time=1.234"], "volume.shell_speed": ["time=1.234"],
-    "planets.flow": ["planets.flow_days=1"], "planets.flow_days": ["planets.flow_period_days=1.7"], "planets.days_per_s": ["time=1.5"],
+    "planets.walks": ["planets.rings=random_walks"], "planets.flow": ["planets.flow_days=1"],
+    "planets.flow_days": ["planets.flow_period_days=1.7"], "planets.days_per_s": ["time=1.5"],
     "flight.": ["flight.on=on", "time=5.5"], "flight.on": ["time=5.5"],
     "marks.": ["select=0"], "picker.": ["show=ids"],
     "objects.shaded": ["gbuffer.method=forward"], "reference": ["post.tone=reinhard"],
