@@ -75,23 +75,30 @@ void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds&
     };
 }
 
-void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
-    copy.fit(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
+void show_image(Frame& frame, const std::string& name, const ImageView& view, const Image& into, const Shown& shown,
+                const Camera& camera, const Bounds& bounds) {
     const float radius = bounds.empty() ? 1.0f : 0.5f * glm::length(bounds.extent());
     const float middle = glm::distance(camera.position, bounds.empty() ? camera.target : bounds.center());
     const LookParameters parameters{.image_size = glm::uvec2(view.size()),
-                                    .scale = std::exp2(stops),
+                                    .scale = std::exp2(shown.stops),
                                     .kind = kind_of(view, frame),
-                                    .channel = channel,
+                                    .channel = shown.channel,
                                     .layers = static_cast<int>(view.layers),
                                     .near_m = camera.near_m,
                                     .far_m = camera.far_m,
                                     .bright_m = std::max(camera.near_m, middle - radius),
-                                    .dark_m = middle + radius};
-    frame.compute("look", {.reads = {view}, .writes = {copy}}, [&](Compute& pass) {
+                                    .dark_m = middle + radius,
+                                    .corner = shown.corner,
+                                    .size = shown.size};
+    frame.compute(name, {.reads = {view}, .writes = {into}}, [&](Compute& pass) {
         pass.use(pipeline_for(view)).set("source", view, nearest_clamp);
-        pass.set("look", parameters).set("result", copy).dispatch_threads(frame.size);
+        pass.set("look", parameters).set("result", into).dispatch_threads(shown.size);
     });
+}
+
+void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
+    copy.fit(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
+    show_image(frame, "look", view, copy, {{0, 0}, frame.size, stops, channel}, camera, bounds);
 }
 
 void Look::check(const Frame& frame) const {

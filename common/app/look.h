@@ -6,6 +6,18 @@
 
 namespace lightwalk {
 
+/// A rectangle of an image, and how another one is shown in it.
+struct Shown {
+    glm::uvec2 corner{0}, size{0};  ///< pixels
+    float stops = 0.0f;             ///< brighter by 2^stops
+    int channel = 0;                ///< 0 all, 1 to 4 one of red, green, blue, alpha
+};
+
+/// A pass that makes any image of a frame visible, fitted into a rectangle of `into`. `camera` and `bounds` (metres) say
+/// which depths there are to see.
+void show_image(Frame& frame, const std::string& pass, const ImageView& view, const Image& into, const Shown& shown,
+                const Camera& camera, const Bounds& bounds);
+
 struct Look {
     std::string output;  ///< one of names(), or a pass, for the first image it writes; empty: the picture itself
     float stops = 0.0f;  ///< brighter by 2^stops

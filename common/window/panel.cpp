@@ -55,7 +55,7 @@ Requests Panel::draw(PanelState& state, float scale) {
     if (!state.chapter.all_knobs().empty() && section("Knobs") && knobs_.draw(state.chapter, smooth_, state.automatic))
         requests.changed = true;
     if (section("Look at")) look(state, requests);
-    if (section("GPU time")) times(state);
+    if (section("GPU time")) times(state, requests);
     footer(state, requests);
     ImGui::End();
     return requests;
@@ -90,7 +90,7 @@ void Panel::look(PanelState& state, Requests& requests) {
     if (look.output != before.output) log_event("look " + (look.output.empty() ? picture : look.output));
 }
 
-void Panel::times(PanelState& state) {
+void Panel::times(PanelState& state, Requests& requests) {
     const bool same = std::equal(smooth_.begin(), smooth_.end(), state.times.begin(), state.times.end(),
                                  [](const PassTime& a, const PassTime& b) { return a.name == b.name; });
     averaged_ = same ? averaged_ + state.picture_is_new : 0;
@@ -118,6 +118,9 @@ void Panel::times(PanelState& state) {
     row("all passes", "", total);
     row("frame", "wall clock", state.frame_ms);
     ImGui::EndTable();
+    if (ImGui::Button("passes as a graph", {-1.0f, 0.0f})) requests.passes = true;
+    log_place("button.passes");
+    help_on_hover("F6: the passes below the picture, with an image of each target");
     ImGui::PushTextWrapPos();
     for (const std::string& line : state.chapter.all_status()) ImGui::TextUnformatted(line.c_str());
     ImGui::TextColored(quiet_color, "%zu triangles, %u×%u pixels", state.chapter.scene.triangle_count(),
@@ -147,7 +150,7 @@ void Panel::footer(PanelState& state, Requests& requests) {
         ImGui::TextColored(quiet_color, "clock at %.1f s", static_cast<double>(state.time_s));
     ImGui::TextColored(quiet_color,
                        "F: whole scene   Home: its own camera\n"
-                       "H: hide this   Esc: close");
+                       "F6: passes   H: hide this   Esc: close");
 }
 
 }  // namespace lightwalk

@@ -14,7 +14,7 @@ struct Requests {
     bool reload = false, screenshot = false, capture = false, save = false, home = false, frame_scene = false,
          all_toggles = false;
     bool earlier_toggles = false;  ///< all toggles, and those of earlier chapters
-    bool split = false, clock = false, panel = false, changed = false;
+    bool split = false, clock = false, panel = false, passes = false, changed = false;
     std::string lesson;  ///< chapter or exercise of the lesson to show
     std::string check;   ///< the exercise to check
 };
@@ -55,8 +55,8 @@ class Panel {
 
     Requests draw(PanelState& state, float scale);
 
-    /// Over the picture: errors in red, and a message that fades.
-    void draw_messages(const std::vector<std::string>& errors, const std::string& notice, const Area& picture);
+    /// In red over the picture, which is the last one that worked.
+    void draw_errors(const std::vector<std::string>& errors, const Area& picture);
 
     /// The divider to drag and the names of the two sides. True if it was moved.
     bool draw_divider(SplitView& split, const Area& picture);
@@ -65,7 +65,7 @@ class Panel {
     void exercises(PanelState& state, Requests& requests);
     void split(PanelState& state, Requests& requests);
     void look(PanelState& state, Requests& requests);
-    void times(PanelState& state);
+    void times(PanelState& state, Requests& requests);
     void footer(PanelState& state, Requests& requests);
     const Overlay& overlay_;
     std::string title_;

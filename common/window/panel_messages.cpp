@@ -31,36 +31,25 @@ std::string shortened(const std::string& text) {
     return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
 }
 
-void Panel::draw_messages(const std::vector<std::string>& errors, const std::string& notice, const Area& picture) {
+void Panel::draw_errors(const std::vector<std::string>& errors, const Area& picture) {
+    if (errors.empty()) return;
     const float left = static_cast<float>(picture.corner.x), width = static_cast<float>(picture.size.x),
                 height = static_cast<float>(picture.size.y);
-    if (!errors.empty()) {
-        ImGui::SetNextWindowPos({left + 8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
-        ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
-        ImGui::Begin("errors", nullptr,
-                     (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
-        ImGui::PopStyleColor();
-        ImGui::PushFont(overlay_.mono);
-        ImGui::PushStyleColor(ImGuiCol_Text, error_color);
-        ImGui::PushTextWrapPos();
-        for (const std::string& error : errors) ImGui::TextUnformatted(shortened(error).c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
-        ImGui::TextColored(quiet_color, "The picture is the last one that worked.");
-        ImGui::End();
-    }
-    if (!notice.empty()) {
-        ImGui::SetNextWindowPos({left + 8.0f, 8.0f});
-        ImGui::SetNextWindowBgAlpha(0.85f);
-        ImGui::Begin("notice", nullptr, over_picture | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-        ImGui::PushTextWrapPos(std::max(width - 40.0f, 100.0f));
-        ImGui::TextUnformatted(notice.c_str());
-        log_place("notice");
-        ImGui::PopTextWrapPos();
-        ImGui::End();
-    }
+
+    ImGui::SetNextWindowPos({left + 8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
+    ImGui::Begin("errors", nullptr, (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
+    ImGui::PushFont(overlay_.mono);
+    ImGui::PushStyleColor(ImGuiCol_Text, error_color);
+    ImGui::PushTextWrapPos();
+    for (const std::string& error : errors) ImGui::TextUnformatted(shortened(error).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::TextColored(quiet_color, "The picture is the last one that worked.");
+    ImGui::End();
 }
 
 bool Panel::draw_divider(SplitView& split, const Area& picture) {

@@ -1,5 +1,7 @@
 #include "common/window/status_line.h"
 
+#include <algorithm>
+
 #include "common/window/event_log.h"
 #include "common/window/overlay.h"
 
@@ -29,25 +31,34 @@ uint32_t StatusLine::height_px(float scale, uint32_t window_height) {
     return wanted < 0.2f * static_cast<float>(window_height) ? static_cast<uint32_t>(wanted) : 0;
 }
 
-void StatusLine::draw(const Area& picture, const std::vector<std::string>& mouse,
-                      const std::vector<std::string>& pixel) {
+void StatusLine::draw(const Area& picture, float scale, const std::string& notice,
+                      const std::vector<std::string>& mouse, const std::vector<std::string>& pixel) {
     const float top = static_cast<float>(picture.corner.y + picture.size.y), width = static_cast<float>(picture.size.x);
-    const float below = ImGui::GetIO().DisplaySize.y - top;
-    if (below < 1.0f) return;
-    ImGui::SetNextWindowPos({static_cast<float>(picture.corner.x), top});
-    ImGui::SetNextWindowSize({width, below});
+    const auto below = static_cast<float>(height_px(scale, static_cast<uint32_t>(ImGui::GetIO().DisplaySize.y)));
+    const float padding = ImGui::GetStyle().WindowPadding.x, right = width - padding;
+    const float lines = notice.empty() ? 0.0f : ImGui::CalcTextSize(notice.c_str(), nullptr, false, right - padding).y;
+    const float high = std::max(below, lines > 0.0f ? lines + 4.0f * scale : 0.0f);
+    if (high < 1.0f) return;
+    ImGui::SetNextWindowPos({static_cast<float>(picture.corner.x), top + below - high});
+    ImGui::SetNextWindowSize({width, high});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, 2.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, 2.0f * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1.0f});
     ImGui::Begin("status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const float right = width - ImGui::GetStyle().WindowPadding.x;
-    ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-    draw_words(mouse.empty() ? camera_words : mouse, right);
-    ImGui::PopStyleColor();
-    draw_words(pixel, right);
+    if (notice.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+        draw_words(mouse.empty() ? camera_words : mouse, right);
+        ImGui::PopStyleColor();
+    } else {
+        ImGui::PushTextWrapPos(right);
+        ImGui::TextUnformatted(notice.c_str());
+        ImGui::PopTextWrapPos();
+        log_place("notice");
+    }
+    if (lines < 1.5f * ImGui::GetTextLineHeight()) draw_words(pixel, right);
     ImGui::End();
     ImGui::PopStyleVar(3);
 }

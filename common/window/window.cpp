@@ -86,8 +86,8 @@ Area Window::picture_area() const {
     const float scale = display_.scale();
     const auto panel = static_cast<uint32_t>(panel_.width(scale, whole.x));
     const uint32_t beside = whole.x - std::min(panel, whole.x), dock = dock_px(tool_, scale, beside);
-    const uint32_t status = StatusLine::height_px(scale, whole.y);
-    return {{dock, 0}, glm::max(glm::uvec2(beside - dock, whole.y - status), 16u)};
+    const uint32_t below = StatusLine::height_px(scale, whole.y) + picture_.graph.height_px(scale, whole.y);
+    return {{dock, 0}, glm::max(glm::uvec2(beside - dock, whole.y - below), 16u)};
 }
 
 glm::vec2 Window::on_picture(glm::vec2 cursor) const {
@@ -180,11 +180,14 @@ Requests Window::build_panel(bool picture_is_new) {
     const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
     const Area area = picture_area();
-    panel_.draw_messages(errors(), notice_.text(), area);
+    panel_.draw_errors(errors(), area);
     if (picture_.split.on() && panel_.draw_divider(picture_.split, area)) requests.changed = true;
     const float scale = display_.scale(), dock = static_cast<float>(area.corner.x);
     if (tool_ && tool_->draw_panels(area, dock, scale)) requests.changed = true;
     draw_status();
+    const uint32_t graph_px = picture_.graph.height_px(scale, swapchain_.size.y);
+    const Area room{{area.corner.x, swapchain_.size.y - graph_px}, {area.size.x, graph_px}};
+    if (picture_.graph.draw(room, scale, picture_.frame(), picture_.look)) requests.changed = true;
     if (automatic_.wanted != asked_before) {
         automatic_.asked_at = drawn_;
         notice_.tell("measuring the methods of " + automatic_.wanted + " ... (Esc cancels)");
@@ -200,7 +203,8 @@ void Window::draw_status() {
     const bool over = free && glm::all(glm::greaterThanEqual(cursor_, glm::vec2(0.0f))) &&
                       glm::all(glm::lessThan(cursor_, glm::vec2(area.size)));
     probe_.look(gpu_, picture_.frame(), chapter_, over ? std::optional(glm::uvec2(cursor_)) : std::nullopt);
-    StatusLine::draw(area, tool_ ? tool_->mouse_words() : std::vector<std::string>(), probe_.words());
+    StatusLine::draw(area, display_.scale(), notice_.text(), tool_ ? tool_->mouse_words() : std::vector<std::string>(),
+                     probe_.words());
 }
 
 std::vector<std::string> Window::errors() {
@@ -247,6 +251,9 @@ void Window::draw() {
                              size = glm::min(picture.desc.size, target->desc.size - corner);
             blit(commands, picture, {{0, 0}, size}, *target, {corner, size});
         });
+        if (picture_.graph.has_images())
+            screen_.transfer("passes", {.reads = {picture_.graph.images()}, .writes = {*target}},
+                             [&](VkCommandBuffer commands) { picture_.graph.blit_to(commands, *target); });
         screen_.transfer("panel", {}, [&](VkCommandBuffer commands) { overlay_.draw(commands); });
         screen_.end(swapchain_.acquired(), swapchain_.rendered());
         swapchain_.present();

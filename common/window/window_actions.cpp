@@ -46,6 +46,7 @@ void Window::handle_keys(const Input& input, Requests& requests) {
         if (key == GLFW_KEY_F2) (mods & GLFW_MOD_SHIFT ? requests.earlier_toggles : requests.all_toggles) = true;
         if (key == GLFW_KEY_F3) requests.split = true;
         if (key == GLFW_KEY_F5) requests.reload = true;
+        if (key == GLFW_KEY_F6) requests.passes = true;
         if (key == GLFW_KEY_F11) requests.capture = true;
         if (key == GLFW_KEY_F12) requests.screenshot = true;
         if (key == GLFW_KEY_S && (mods & GLFW_MOD_CONTROL)) requests.save = true;
@@ -70,6 +71,7 @@ void Window::obey(const Requests& requests) {
     if (requests.save && !(tool_ && tool_->on_save())) saver_.save();
     if (requests.split) switch_split();
     if (requests.clock) clock_.runs = !clock_.runs;
+    if (requests.passes) picture_.graph.show(!picture_.graph.shown());
     if (requests.panel) panel_.visible = !panel_.visible;
     if (requests.home) chapter_.camera = chapter_.scene.file.camera;
     if (requests.frame_scene) {
@@ -80,8 +82,8 @@ void Window::obey(const Requests& requests) {
     if (!requests.check.empty()) checks_.start(requests.check);
     const bool any = !requests.lesson.empty() || !requests.check.empty() || requests.all_toggles ||
                      requests.earlier_toggles || requests.reload || requests.screenshot || requests.capture ||
-                     requests.save || requests.split || requests.clock || requests.panel || requests.home ||
-                     requests.frame_scene || requests.changed;
+                     requests.save || requests.split || requests.clock || requests.panel || requests.passes ||
+                     requests.home || requests.frame_scene || requests.changed;
     if (any) activity_.stay(0.3);
 }
 

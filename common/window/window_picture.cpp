@@ -21,6 +21,7 @@ void WindowPicture::draw(glm::uvec2 size, float time_s, const std::function<void
     compared_ = false;
     gpu_.pipelines.errors.clear();
     look.attach(frame_, viewed_, chapter.camera, chapter.scene.bounds);
+    graph.attach(frame_, chapter.camera, chapter.scene.bounds);
     const Picture picture{.size = size, .time_s = time_s, .seed = seed_, .crop = {}, .gathered = 0};
     {
         // Where every switch says reference, two equal halves would show nothing: the left one is then mine.

@@ -3,21 +3,27 @@
 #include <functional>
 
 #include "common/gpu/capture.h"
+#include "common/window/frame_graph.h"
 #include "common/window/split_view.h"
 
 namespace lightwalk {
 
-/// Large (10 functions, 13 members): frames and images, what they show, and for which size and time.
+/// Large (10 functions, 14 members): frames and images, what they show, and for which size and time.
 class WindowPicture {
   public:
     static constexpr int most_samples = 16;  ///< of a picture at rest
 
     /// `scene` is loaded by the chapter already; the reference loads it when the view is split.
     WindowPicture(LiveChapter& live, Gpu& gpu, const MakeChapter& make, std::filesystem::path scene, unsigned seed)
-        : split(gpu, make, std::move(scene)), live_(live), gpu_(gpu), seed_(seed), frame_(gpu) {}
+        : split(gpu, make, std::move(scene)),
+          live_(live),
+          gpu_(gpu),
+          seed_(seed),
+          frame_(gpu, {.listener = &graph.flow}) {}
 
     Look look;
     SplitView split;
+    FrameGraph graph;
     int refined = 0;  ///< samples that the picture has gathered at rest
 
     /// The chapter, and the reference where the view is split. With `captured`, RenderDoc captures the chapter's frame.

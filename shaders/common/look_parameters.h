@@ -18,6 +18,8 @@ struct LookParameters {
     float far_m;
     float bright_m;  // at this distance depth is shown white, at dark_m nearly black
     float dark_m;
+    uvec2 corner;  // of the rectangle that shows it, in pixels of the result
+    uvec2 size;    // of the rectangle
 };
 
 END_SHARED

@@ -1,4 +1,4 @@
-// Makes an image of a frame visible: any format, fitted into the picture. SHAPE: 0 plain, 1 layers side by side, 2 cube
+// Makes an image of a frame visible: any format, fitted into a rectangle. SHAPE: 0 plain, 1 layers side by side, 2 cube
 // as longitude and latitude, 3 integers. NaN is magenta, infinity cyan.
 #include "common/look_parameters.h"
 #include "common/srgb.glsl"
@@ -66,10 +66,10 @@ vec3 visible(vec4 value) {
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    vec2 size = vec2(imageSize(result));
+    if (any(greaterThanEqual(pixel, ivec2(look.size)))) return;
+    vec2 size = vec2(look.size);
     float fit = min(size.x / shown_size().x, size.y / shown_size().y);
     vec2 uv = ((vec2(pixel) + 0.5) - 0.5 * (size - fit * shown_size())) / (fit * shown_size());
     bool inside = all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
-    imageStore(result, pixel, vec4(inside ? visible(fetch(uv)) : vec3(0.03), 1.0));
+    imageStore(result, pixel + ivec2(look.corner), vec4(inside ? visible(fetch(uv)) : vec3(0.03), 1.0));
 }

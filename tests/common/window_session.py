@@ -28,7 +28,7 @@ class Session:
     def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, **environment: str):
         self.server = server
         self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1", "LIGHTWALK_REFINE": "off",
-                            "XDG_STATE_HOME": str(folder / "state"), **environment}
+                            "LIGHTWALK_TOUR": "off", "XDG_STATE_HOME": str(folder / "state"), **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.lines: list[str] = []
         self.errors: list[str] = []

@@ -38,10 +38,10 @@ PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
-LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer)$"
+LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
-TURNS = ("autograder|equal_methods", "grade_later|page_site|window_files|window_monkey",
+TURNS = ("autograder|equal_methods|window_passes|window_tour", "grade_later|page_site|window_files|window_monkey",
          "grade_shards|page_verdicts|grade_user|window_properties", "grade_forged|random_scenes|course_new|window_fields")
 
 

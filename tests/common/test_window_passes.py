@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""The frame as a graph of its passes: opened by a key and by a button, an image of each target, a click that shows one large.
+Messages stand below the picture. Under Xvfb, validated."""
+# Builds: 05_shadow_maps
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from window_session import BUILD, ROOT, Session, XServer
+
+WIDTH, HEIGHT = 500, 700
+SCENE = {"camera": {"position": [0, 2, 5], "target": [0, 0.5, 0], "fov_deg": 40}, "ambient": [0.2, 0.2, 0.2],
+         "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "shadow": True}],
+         "objects": [{"name": "ground", "model": "models/ground.obj"},
+                     {"name": "box", "model": "models/cube.obj", "position": [0, 0.5, 0]}]}
+
+
+class Passes(unittest.TestCase):
+    def setUp(self):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        server = XServer(1600, 1200)
+        self.addCleanup(server.close)
+        scene = Path(folder, "box.json")
+        scene.write_text(json.dumps(SCENE))
+        self.session = Session(server, BUILD / "chapters" / "05_shadow_maps",
+                               ["--validate", "on", "--scene", str(scene), "--size", f"{WIDTH}x{HEIGHT}",
+                                "--set", "shadow.cascades=1"], Path(folder), LIGHTWALK_ROOT=str(ROOT))
+        self.addCleanup(self.session.close)
+        self.session.read_all()
+
+    def picture(self, height: int) -> bytes:
+        return self.session.settled(0, 0, WIDTH, height)
+
+    def passes(self, since: int) -> set:
+        said = self.session.wait_for_line(r"passes(; .*)", since)[1]
+        return {tuple(edge.split(" > ")) for edge in said[2:].split("; ")}
+
+    def test_passes_are_shown_with_their_images_and_a_click_shows_one_large(self):
+        session = self.session
+        whole = self.picture(HEIGHT)
+        since = session.said()
+        session.key("F6")
+        edges = self.passes(since)
+        self.assertIn(("shade", "encode_srgb"), edges)
+        self.assertLess({"pass.shade: hdr", "pass.encode_srgb: output"}, set(session.areas))
+        depth = "pass.shade depth: depth"
+        left, top, right, bottom = session.areas[depth]
+        image = session.settled(left + 2, top + 2, right - left - 4, bottom - top - 4)
+        self.assertGreater(len({image[i:i + 3] for i in range(0, len(image), 3)}), 1, "the image of the depth is empty")
+        smaller = top - 60  # above the graph
+        picture = self.picture(smaller)
+        since = session.said()
+        session.click(depth)
+        session.wait_for_line("look shade depth: depth", since)
+        self.assertNotEqual(self.picture(smaller), picture)
+        session.click(depth)
+        session.wait_for_line("look the picture", since)
+        self.assertEqual(self.picture(smaller), picture)
+        session.key("F6")
+        session.wait(lambda: session.pixels(0, 0, WIDTH, HEIGHT) == whole, "the whole picture")
+        session.key("Escape")
+        self.assertEqual((session.end(), session.errors), (0, []))
+
+    def test_messages_leave_the_picture_alone(self):
+        session = self.session
+        whole = self.picture(HEIGHT)
+        session.key("F5")
+        session.wait(lambda: "notice" in session.areas, "a message")
+        self.assertGreaterEqual(session.areas["notice"][1], HEIGHT)
+        self.assertEqual(self.picture(HEIGHT), whole)
+        session.key("Escape")
+        self.assertEqual((session.end(), session.errors), (0, []))
+
+
+if __name__ == "__main__":
+    unittest.main()
