@@ -10,7 +10,7 @@ namespace lightwalk {
 /// As a scene file names it: relative to the course's assets, as any clone finds it, or whole.
 std::filesystem::path asset_name(const std::filesystem::path& file);
 
-/// Large (27 functions, 19 members): a document and what it means for a chapter.
+/// Large (27 functions, 20 members): a document and what it means for a chapter.
 class Editor {
   public:
     Document document;
@@ -20,6 +20,7 @@ class Editor {
     LiveScene live;
     Tool tool = Tool::move;
     bool local = false;
+    float scale = 1.0f;  ///< of the gizmo and other marks: as the window's panels
     std::optional<GizmoDrag> drag;
     Handle hot;            ///< under the mouse
     uint64_t gesture = 1;  ///< another one for each press of a button or key

@@ -24,7 +24,7 @@ void Editor::select_item(const Scene& scene, std::optional<uint32_t> item, bool 
 
 std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) const {
     std::optional<EntryId> nearest;
-    float least = 9.0f;
+    float least = 9.0f * scale;
     for (const EntryId id : document.at(root_entry).children) {
         const Entry& entry = document.at(id);
         if (!entry.light() || entry.hidden || entry.locked || entry.light()->kind == Light::Kind::directional) continue;

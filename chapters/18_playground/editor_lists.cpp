@@ -53,7 +53,7 @@ void KeysPanel::draw(float scale) {
             {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
             {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save (with Shift: as), export to glTF"},
             {"Ctrl+A, Esc", "select all; nothing, then (twice) close"},
-            {"F12, F1, H", "picture; these keys; the knobs"},
+            {"F12, F6, F1, H", "picture; passes as a graph; these keys; the knobs"},
             {"F2, F3, F5", "switch all exercises, mine beside reference, reload"},
             {"drag, wheel, right button", "orbit, come closer, look and fly"},
             {"right button in the tree", "what can be done with an entry"}};
@@ -61,6 +61,10 @@ void KeysPanel::draw(float scale) {
             ImGui::TextColored(reference_color, "%-28s", key);
             ImGui::SameLine(220.0f * scale);
             ImGui::TextUnformatted(help);
+        }
+        if (tool_button("tour", "Ten steps that show the editor; it can be left at any time")) {
+            shown = false;
+            tour_();
         }
     }
     ImGui::End();

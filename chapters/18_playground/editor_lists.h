@@ -17,9 +17,12 @@ class StepsPanel : public EditorPart {
 
 class KeysPanel : public EditorPart {
   public:
-    using EditorPart::EditorPart;
+    KeysPanel(EditorView& view, std::function<void()> tour) : EditorPart(view), tour_(std::move(tour)) {}
     void draw(float scale);
     bool shown = false;
+
+  private:
+    std::function<void()> tour_;  ///< begins it
 };
 
 }  // namespace lightwalk

@@ -20,7 +20,12 @@ bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) 
         tree_.give_up_fields();
         properties_.wants_keyboard = false;
     }
-    if (dock_px > 0.0f) draw_dock(dock_px, scale);
+    editor.scale = scale;
+    output_frame.draw(picture, scale);
+    if (dock_px > 0.0f) {
+        draw_dock(dock_px, scale);
+        tour_.draw(dock_px, scale);
+    }
     take_dropped();
     keys_.draw(scale);
     files_.draw_question();
@@ -31,7 +36,7 @@ bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) 
 
 void EditorWindow::draw_dock(float width_px, float scale) {
     ImGui::SetNextWindowPos({0.0f, 0.0f});
-    ImGui::SetNextWindowSize({width_px, ImGui::GetIO().DisplaySize.y});
+    ImGui::SetNextWindowSize({width_px, ImGui::GetIO().DisplaySize.y - tour_.height_px(scale)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::Begin("editor", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -24,7 +24,7 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
         pressed_on_picture_ = over_picture;
     }
     if (input.left || released) moved_px_ = std::max(moved_px_, glm::length(cursor_px - press_px_));
-    const auto place = gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local);
+    const auto place = gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local, editor.scale);
     if (place) tool_ = place->tool;
     if (!editor.drag) {
         const Handle before = editor.hot;

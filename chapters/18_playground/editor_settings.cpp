@@ -1,4 +1,4 @@
-// Scene-wide entries of the tree: camera, surroundings, water and fog.
+// Scene-wide entries of the tree: camera, surroundings, water, fog and effects.
 #include "18_playground/editor_settings.h"
 
 #include "18_playground/file_browser.h"
@@ -23,7 +23,8 @@ const std::vector<Facet>& facets() {
         {"environment", "Light from all around", icon::image, {"environment", "backdrop"}},
         {"sky", "Sun, air and planet", icon::cloud, {"atmosphere", "sky"}},
         {"water", "A surface of waves", icon::water, {"water"}},
-        {"fog", "Air that scatters light, below a height", icon::fog, {"fog"}}};
+        {"fog", "Air that scatters light, below a height", icon::fog, {"fog"}},
+        {"effects", "Bloom, anti-aliasing, tones and lens", icon::effects, {"bloom", "mlaa", "post"}}};
     return all;
 }
 
@@ -41,6 +42,7 @@ bool SettingsPanel::is_there(const std::string& facet) const {
     if (facet == "sky") return view_.chapter.bench.air.is("sky");
     if (facet == "water") return !view_.chapter.bench.water.method.is("none");
     if (facet == "fog") return !view_.chapter.bench.fog.method.is("none");
+    if (facet == "effects") return !view_.chapter.bloom.method.is("none") || !view_.chapter.antialias.method.is("none");
     return true;
 }
 
@@ -118,6 +120,7 @@ bool SettingsPanel::draw_camera(SceneSettings& settings) {
         view_.chapter.camera = settings.camera;
         view_.changed = true;
     }
+    draw_output_shape();
     Camera& own = settings.camera;
     changed |= fields_.numbers("position", "Position of the camera, in metres", own.position, 0.01f);
     changed |= fields_.numbers("target", "Point in the middle of the picture, in metres", own.target, 0.01f);
@@ -129,6 +132,25 @@ bool SettingsPanel::draw_camera(SceneSettings& settings) {
     changed |= fields_.number("near", "Distance of the near plane, in metres", own.near_m, 0.001f, 1e-5f, 1e5f);
     changed |= fields_.number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
     return changed;
+}
+
+// Of the window, not of the scene.
+void SettingsPanel::draw_output_shape() {
+    OutputFrame& output = view_.chapter.output_frame;
+    label_left("output");
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool open = ImGui::BeginCombo("##output", OutputFrame::names()[output.shape]);
+    log_place("choice.output");
+    help_on_hover("Frame of a picture of another shape, over this one");
+    if (!open) return;
+    for (size_t i = 0; i < OutputFrame::names().size(); ++i) {
+        if (ImGui::Selectable(OutputFrame::names()[i], i == output.shape)) {
+            output.shape = i;
+            view_.changed = true;
+        }
+        log_place(std::string("option.") + OutputFrame::names()[i]);
+    }
+    ImGui::EndCombo();
 }
 
 bool SettingsPanel::draw_environment(SceneSettings& settings) {

@@ -1,4 +1,4 @@
-// Scene-wide entries: camera, surroundings, water and fog.
+// Scene-wide entries: camera, surroundings, water, fog and effects.
 #pragma once
 #include "18_playground/editor_fields.h"
 #include "18_playground/editor_files.h"
@@ -21,6 +21,7 @@ class SettingsPanel : public EditorPart {
     bool is_there(const std::string& name) const;
     void draw_knobs();
     bool draw_camera(SceneSettings& settings);
+    void draw_output_shape();
     bool draw_environment(SceneSettings& settings);
     void set(const std::string& what, const SceneSettings& settings);
     EditorFields& fields_;

@@ -5,11 +5,12 @@
 #include "18_playground/editor_pointer.h"
 #include "18_playground/editor_properties.h"
 #include "18_playground/file_browser.h"
+#include "18_playground/tour.h"
 
 namespace lightwalk {
 
 /// It places its panels, each of which owns its state, and gives them the keys: one member for each of them.
-/// Large (28 functions, 14 members): it places panels: one member each.
+/// Large (28 functions, 15 members): it places panels: one member each.
 struct EditorWindow : Playground, WindowTool {
     EditorWindow();
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;
@@ -53,7 +54,8 @@ struct EditorWindow : Playground, WindowTool {
     LoadingPanel loading_{view_};
     EditorPointer pointer_{view_};
     StepsPanel steps_{view_};
-    KeysPanel keys_{view_};
+    Tour tour_{view_};
+    KeysPanel keys_{view_, [this] { tour_.begin(); }};
     FileBrowser browser_;
     int scatter_count_ = 100;
     bool leaving_ = false;  ///< the last key was an Escape with nothing to end

@@ -44,7 +44,7 @@ PickRay ray_through(const View& view, glm::vec2 cursor_px) {
 }
 
 std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection& selection, const View& view, Tool tool,
-                                      bool local) {
+                                      bool local, float scale) {
     GizmoPlace place{.tool = tool};
     glm::dvec3 sum(0.0);
     int count = 0;
@@ -71,7 +71,8 @@ std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection&
             if (glm::length(m[i]) > 0.0f) place.axes[i] = glm::normalize(m[i]);
     }
     const float depth = glm::dot(place.pivot - view.eye, glm::normalize(view.camera.target - view.camera.position));
-    place.length_m = sizes.arrow * view.pixel_rad() * std::max(depth, view.camera.near_m);
+    place.scale = scale;
+    place.length_m = scale * sizes.arrow * view.pixel_rad() * std::max(depth, view.camera.near_m);
     return place;
 }
 
@@ -94,7 +95,7 @@ bool is_end_on(const GizmoPlace& place, const Handle& handle, const View& view) 
 }
 
 std::vector<glm::vec3> handle_line(const GizmoPlace& place, const Handle& handle, const View& view) {
-    const float length = place.length_m, pixel = length / sizes.arrow;
+    const float length = place.length_m, pixel = length / sizes.arrow;  // of the window at scale 1
     std::vector<glm::vec3> line;
     if (handle.kind == Handle::Kind::axis) return {place.pivot, place.pivot + length * place.axes[handle.axis]};
     auto [u, v] = across(place, handle.axis);
@@ -120,7 +121,7 @@ std::vector<glm::vec3> handle_line(const GizmoPlace& place, const Handle& handle
 // [handle_at]
 Handle handle_at(const GizmoPlace& place, const View& view, glm::vec2 cursor_px) {
     Handle nearest;
-    float least = sizes.reach;
+    float least = sizes.reach * place.scale;
     for (const Handle& handle : handles(place.tool)) {
         if (is_end_on(place, handle, view)) continue;
         std::vector<glm::vec2> line;

@@ -21,6 +21,7 @@ struct GizmoPlace {
     glm::vec3 pivot{0.0f};  ///< metres, world space
     glm::mat3 axes{1.0f};   ///< unit length, world space
     float length_m = 1;     ///< of an arrow: as many pixels everywhere
+    float scale = 1;        ///< of GizmoSizes
 };
 
 /// In pixels.
@@ -30,7 +31,7 @@ struct GizmoSizes {
 
 /// The gizmo of the selection: in its middle, or for a sun, which is turned only, at the camera's target; along the world's axes or those of the active object.
 std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection& selection, const View& view, Tool tool,
-                                      bool local);
+                                      bool local, float scale = 1.0f);
 
 /// A handle's outline in the world, as a line through these points.
 std::vector<glm::vec3> handle_line(const GizmoPlace& place, const Handle& handle, const View& view);

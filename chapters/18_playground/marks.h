@@ -17,7 +17,7 @@ struct Marks : Module {
 
     /// `picture` is finished and linear, 0 to 1. `selected`: of each of the scene's items, as picker.ids has them.
     void record(Frame& frame, const View& view, const Image& picture, const Picker& picker,
-                const std::vector<uint32_t>& selected, const std::vector<MarkLine>& lines);
+                const std::vector<uint32_t>& selected, const std::vector<MarkLine>& lines, float scale = 1.0f);
 
   private:
     Pipeline outline_ = compute({.shader = "18_playground/outline.comp"});
@@ -34,6 +34,7 @@ struct Marks : Module {
 void add_gizmo(std::vector<MarkLine>& lines, const GizmoPlace& place, const View& view, const Handle& hot);
 /// A symbol of constant size for each light, and the cone or range of selected ones; above a hundred only the active
 /// one's.
-void add_lights(std::vector<MarkLine>& lines, const Document& document, const Selection& selection, const View& view);
+void add_lights(std::vector<MarkLine>& lines, const Document& document, const Selection& selection, const View& view,
+                float scale = 1.0f);
 
 }  // namespace lightwalk

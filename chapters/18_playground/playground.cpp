@@ -38,7 +38,7 @@ void Playground::bring_up_to_date(Gpu& gpu) {
 // [frame]
 void Playground::frame(Frame& frame) {
     bring_up_to_date(frame.gpu);
-    const View view = view_now = set_view(frame, bench);
+    const View view = view_now = look_at(bench, frame, scene, output_frame.seen(camera, frame.size));
 
     // 1. Item ids per pixel, after a click or with a selection.
     const bool asks = click.has_value(), marked = marks.on && (!editor.selection.ids.empty() || select >= 0);
@@ -78,10 +78,11 @@ void Playground::draw_marks(Frame& frame, const View& view) {
     }
     if (editor.selection.ids.empty()) return;
     std::vector<MarkLine> lines;
-    add_lights(lines, editor.document, editor.selection, view);
-    if (const auto place = gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local))
+    add_lights(lines, editor.document, editor.selection, view, editor.scale);
+    if (const auto place =
+            gizmo_place(editor.document, editor.selection, view, editor.tool, editor.local, editor.scale))
         add_gizmo(lines, *place, view, editor.hot);
-    marks.record(frame, view, frame.hdr, picker, editor.selected_items(scene), lines);
+    marks.record(frame, view, frame.hdr, picker, editor.selected_items(scene), lines, editor.scale);
 }
 
 void Playground::measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) { measure_picking(*this, gpu, size, error); }

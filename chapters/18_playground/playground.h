@@ -7,6 +7,7 @@
 #include "18_playground/arrival.h"
 #include "18_playground/editor.h"
 #include "18_playground/marks.h"
+#include "18_playground/output_frame.h"
 #include "18_playground/workbench.h"
 
 namespace lightwalk {
@@ -23,6 +24,7 @@ struct Playground : ModelChapter {
     Marks marks{*this, "marks"};
 
     Editor editor;
+    OutputFrame output_frame;
     std::optional<std::filesystem::path> opens;     ///< a scene that the next frame shall open
     std::vector<std::unique_ptr<Arrival>> arrived;  ///< models for the next frame to add or open
     std::optional<glm::ivec2> click;                ///< a pixel that the next frame shall pick

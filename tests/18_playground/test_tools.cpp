@@ -155,6 +155,10 @@ TEST_CASE(
     CHECK(handle_at(in_world, view, pivot + glm::vec2(60, 5)) == x_axis);
     CHECK_FALSE(handle_at(in_world, view, pivot + glm::vec2(60, 12)));
     CHECK_FALSE(handle_at(in_world, view, pivot + glm::vec2(130, 0)));
+    // On a screen of twice the dots all of it is twice as large: length, width and reach.
+    const auto large = *gizmo_place(document, selection, view, Tool::move, false, 2.0f);
+    CHECK(handle_at(large, view, pivot + glm::vec2(130, 12)) == x_axis);
+    CHECK_FALSE(handle_at(large, view, pivot + glm::vec2(200, 0)));
     const View side = view_from({0, 10, 10});
     CHECK(is_end_on(in_world, {Handle::Kind::plane, 1}, view_from({9, 0, 0}, {-1, 0, 0})));
     CHECK_FALSE(is_end_on(in_world, {Handle::Kind::plane, 1}, side));

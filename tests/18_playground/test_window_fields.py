@@ -202,7 +202,7 @@ class Fields(EditorTest):
         since = session.said()
         session.tap("entry.scene")
         session.key("Delete")
-        session.wait_for_line("notice camera, environment, sky, water and fog belong to the scene.*", since)
+        session.wait_for_line("notice camera, environment, sky, water, fog and effects belong to the scene.*", since)
         session.read_all()
         left = session.areas["notice"][0]
         for place, (_, top, right, _) in session.areas.items():
@@ -229,7 +229,7 @@ class Fields(EditorTest):
         session.key("ctrl+f")
         session.wait(lambda: session.types, "the field")
         session.xdotool("type", "quoted")
-        session.wait(lambda: session.areas["entry." + ODD][1] < session.areas["entry.fog"][3] + 8, "what was found")
+        session.wait(lambda: session.areas["entry." + ODD][1] < session.areas["entry.effects"][3] + 8, "what was found")
         session.replace("")
 
     def test_7_a_question_is_answered_by_keys(self):

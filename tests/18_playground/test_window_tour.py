@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""The editor at its first start: a tour that follows what the person does, can be left, and does not come back; the frame of
+an output of another shape. Under Xvfb, validated."""
+import json
+import unittest
+
+from editor_case import EditorTest
+from window_session import BUILD, ROOT, Session
+
+CUBE = {"camera": {"position": [0, 1.2, 4], "target": [0, 0.3, 0], "fov_deg": 40}, "ambient": [0.3, 0.3, 0.3],
+        "background": [0.5, 0.5, 0.5], "objects": [{"name": "cube", "model": "models/cube.obj", "position": [0, 0.3, 0]}]}
+
+
+class Tour(EditorTest):
+    built = CUBE
+
+    @classmethod
+    def start(cls, scene):
+        session = Session(cls.server, BUILD / "chapters" / "18_playground",
+                          ["--validate", "on", "--size", "{}x{}".format(*cls.size), "--scene", str(scene)], cls.folder,
+                          LIGHTWALK_ROOT=str(ROOT), LIGHTWALK_TOUR="")  # as a person starts it
+        cls.addClassCleanup(session.close)
+        return session
+
+    def test_1_steps_end_when_they_are_done(self):
+        session, middle = self.session, self.middle()
+        since = session.said()
+        session.drag(middle, (middle[0] + 60, middle[1]))
+        session.wait_for_line("tour 2", since)
+        session.tap("entry.cube")
+        session.wait_for_line("tour 3", since)
+        session.tap("tool.next")
+        session.wait_for_line("tour 4", since)
+        session.tap("tool.back")
+        session.wait_for_line("tour 3", since)
+        session.key("ctrl+d")  # a step of the document
+        session.wait_for_line("tour 4", since)
+        session.key("ctrl+z")
+        session.wait_for_line("tour 5", since)
+        session.key("2")
+        session.wait_for_line("tour 6", since)
+        session.key("shift+2")
+        session.wait_for_line("tour 7", since)
+        session.tap("tool.leave the tour")
+        session.wait_for_line("tour left", since)
+        remembered = json.loads((self.folder / "state/lightwalk/18_playground.tour.panel.json").read_text())
+        self.assertEqual(remembered, {"left": True})
+
+    def test_2_keys_begin_it_again(self):
+        session = self.session
+        since = session.said()
+        session.key("F1")
+        session.tap("tool.tour")
+        session.wait_for_line("tour 1", since)
+        session.tap("tool.leave the tour")
+        session.wait_for_line("tour left", since)
+
+    def lines(self) -> tuple[int, int]:
+        """Rows of the picture that are dark at both ends, outside of the frame of the output; all rows."""
+        width, height = self.size
+        picture = self.session.settled(self.left_px, 0, width, height)
+        ends = [[picture[3 * (y * width + x)] for x in (2, width - 3)] for y in range(height)]
+        return sum(max(row) < 110 for row in ends), height
+
+    def test_3_the_frame_of_the_output_has_its_shape(self):
+        session = self.session
+        session.tap("entry.camera")
+        session.tap("choice.output")
+        session.tap("option.16:9")
+        outside, height = self.lines()
+        self.assertLess(abs(height - outside - self.size[0] / (16 / 9)), 4)
+        session.tap("choice.output")
+        session.tap("option.the window")
+        self.assertEqual(self.lines()[0], 0)
+
+    def test_4_later_starts_have_none(self):
+        session = self.session
+        session.key("ctrl+s")
+        self.leave()
+        type(self).session = self.session = self.start(self.scene)
+        self.session.read_all()
+        self.assertNotIn("tool.leave the tour", self.session.areas)
+
+
+if __name__ == "__main__":
+    unittest.main()
