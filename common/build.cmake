@@ -1,39 +1,25 @@
 # How the tree becomes targets. A new chapter is a new folder; nothing here names one.
 
-# common: one shared library, so that a chapter's program holds the chapter alone. Its rooms use only those before them:
-# base, image, gpu, scene, app, measure, study, check, judge, window (common/course/test/order.py).
+# common: two shared libraries, so that a chapter's program holds the chapter alone, and a program of checks loads no more
+# than runs a shader. Rooms use only those before them (common/course/test/order.py); the core is the first three.
 function(lightwalk_common)
-  set(sources)
-  foreach(room base image gpu scene app measure study check judge window)
-    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
-    list(APPEND sources ${found})
-  endforeach()
-  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
-  # Reading a command line or JSON happens once in a run: that such a file compiles fast matters more.
-  set(plain options lists json_lines scene_write run_checks)
-  list(JOIN plain "|" plain)
-  set(plain_sources ${sources})
-  list(FILTER plain_sources INCLUDE REGEX "/(${plain})\\.cpp$")
-  list(FILTER sources EXCLUDE REGEX "/(${plain})\\.cpp$")
-  add_library(lightwalk SHARED ${sources})
-  lightwalk_plain(${plain_sources})
-  set_target_properties(lightwalk PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
-  lightwalk_compiled_together(lightwalk)
+  lightwalk_library(lightwalk "base;gpu;check" run_checks)
+  lightwalk_library(lightwalk_app "image;scene;app;measure;study;judge;window" "options;lists;json_lines;scene_write")
+  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
+  target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
+                            <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
+                            <glm/gtc/matrix_transform.hpp>)
+  lightwalk_precompiled(lightwalk_app)
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
   target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
   target_link_libraries(lightwalk PUBLIC fmt::fmt glm::glm nlohmann_json::nlohmann_json Threads::Threads
                         Vulkan::Vulkan)
-  target_link_libraries(lightwalk PRIVATE PkgConfig::stb ZLIB::ZLIB glslang::glslang glslang::SPIRV
-                        glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} assimp::assimp glfw
-                        ${MESHOPTIMIZER}
-                        ${DRACO}
-                        ${WEBP}
+  target_link_libraries(lightwalk PRIVATE ZLIB::ZLIB glslang::glslang glslang::SPIRV
+                        glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} CLI11::CLI11)
+  target_link_libraries(lightwalk_app PUBLIC lightwalk)
+  target_link_libraries(lightwalk_app PRIVATE PkgConfig::stb ZLIB::ZLIB assimp::assimp glfw ${MESHOPTIMIZER} ${DRACO} ${WEBP}
                         PkgConfig::imgui CLI11::CLI11)
-  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
-  target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
-                            <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
-                            <glm/gtc/matrix_transform.hpp>)
   file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
   if(NOT solutions) # a handout
     target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
@@ -61,21 +47,36 @@ function(lightwalk_common)
     lightwalk_precompiled(${name})
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
   endforeach()
-  target_link_libraries(compare PRIVATE lightwalk CLI11::CLI11)
-  target_link_libraries(menu PRIVATE lightwalk glfw PkgConfig::imgui)
+  target_link_libraries(compare PRIVATE lightwalk_app CLI11::CLI11)
+  target_link_libraries(menu PRIVATE lightwalk_app glfw PkgConfig::imgui)
 endfunction()
 
-# Files of the library that are compiled without optimisation, and together: the headers of CLI11 and JSON are their cost.
-function(lightwalk_plain)
-  add_library(lightwalk_plain OBJECT ${ARGN})
-  target_include_directories(lightwalk_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_INCLUDE_DIRECTORIES>)
-  target_include_directories(lightwalk_plain SYSTEM PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
-  target_compile_definitions(lightwalk_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_COMPILE_DEFINITIONS>)
-  target_link_libraries(lightwalk_plain PRIVATE fmt::fmt glm::glm nlohmann_json::nlohmann_json Vulkan::Vulkan CLI11::CLI11)
-  target_compile_options(lightwalk_plain PRIVATE -O0)
-  set_target_properties(lightwalk_plain PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 2)
+# A shared library of the files in rooms of common. Reading a command line or JSON happens once in a run: that files named
+# `plain`, for which the headers of CLI11 and JSON are the cost, compile fast matters more. They are not optimised.
+function(lightwalk_library name rooms plain)
+  set(sources)
+  foreach(room ${rooms})
+    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
+    list(APPEND sources ${found})
+  endforeach()
+  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  list(JOIN plain "|" plain)
+  set(plain_sources ${sources})
+  list(FILTER plain_sources INCLUDE REGEX "/(${plain})\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(${plain})\\.cpp$")
+  add_library(${name} SHARED ${sources})
+  set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
+  lightwalk_compiled_together(${name})
+  add_library(${name}_plain OBJECT ${plain_sources})
+  target_include_directories(${name}_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_include_directories(${name}_plain SYSTEM PRIVATE
+                             $<TARGET_PROPERTY:lightwalk,INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+  target_compile_definitions(${name}_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_COMPILE_DEFINITIONS>)
+  target_link_libraries(${name}_plain PRIVATE fmt::fmt glm::glm nlohmann_json::nlohmann_json Vulkan::Vulkan CLI11::CLI11)
+  target_compile_options(${name}_plain PRIVATE -O0)
+  set_target_properties(${name}_plain PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 2)
   set_source_files_properties(common/scene/scene_write.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # its json keeps the order of keys
-  target_sources(lightwalk PRIVATE $<TARGET_OBJECTS:lightwalk_plain>)
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_plain>)
 endfunction()
 
 # One precompiled header for all, which they can share because they share flags and definitions.
@@ -127,17 +128,22 @@ function(lightwalk_chapters)
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.o ${folder}/solution/*.cpp)
     file(GLOB exercises CONFIGURE_DEPENDS ${folder}/exercise/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
-    # What checks call: the references, and what these and the starters call. Objects, for the checks and for the chapter.
-    set(called ${sources})
-    list(FILTER called INCLUDE REGEX "/solution/|/12_skin/sums\\.cpp$|/1[45]_[a-z_]*/spectrum\\.cpp$")
-    if(called)
-      list(REMOVE_ITEM sources ${called})
-      add_library(called_${chapter} OBJECT ${called})
-      target_include_directories(called_${chapter} PRIVATE ${visible})
-      target_link_libraries(called_${chapter} PRIVATE lightwalk)
-      lightwalk_precompiled(called_${chapter})
-      list(APPEND sources $<TARGET_OBJECTS:called_${chapter}>)
-    endif()
+    # What checks call: the references, and what these and the starters call; and modules, which have knobs, that the checks
+    # of 06 and 07 draw with. Objects, for the checks and for the chapter.
+    set(called "/solution/|/(read_floats|sums|spectrum)\\.cpp$")
+    set(lent "/(lights|light_buffer|light_grid|object_lights|coverage|mip_chain|texels)\\.cpp$")
+    foreach(part called lent)
+      set(parts ${sources})
+      list(FILTER parts INCLUDE REGEX ${${part}})
+      if(parts)
+        list(REMOVE_ITEM sources ${parts})
+        add_library(${part}_${chapter} OBJECT ${parts})
+        target_include_directories(${part}_${chapter} PRIVATE ${visible})
+        target_link_libraries(${part}_${chapter} PRIVATE lightwalk)
+        lightwalk_precompiled(${part}_${chapter})
+        list(APPEND sources $<TARGET_OBJECTS:${part}_${chapter}>)
+      endif()
+    endforeach()
     if(sources)
       add_library(chapter_${chapter} STATIC ${sources})
       set(reach PUBLIC)
@@ -148,7 +154,7 @@ function(lightwalk_chapters)
       set(reach INTERFACE)
     endif()
     target_include_directories(chapter_${chapter} ${reach} ${visible})
-    target_link_libraries(chapter_${chapter} ${reach} lightwalk)
+    target_link_libraries(chapter_${chapter} ${reach} lightwalk_app)
     foreach(name ${earlier})
       target_link_libraries(chapter_${chapter} ${reach} chapter_${name})
     endforeach()
@@ -188,19 +194,27 @@ function(lightwalk_add_trials target name)
 endfunction()
 
 # A program of checks. Of its chapter it has the starters and what checks call: nothing else of the chapter, and none that
-# it builds on, is compiled for it. The checks of 01, 06 and 07 call more, and those of 15 and 18 chapter 01's camera.
+# it builds on, is compiled for it. The checks of 06 draw with chapter 03's lights, those of 15 and 18 have chapter 01's camera.
 function(lightwalk_checked target name)
   target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:chapter_${name},INTERFACE_INCLUDE_DIRECTORIES>)
-  target_link_libraries(${target} PRIVATE lightwalk)
-  if(name MATCHES "^(01|06|07)_")
-    target_link_libraries(${target} PRIVATE chapter_${name})
-    return()
-  elseif(name MATCHES "^(15|18)_")
-    target_link_libraries(${target} PRIVATE chapter_01_obj)
+  set(parts exercises_${name} called_${name})
+  if(name MATCHES "^(06|07|11|14)_") # which have a module
+    list(APPEND parts lightwalk_app)
   endif()
-  foreach(part exercises called)
-    if(TARGET ${part}_${name})
-      target_link_libraries(${target} PRIVATE ${part}_${name})
+  if(name MATCHES "^06_")
+    list(APPEND parts lent_03_attenuation exercises_03_attenuation called_03_attenuation)
+  elseif(name MATCHES "^07_")
+    file(GLOB compiled CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${name}/texels.o) # of a handout
+    target_sources(${target} PRIVATE ${compiled})
+    list(APPEND parts lent_${name})
+  elseif(name MATCHES "^(15|18)_")
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/common/scene/view.cpp)
+    list(APPEND parts exercises_01_obj called_01_obj)
+  endif()
+  target_link_libraries(${target} PRIVATE lightwalk)
+  foreach(part ${parts})
+    if(TARGET ${part})
+      target_link_libraries(${target} PRIVATE ${part})
     endif()
   endforeach()
 endfunction()
@@ -303,7 +317,7 @@ function(lightwalk_tests)
     set(folder ${PROJECT_SOURCE_DIR}/tests/${name})
     set(library chapter_${name})
     if(name STREQUAL common)
-      set(library lightwalk)
+      set(library lightwalk_app)
     endif()
     file(GLOB checks CONFIGURE_DEPENDS ${folder}/checks_*.cpp)
     file(GLOB compiled CONFIGURE_DEPENDS ${folder}/checks_*.o) # of a handout

@@ -35,6 +35,9 @@ class Scanner {
     size_t absent_ = 0;
 };
 
+/// The number that a word is. Throws InputError.
+float float_or_throw(std::string_view word);
+
 /// Reads `count` numbers at least and `most` at most; returns how many. Throws InputError with the reason alone.
 int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage);
 

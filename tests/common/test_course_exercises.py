@@ -17,6 +17,15 @@ from shots.rendering import Crashed  # noqa: E402
 from charts.study_file import Study, markdown_table  # noqa: E402
 
 
+class StillOpen(unittest.TestCase):
+    def test_what_was_right_is_not_checked_again(self):
+        with mock.patch.object(check.Verdicts, "is_solved", lambda _, name, path: name != "01.triangulate"), \
+                mock.patch.object(check, "build") as build, mock.patch.object(check, "numbers_are_right", return_value=False) as asked:
+            self.assertEqual(check.still_open("02_lambert_phong", "02.lambert"), ["01.triangulate"])
+            build.assert_called_once_with(["check_01_obj"])
+            asked.assert_called_once_with("01_obj", "01.triangulate")
+
+
 class Exercises(Course):
     def test_check_says_what_is_wrong(self):
         self.put("chapters/02_lambert/exercise/one.cpp", "right")

@@ -182,9 +182,14 @@ def numbers_are_right(chapter: str, exercise: str) -> bool:
 
 
 def still_open(chapter: str, exercise: str) -> list[str]:
-    """Other unfinished exercises visible in a picture of this chapter: a handout has no references to replace them."""
-    return [other for earlier in chapters() if earlier <= chapter for other in exercises(earlier)
-            if other != exercise and not numbers_are_right(earlier, other)]
+    """Other unfinished exercises visible in a picture of this chapter: a handout has no references to replace them. What was
+    right when it was last checked is not checked again until its file changes."""
+    known = Verdicts()
+    others = [(earlier, other) for earlier in chapters() if earlier <= chapter for other, path in exercises(earlier).items()
+              if other != exercise and not known.is_solved(other, path)]
+    if others:  # without a target all would be built
+        build([f"check_{earlier}" for earlier in sorted({earlier for earlier, _ in others})])
+    return [other for earlier, other in others if not numbers_are_right(earlier, other)]
 
 
 @functools.cache
@@ -207,7 +212,6 @@ def check_pictures(chapter: str, exercise: str, result: dict):
         new = untouched()  # untouched exercises are known without a build
         waiting = [other for earlier in chapters() if earlier <= chapter for other in exercises(earlier) if other in new]
         if not waiting:
-            build([f"check_{earlier}" for earlier in chapters() if earlier <= chapter])
             waiting = still_open(chapter, exercise)
         if waiting:
             more = f" and of {len(waiting) - 3} more" if len(waiting) > 3 else ""

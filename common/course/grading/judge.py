@@ -32,7 +32,7 @@ from grading.judge_tree import KEPT, copy_without_answers, library, objects
 from grading.meter import Meter, current
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
-from tree import BUILD, ROOT, Failure, exercises, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, Failure, exercises, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
@@ -88,7 +88,7 @@ class Judge:
         # Files copied and drawn here are read by root's replacement user in the sandbox.
         self.kept.callback(os.umask, os.umask(0o022))
         self.tree = Path(self.kept.enter_context(tempfile.TemporaryDirectory(prefix="lightwalk.grade.")))
-        sandbox.require_readable([BUILD / "liblightwalk.so", *[self.folder / f"judge_{name}" for name in self.chapters]])
+        sandbox.require_readable([*LIBRARIES, *[self.folder / f"judge_{name}" for name in self.chapters]])
         copy_without_answers(self.tree, {path: self.starters[name] for name, path in self.paths.items()})
         self.libraries = {chapter: library(self.tree, chapter) for chapter in self.chapters
                           if (BUILD / f"libchapter_{chapter}.a").exists()}
@@ -129,7 +129,7 @@ class Judge:
 
     def version(self, chapter: str, with_pictures: bool) -> str:
         """A hash of everything that affects verdicts of this chapter, except for the submission."""
-        paths = [self.folder / f"judge_{chapter}", BUILD / "liblightwalk.so", *sorted((ROOT / "common/course").rglob("*.py")),
+        paths = [self.folder / f"judge_{chapter}", *LIBRARIES, *sorted((ROOT / "common/course").rglob("*.py")),
                  *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
@@ -284,11 +284,12 @@ class Judge:
         return path.exists() and f'"{exercise}"' in path.read_text()
 
     def mounts(self) -> Mounts:
-        """The tree without answers, at its usual place, and the library that all programs share."""
+        """The tree without answers, at its usual place, and the libraries that all programs share."""
         mounts = Mounts()
         for name in ("chapters", "common", "shaders", "tests"):
             mounts.read(self.tree / name, ROOT / name)
-        mounts.read(BUILD / "liblightwalk.so")
+        for shared in LIBRARIES:
+            mounts.read(shared)
         return mounts
 
     def worker_mounts(self, folder: Path) -> Mounts:

@@ -27,7 +27,7 @@ from grading.judge_tree import KEPT, objects
 from grading.sandbox import Limits, Mounts
 from shots.golden import exceeded, unfit
 from shots.rendering import render
-from tree import BUILD, ROOT, SHADER_CACHE, Failure, chapter_program, shots, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, SHADER_CACHE, Failure, chapter_program, shots, write_atomically
 
 SIZE = "480x270"
 GIB = 1 << 30
@@ -174,7 +174,8 @@ class Pictures:
 
     def compare(self, expected: Path, actual: Path, judge) -> str:
         mounts = Mounts()
-        mounts.read(BUILD / "liblightwalk.so")
+        for shared in LIBRARIES:
+            mounts.read(shared)
         mounts.read(BUILD / "compare", Path("/grade/compare"))
         mounts.read(expected, Path("/grade/expected.png"))
         mounts.read(actual, Path("/grade/actual.png"))

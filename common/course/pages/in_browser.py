@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 from check.glsl_answer import Refused, includes_of, reached, spliced, without_comments
-from tree import BUILD, ROOT, Failure, chapters, exercises, relative, warn, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, Failure, chapters, exercises, relative, warn, write_atomically
 
 HEAD = "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D; precision highp sampler3D;\n"
 SCALARS = {"float": "uintBitsToFloat({})", "int": "int({})", "uint": "{}", "bool": "({} != 0u)"}
@@ -42,7 +42,7 @@ def of_chapter(chapter: str, program: Path) -> dict[str, dict]:
     """The probes that the program wrote, again where it or a shader is newer."""
     folder = BUILD / "tables" / chapter
     done = folder / "undefined.json"
-    sources = [program, BUILD / "liblightwalk.so", *(ROOT / "shaders").rglob("*.*")]
+    sources = [program, *LIBRARIES, *(ROOT / "shaders").rglob("*.*")]
     if not done.exists() or done.stat().st_mtime < max(path.stat().st_mtime for path in sources if path.exists()):
         shutil.rmtree(folder, ignore_errors=True)
         said = subprocess.run([program, "--tables", folder], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tree import ROOT
 
-ROOMS = ("base", "image", "gpu", "scene", "app", "measure", "study", "check", "judge", "window")
+ROOMS = ("base", "gpu", "check", "image", "scene", "app", "measure", "study", "judge", "window")
 # Modules beside the packages have a position in the order as well.
 PACKAGES = ("tree", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "models", "run", "new", "film", "cli", "__main__")
 
