@@ -8,6 +8,7 @@ Only regular files are opened, links are followed nowhere, and of an archive the
 each as an exercise may have. A fault of one submission is that one's Failure.
 """
 
+import contextlib
 import dataclasses
 import itertools
 import os
@@ -152,21 +153,22 @@ def _placed(files, wanted: set[str], within: int = 0):
     """Of (name, reader) the exercises by path; without any, by name alone, and the contents of an archive among them."""
     named = by_name(wanted)
     loose, nested, found = {}, [], False
-    for name, read_at_most in files:
-        last = name.rpartition("/")[2]
-        if inside := place_of(name, wanted):
-            found = True
-            yield inside, bounded(read_at_most, inside)
-        elif last in named and ".." not in name.split("/") and not name.startswith("/"):
-            loose[named[last]] = bounded(read_at_most, last)
-        elif is_archive(last) and not within and len(nested) < 20:
-            nested.append((last, read_at_most(MOST_ARCHIVE_BYTES)))
-    if found:
-        return
-    yield from loose.items()
-    for name, data in nested:
-        with tempfile.TemporaryFile() as file:
-            file.write(data)
+    with contextlib.ExitStack() as kept:  # on the disk: twenty of them would be a gigabyte of memory
+        for name, read_at_most in files:
+            last = name.rpartition("/")[2]
+            if inside := place_of(name, wanted):
+                found = True
+                yield inside, bounded(read_at_most, inside)
+            elif last in named and ".." not in name.split("/") and not name.startswith("/"):
+                loose[named[last]] = bounded(read_at_most, last)
+            elif is_archive(last) and not within and len(nested) < 20:
+                file = kept.enter_context(tempfile.TemporaryFile())
+                file.write(read_at_most(MOST_ARCHIVE_BYTES))
+                nested.append((last, file))
+        if found:
+            return
+        yield from loose.items()
+        for name, file in nested:
             file.seek(0)
             yield from _placed(members(file, name, limits(wanted), printable), wanted, within + 1)
 
