@@ -132,6 +132,8 @@ void check_parse_face(Check& check, std::vector<Corner> (*attempt)(std::string_v
     expect("f 1 2 3", {{0, none, none}, {1, none, none}, {2, none, none}}, counted);
     expect("f 1/4 2/5 3/6", {{0, 3, none}, {1, 4, none}, {2, 5, none}}, counted);
     expect("f 1//3 2//4 3//1", {{0, none, 2}, {1, none, 3}, {2, none, 0}}, counted);
+    expect("f 1// 2// 3/4/", {{0, none, none}, {1, none, none}, {2, 3, none}},
+           "a corner may end with a slash, and what would follow it is left out");
     expect("f 8/6/4 7/5/3 6/4/2", {{7, 5, 3}, {6, 4, 2}, {5, 3, 1}}, counted);
     expect("f 1 2 3 4 5", {{0, none, none}, {1, none, none}, {2, none, none}, {3, none, none}, {4, none, none}},
            counted);

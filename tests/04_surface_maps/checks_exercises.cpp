@@ -143,6 +143,8 @@ CHECK_EXERCISE("04.parallax_occlusion",
             };
             if (field == 4)
                 probe.inputs = {{0.3, 0.3, 0, 0, 1}, {0.3, 0.3, 0, 0, 2}, {0.3, 0.3, 0, 0, 3}, {0.3, 0.3, 0.5, 0, 7}};
+            if (field == 1)  // at the mesh already
+                probe.inputs = {{0, 0.3, 0, 0, 1}, {0, 0.3, 0, 0, 4}};
             Random random;
             for (int i = 0; i < 600; ++i) {
                 const double u = random.uniform(0, 1), shift = random.uniform(-0.6, 0.6);

@@ -81,6 +81,8 @@ CHECK_EXERCISE("04.tangent_frame", "two edges are two equations for dP/du and dP
                      c.what + ": the handedness is " + number_text(double(frame.handedness)) + ", expected " +
                          number_text(double(side)),
                      "1 where dot(cross(normal, tangent), dP/dv) is above 0, else -1");
+        check.expect(frame.cos_uv == 0, c.what + ": cos_uv is " + number_text(double(frame.cos_uv)) + ", expected 0",
+                     "the caller fills it in, for all triangles at a vertex");
         const glm::vec2 metres(glm::length(per[0]), glm::length(per[1]));
         check.expect(
             glm::length(frame.metres_per_uv - metres) < 1e-3f,

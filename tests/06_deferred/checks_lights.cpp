@@ -42,9 +42,18 @@ Lit check_plainly(Cell cell, Surface surface, vec3 position) {
         if (check_reaches(lights_data[i], cell)) add_light(expected, i, surface, surface.normal, position);
     return expected;
 }
+uint check_next = 0u;
+bool check_ordered = true;
+void check_add(inout Lit sum, uint index, Surface surface, vec3 facing, vec3 position) {
+    if (index < check_next) check_ordered = false;
+    check_next = index + 1u;
+    add_light(sum, index, surface, facing, position);
+}
 #define light_reaches_cell check_counted
+#define add_light check_add
 #include "06_deferred/accumulate_lights.glsl"
-struct Answer { float got, expected; uint got_lights, expected_lights, barriers; };
+#undef add_light
+struct Answer { float got, expected; uint got_lights, expected_lights, barriers, ordered; };
 layout(scalar) writeonly buffer AnswerBuffer { Answer answers[]; };
 void main() {
     float x = 4.0 * float(gl_WorkGroupID.x);
@@ -63,13 +72,13 @@ void main() {
     if (!has_surface) got = expected;
     answers[gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex] =
         Answer(got.diffuse.r + got.specular.r, expected.diffuse.r + expected.specular.r, got.lights, expected.lights,
-               barriers);
+               barriers, uint(check_ordered || !has_surface));
 }
 )";
 
 struct Answer {
     float got, expected;
-    uint32_t got_lights, expected_lights, barriers;
+    uint32_t got_lights, expected_lights, barriers, ordered;
 };
 
 struct Answers {
@@ -147,6 +156,9 @@ CHECK_EXERCISE("06.accumulate_lights",
                   "nobody), or some invocations never came to it");
         check.expect(!missums(all[summed]), fmt::format("{} got {} where a plain loop gets {}", who(summed),
                                                         all[summed].got, all[summed].expected));
+        const size_t turned = first([](const Answer& a) { return !a.ordered; });
+        check.expect(all[turned].ordered, fmt::format("{} added a light before one with a smaller number", who(turned)),
+                     "the sum is over the lights in increasing order: begin with a word's lowest bit");
         check.expect(
             asked <= lights,
             fmt::format("with {} lights, a tile asked {} times whether a light reaches it: once for each is enough",

@@ -211,6 +211,12 @@ CHECK_EXERCISE("14.box_project",
             p[a] = lower[a] + random.uniform(0.05, 0.95) * side, middle[a] = lower[a] + random.uniform(0.1, 0.9) * side;
         }
         add(p, glm::dvec3(random.direction()) * random.logarithmic(1e-5, 1e4), lower, upper, middle);
+        if (i % 3) continue;
+        // Outside, and through the box: a rounding beyond a wall, or far beyond it.
+        glm::dvec3 outside = p;
+        const int a = i / 3 % 3;
+        outside[a] = upper[a] + random.logarithmic(1e-4, 10);
+        add(outside, p - outside, lower, upper, middle);
     }
     // Any length is right: compared as directions.
     const Table got = run_probe(check_device(), probe, 3);

@@ -106,6 +106,9 @@ CHECK_EXERCISE("15.gerstner_normal",
 }
 
 CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in the air, or total reflection.") {
+    const auto onset_of = [](double eye, double other) {  // cosine of total reflection; -1 if there is none
+        return other < eye ? std::sqrt(1 - other / eye * (other / eye)) : -1.0;
+    };
     Probe probe{.include = "15_terrain_water/fresnel_water.glsl",
                 .signature = "float fresnel_water(float cosine, float eye_index, float other_index)",
                 .inputs = {{1, 1, 1.333},
@@ -120,6 +123,13 @@ CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in 
                            {1, 1, 1.5}},
                 .truth = [](std::span<const double> in) { return Row{truth::fresnel_water(in[0], in[1], in[2])}; },
                 .bound = {.absolute = 1e-4},
+                .grants =
+                    [onset_of](auto in, auto out) {
+                        const double onset = onset_of(in[1], in[2]);
+                        return std::fabs(in[0] - onset) <= 0.02 &&
+                               out[0] <= truth::fresnel_water(in[0] - 1e-4, in[1], in[2]) + 1e-4 &&
+                               out[0] >= truth::fresnel_water(in[0] + 1e-4, in[1], in[2]) - 1e-4;
+                    },
                 .hint = [](auto in, auto got) -> std::string {
                     if (!(got[0] >= 0 && got[0] <= 1)) return "A share of light lies between 0 and 1.";
                     if (in[1] > in[2] && in[0] < 0.66 && got[0] < 1)
@@ -130,10 +140,9 @@ CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in 
     for (const glm::vec2 pair : {glm::vec2(1, 1.333), glm::vec2(1.333, 1), glm::vec2(1.4, 1.05), glm::vec2(1.333, 1.5),
                                  glm::vec2(1.5, 1.333), glm::vec2(2.4, 1), glm::vec2(1, 2.4)})
         for (int i = 0; i <= 100; ++i) {
-            const double c = i / 100.0, ratio = double(pair.y) / double(pair.x);
-            // Close to the onset of total reflection single precision loses digits.
-            const double onset = ratio < 1 ? std::sqrt(1 - ratio * ratio) : -1;
-            if (std::fabs(c - onset) > 0.02) probe.inputs.push_back({c, pair.x, pair.y});
+            probe.inputs.push_back({i / 100.0, pair.x, pair.y});
+            const double near = onset_of(double(pair.x), double(pair.y)) + (i - 50) * 4e-4;
+            if (near > 0) probe.inputs.push_back({near, pair.x, pair.y});
         }
     const Table results = check.probe(probe);
     check.property(probe, results, "expected a share of the light: not below 0, and not above 1",

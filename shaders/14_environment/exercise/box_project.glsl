@@ -12,7 +12,8 @@
 //   this axis; a division by 0 is undefined in GLSL.
 // - By rounding, or where the room is no box, `position` may lie outside: beyond the wall of an
 //   axis. If the ray leads farther away along that axis, use `position` itself instead of the
-//   point on the wall. Other rays from outside are not tested.
+//   point on the wall. A ray from outside that leads through the box meets the wall by which
+//   it leaves the box.
 // - If the point is `center` itself, return `direction`.
 // [/box_project]
 vec3 box_project(vec3 position, vec3 direction, vec3 lower, vec3 upper, vec3 center) {

@@ -16,8 +16,8 @@
 // two indices are equal F0 is 0, and Schlick's formula holds unchanged. GLSL's asin() and
 // acos() may be wrong by 1e-3: take sines and cosines from each other by sqrt() instead.
 //
-// Tolerance: 1e-4. Cosines within 0.02 of the onset of total reflection, where the formula is
-// steep, are not tested.
+// Tolerance: 1e-4. Within 0.02 of the onset of total reflection the formula is steep: there the
+// result for a cosine that differs by up to 1e-4 is right, too.
 // [/fresnel_water]
 float fresnel_water(float cosine, float eye_index, float other_index) {
     return 0.02;
