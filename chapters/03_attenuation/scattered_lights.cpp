@@ -8,12 +8,10 @@
 #include <numbers>
 
 namespace lightwalk {
-namespace {
 
-// A number in [0, 1) for each triple: C++'s distributions differ between libraries. The mixing is C. Wellons'
-// "lowbias32" (2018).
-float number(unsigned seed, uint32_t light, uint32_t which) {
-    uint32_t x = seed * 0x9e3779b9u + light * 16u + which;
+// C++'s distributions differ between libraries. The mixing is C. Wellons' "lowbias32" (2018).
+float scattered_number(unsigned seed, uint32_t item, uint32_t which) {
+    uint32_t x = seed * 0x9e3779b9u + item * 16u + which;
     for (int round = 0; round < 2; ++round) {
         x ^= x >> 16;
         x *= 0x7feb352du;
@@ -24,8 +22,6 @@ float number(unsigned seed, uint32_t light, uint32_t which) {
     return static_cast<float>(x >> 8) * 0x1p-24f;
 }
 
-}  // namespace
-
 std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed) {
     std::vector<Light> lights;
     const glm::vec3 extent = where.extent();
@@ -33,7 +29,7 @@ std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed)
     const float range_m = std::clamp(1.6f * spacing_m, 0.2f, 6.0f);
     for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
         const auto in = [&](uint32_t which, float lower, float upper) {
-            return lower + (upper - lower) * number(seed, i, which);
+            return lower + (upper - lower) * scattered_number(seed, i, which);
         };
         Light light{.kind = i % 3 == 2 ? Light::Kind::spot : Light::Kind::point, .range_m = range_m};
         const float height_m = range_m * (light.kind == Light::Kind::spot ? in(0, 0.4f, 0.7f) : in(0, 0.08f, 0.3f));
@@ -67,8 +63,9 @@ void move_lights(std::vector<Light>& lights, float time_s) {
     for (uint32_t i = 0; i < lights.size(); ++i) {
         Light& light = lights[i];
         if (light.kind == Light::Kind::directional) continue;
-        const float period_s = 2.0f + 4.0f * number(7, i, 0), radius_m = std::min(0.5f, 0.25f * light.range_m);
-        const float angle = 2.0f * std::numbers::pi_v<float> * (time_s / period_s + number(7, i, 1));
+        const float period_s = 2.0f + 4.0f * scattered_number(7, i, 0),
+                    radius_m = std::min(0.5f, 0.25f * light.range_m);
+        const float angle = 2.0f * std::numbers::pi_v<float> * (time_s / period_s + scattered_number(7, i, 1));
         light.position += radius_m * glm::vec3(std::cos(angle), 0.0f, std::sin(angle));
     }
 }

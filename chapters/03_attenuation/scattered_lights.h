@@ -5,6 +5,9 @@
 
 namespace lightwalk {
 
+/// A number in [0, 1) for each seed, item and `which` of its numbers (below 16).
+float scattered_number(unsigned seed, uint32_t item, uint32_t which);
+
 /// `count` point and spot lights (every third one) a little above the bottom of `where`, in world space. The more there
 /// are the shorter their range, so that about as many reach a point of the floor.
 std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed);

@@ -5,25 +5,38 @@
 namespace lightwalk {
 
 DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed)
-    : Drawing(owner, name), lit(owner, name, std::move(fixed)), gbuffer(owner, "gbuffer") {
+    : Drawing(owner, name), lit(owner, name, std::move(fixed)), gbuffer(owner, "gbuffer"), culling(owner, "culling") {
     lights.method.change_default("clustered");
 }
 
 std::vector<const Module*> DeferredScene::made_of() const {
     std::vector<const Module*> all = lit.made_of();
     all.push_back(&gbuffer);
+    all.push_back(&culling);
     return all;
 }
 
 std::vector<With> DeferredScene::with(std::vector<With> modules) const {
     modules.insert(modules.end(), shading.with.begin(), shading.with.end());
+    modules.emplace_back(culling);
     return modules;
 }
 
 std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both, std::vector<Batch> batches) const {
-    return [this, draw = surfaces.by(both, std::move(batches))](Raster& pass) {
-        for (int i = 0; i < times; ++i) draw(pass);
+    return [this, &both, batches = std::move(batches)](Raster& pass) {
+        for (int i = 0; i < times; ++i) draw_kept(pass, both, batches);
     };
+}
+
+// After culling, which displaced meshes do without.
+void DeferredScene::draw_kept(Raster& pass, const SurfacePipelines& both, const std::vector<Batch>& batches) const {
+    if (!culling.culls()) return maps.draw(pass, scene(), batches, both.loaded, both.displaced);
+    const glm::vec3 ambient = scene().ambient();
+    for (const Batch& batch : batches) {
+        pass.use(both.loaded, maps.variant(batch.item()));
+        pass.offer("ambient", ambient);
+        culling.draw(pass, batch);
+    }
 }
 
 std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
@@ -60,13 +73,18 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     // 1. The shadow maps.
     lit.record_shadows(frame, view);
 
-    // 2. Depth alone, if requested.
+    // 2. Depth alone, if requested; of all objects that culling does not leave out. Bounds hold for the meshes as loaded,
+    // and a geometry shader asks for the instance of an item.
+    const bool culls = maps.mesh.is("loaded") && (cull == Cull::fixed || cull == Cull::nothing);
+    culling.begin(frame, scene(), view, culls ? surfaces.opaque_batches() : std::vector<Batch>());
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
     const bool in_compute = !gbuffer.shows_loss() && lit.shades_seen(canvas);  // a visibility buffer has depth itself
     if (depth_first || (forwards && !in_compute && lights.needs_depth()))
-        frame.raster(
-            "depth", {.depth = canvas.depth_target(), .with = with({maps})},
-            often_by(surfaces.depth_pipelines(), forwards ? surfaces.opaque_batches() : batches_by_stored(true)));
+        culling.passes(frame, canvas.depth_read_only().view, [&] {
+            frame.raster(
+                "depth", {.depth = canvas.depth_target(), .with = with({maps})},
+                often_by(surfaces.depth_pipelines(), forwards ? surfaces.opaque_batches() : batches_by_stored(true)));
+        });
 
     // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
     gbuffer.begin(frame, view, canvas.single_depth());
@@ -77,23 +95,9 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
                             {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"));
     add_rest(frame, canvas);
     if (!gbuffer.show.is("picture")) return deferred_lights_.show(frame, canvas, gbuffer);
-    draw_unstored(frame, view, canvas);
+    draw_lit(frame, view, canvas, "unstored", batches_by_stored(false));
     // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
     if (scene().transparent().size() > 0) lights.record(frame, scene(), view, canvas.depth(frame));
-}
-
-// Lit as they are drawn, by the lights of their own cells.
-void DeferredScene::draw_unstored(Frame& frame, const View& view, Canvas& canvas) {
-    const std::vector<Batch> batches = batches_by_stored(false);
-    if (batches.empty()) return;
-    if (lights.needs_depth())
-        frame.raster("depth of the unstored", {.depth = canvas.depth_target(), .with = with({maps})},
-                     often_by(surfaces.depth_pipelines(), batches));
-    lights.record(frame, scene(), view, canvas.depth(frame));
-    frame.raster(
-        "unstored",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow})},
-        often_by(surfaces.opaque_pipelines(), batches));
 }
 
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
@@ -101,17 +105,25 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas)
     const bool loss = gbuffer.shows_loss();
     if (!loss && lit.shades_seen(canvas)) return lit.draw_seen(frame, canvas, sort_lights, times);
     sort_lights();
-    const Attachment target = loss ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
-    frame.raster("forward",
-                 {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
-                 often_by(loss ? lost_ : surfaces.opaque_pipelines(), surfaces.opaque_batches()));
+    culling.passes(frame, canvas.depth_read_only().view, [&] {
+        const bool clears = loss && !culling.completes();
+        const Attachment target = clears ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
+        frame.raster("forward",
+                     {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
+                     often_by(loss ? lost_ : surfaces.opaque_pipelines(), surfaces.opaque_batches()));
+    });
 }
 
 void DeferredScene::write_gbuffer(Frame& frame, Canvas& canvas) {
     const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
-    frame.raster(
-        "gbuffer", {.color = gbuffer.targets(), .depth = canvas.depth_target(), .with = with({maps, gbuffer})},
-        often_by(shading.stored ? *shading.stored : *pipelines[static_cast<size_t>(cull)], batches_by_stored(true)));
+    culling.passes(frame, canvas.depth_read_only().view, [&] {
+        frame.raster("gbuffer",
+                     {.color = gbuffer.targets(culling.completes()),
+                      .depth = canvas.depth_target(),
+                      .with = with({maps, gbuffer})},
+                     often_by(shading.stored ? *shading.stored : *pipelines[static_cast<size_t>(cull)],
+                              batches_by_stored(true)));
+    });
     gbuffer.written();
 }
 
@@ -123,9 +135,27 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
     frame.raster(
         shading.rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
-        [&](Raster& pass) { maps.draw(pass, scene(), batches, both.loaded, both.displaced); });
+        [&](Raster& pass) { draw_kept(pass, both, batches); });
 }
 // [/draw]
+
+// Lit as they are drawn, by the lights of their own cells.
+void DeferredScene::draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
+                             const std::vector<Batch>& batches) {
+    if (batches.empty()) return;
+    if (lights.needs_depth())
+        frame.raster("depth of " + name, {.depth = canvas.depth_target(), .with = with({maps})},
+                     often_by(surfaces.depth_pipelines(), batches));
+    lights.record(frame, scene(), view, canvas.depth(frame));
+    frame.raster(
+        name, {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow})},
+        often_by(surfaces.opaque_pipelines(), batches));
+}
+
+void DeferredScene::draw_kept(Frame& frame, const View& view, Canvas& canvas) {
+    const ViewScope from(frame, view);
+    draw_lit(frame, view, canvas, "objects kept", surfaces.opaque_batches());
+}
 
 // A little nearer: behind other outputs, or a geometry shader, a device may compute depth otherwise in the last bit.
 SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {

@@ -1,6 +1,7 @@
 // Drawing of a scene's objects that writes surfaces to a G-buffer first and lights them afterwards.
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
+#include "06_deferred/culling.h"
 #include "06_deferred/deferred_lights.h"
 #include "common/image/image.h"
 
@@ -9,6 +10,7 @@ namespace lightwalk {
 // [deferred_scene]
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
 /// room for (unlit ones, and microfacets unless all are) and transparent ones are drawn as LitScene draws them.
+/// Large (17 functions, 9 members): a pipeline for each pass.
 struct DeferredScene : Drawing, ItemCaster {
     DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -19,6 +21,7 @@ struct DeferredScene : Drawing, ItemCaster {
     Shadow& shadow = lit.shadow;
     Shading& shading = lit.shading;
     GBuffer gbuffer;
+    Culling culling;
 
     int times = 1;             ///< how often every surface is drawn
     bool depth_first = false;  ///< depth alone before, so that each pixel is written once
@@ -33,7 +36,9 @@ struct DeferredScene : Drawing, ItemCaster {
     std::vector<const Module*> made_of() const override;
     void update(Frame& frame) override { lit.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    /// None before what a G-buffer holds.
+    /// The opaque objects of the last draw(), after culling, from another view.
+    void draw_kept(Frame& frame, const View& view, Canvas& canvas);
+    /// None if a channel of the G-buffer is shown.
     const Drawing* transparent_part() const override { return gbuffer.show.is("picture") ? &surfaces : nullptr; }
     const Maps& cut_by() const override { return maps; }
     // [/deferred_scene]
@@ -46,10 +51,12 @@ struct DeferredScene : Drawing, ItemCaster {
     void draw_forward(Frame& frame, const View& view, Canvas& canvas);
     void write_gbuffer(Frame& frame, Canvas& canvas);
     void add_rest(Frame& frame, Canvas& canvas);
-    void draw_unstored(Frame& frame, const View& view, Canvas& canvas);
+    void draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
+                  const std::vector<Batch>& batches);
     /// The opaque surfaces that the G-buffer holds, or the others.
     std::vector<Batch> batches_by_stored(bool stored) const;
     std::function<void(Raster&)> often_by(const SurfacePipelines& both, std::vector<Batch> batches) const;
+    void draw_kept(Raster& pass, const SurfacePipelines& both, const std::vector<Batch>& batches) const;
     std::vector<With> with(std::vector<With> modules) const;
     const Scene& scene() const { return surfaces.scene(); }
 

@@ -34,9 +34,9 @@ void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     }
 }
 
-std::vector<Attachment> GBuffer::targets() const {
+std::vector<Attachment> GBuffer::targets(bool again) const {
     std::vector<Attachment> all;
-    for (const auto& [name, image] : images_) all.push_back(discard(*image));
+    for (const auto& [name, image] : images_) all.push_back(again ? keep(*image) : discard(*image));
     return all;
 }
 

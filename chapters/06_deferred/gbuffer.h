@@ -39,8 +39,8 @@ struct GBuffer : Module {
     /// Images of the view's size for the method in use, one set for each View::id. `depth`: the view's.
     void begin(Frame& frame, const View& view, const ImageView& depth);
 
-    /// To draw into. Nothing is cleared: where depth is 0 nobody reads them.
-    std::vector<Attachment> targets() const;
+    /// To draw into. Nothing is cleared: where depth is 0 nobody reads them. `again`: over what is there.
+    std::vector<Attachment> targets(bool again = false) const;
     void written() { written_ = true; }
 
     /// Beside depth; 0 for forward.

@@ -72,4 +72,44 @@ inline double least_volume(const Light& light, double radius_m) {
     return std::min(ball, ball * std::pow(std::tan(half), 2.0) / 4.0);
 }
 
+/// The eight corners of a box.
+inline std::array<glm::dvec3, 8> corners(glm::dvec3 center, glm::dvec3 half_size) {
+    std::array<glm::dvec3, 8> all;
+    for (int i = 0; i < 8; ++i)
+        all[size_t(i)] = center + half_size * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    return all;
+}
+
+/// The greatest dot(plane, (p, 1)) of a box's points: below 0 all of it is behind the plane.
+inline double most_in_front(glm::dvec3 center, glm::dvec3 half_size, glm::dvec4 plane) {
+    double most = -1e300;
+    for (const glm::dvec3& corner : corners(center, half_size))
+        most = std::max(most, glm::dot(plane, glm::dvec4(corner, 1.0)));
+    return most;
+}
+
+/// The smallest level in which pixels low to high lie in two texels at most along each axis.
+inline int pyramid_level(glm::ivec2 low, glm::ivec2 high) {
+    for (int level = 0;; ++level) {
+        const int texel = 1 << level;
+        if (high.x / texel - low.x / texel < 2 && high.y / texel - low.y / texel < 2) return level;
+    }
+}
+
+/// low, high and nearest, as the exercise screen_box specifies them.
+inline std::array<double, 5> screen_box(glm::dvec3 center, glm::dvec3 half_size, const glm::dmat4& to_clip,
+                                        glm::dvec2 size) {
+    glm::dvec2 low(1e300), high(-1e300);
+    double nearest = 0;
+    for (const glm::dvec3& corner : corners(center, half_size)) {
+        const glm::dvec4 clip = to_clip * glm::dvec4(corner, 1.0);
+        if (clip.z > clip.w) return {0, 0, size.x, size.y, 1};
+        const glm::dvec2 at = (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * size;
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+        nearest = std::max(nearest, clip.z / clip.w);
+    }
+    return {low.x, low.y, high.x, high.y, nearest};
+}
+
 }  // namespace lightwalk::truth

@@ -20,8 +20,6 @@ layout(location = 9) out vec2 second_uv;
 layout(location = 10) out vec4 vertex_color;
 #endif
 invariant gl_Position;                    // the depth pass and the shading pass agree to the last bit
-
-uint drawn_item() { return gl_InstanceIndex; }
 #endif
 
 #if MAPS_SECOND_UVS
@@ -58,6 +56,6 @@ void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
     handedness = frame.handedness * (determinant(mat3(instance.model)) < 0.0 ? -1.0 : 1.0);
     uv = vertex.uv;
     material_index = instance.material;
-    item = drawn_item();
+    item = instance.material;  // each has its own
 }
 // [/varyings]

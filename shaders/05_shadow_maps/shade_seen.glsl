@@ -17,7 +17,6 @@ vec2 moved_across(vec2 moved, float time_s);
 vec2 moved_down(vec2 moved, float time_s);
 vec3 position_across() { return change_across; }
 vec3 position_down() { return change_down; }
-uint drawn_item() { return item; }
 #if MAPS_SECOND_UVS
 vec2 second_uv, second_uv_across, second_uv_down;
 vec2 second_across() { return second_uv_across; }

@@ -167,6 +167,17 @@ class PicturesTest(ChapterPictures):
         self.assertLessEqual(self.steps(fixed, self.draw(inside, "--cull", "geometry"))[0], 1)
         self.assertGreater(self.steps(fixed, self.draw(inside, "--cull", "none"))[1], 1000)
 
+    def test_objects_that_are_not_drawn_change_no_picture(self):
+        """Alone, with a depth pass, with tiles, with emission that is added afterwards."""
+        town = ("--set", "town.objects=900")
+        for scene, options in (("town", (*town, "--method", "forward")), ("town", town), ("town", (*town, "--method", "tiled")),
+                               ("hundred_lamps", ()), ("alley", ("--prepass", "on"))):
+            truth = self.draw(scene, *options, "--set", "culling.method=none", size="97x55", name="truth")
+            for culling, frames in (("frustum_gpu", 1), ("occlusion", 3)):
+                with self.subTest(scene=scene, options=options, culling=culling):
+                    picture = self.draw(scene, *options, "--set", f"culling.method={culling}", "--frames", frames, size="97x55")
+                    self.assertEqual(self.steps(truth, picture)[0], 0)
+
     # --- materials
 
     def test_roughness_0_and_specular_above_1_do_not_run_over(self):

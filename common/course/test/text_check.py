@@ -125,8 +125,10 @@ def check_lesson(chapter: str) -> list[str]:
         wrong += [f"{name}: there is no heading '### {exercise} (easy)', or medium, or hard"
                   for exercise in exercises(chapter) if exercise not in graded]
         harder = ["easy", "medium", "hard"]
-        if sorted(graded.values(), key=harder.index) != list(graded.values()):
-            wrong.append(f"{name}: a harder exercise stands before an easier one")
+        for page in pages:
+            on_page = [grade for exercise, grade in graded.items() if f"\n### {exercise} (" in (ROOT / page).read_text()]
+            if sorted(on_page, key=harder.index) != on_page:
+                wrong.append(f"{page}: a harder exercise stands before an easier one")
         wrong += [f"{name}: it does not quote {relative(path)}#{marker[2]}, what the exercise asks for"
                   for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text().splitlines())
                   if marker and not marker[1] and f"<!-- quote: {relative(path)}#{marker[2]} -->" not in text]

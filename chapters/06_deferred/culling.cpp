@@ -1,0 +1,231 @@
+#include "06_deferred/culling.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+namespace lightwalk {
+namespace {
+
+void reserve(Device& device, Buffer& buffer, const char* name, size_t bytes) {
+    if (!buffer || buffer.bytes < bytes) buffer = Buffer(device, {.name = name, .bytes = bytes});
+}
+
+// Rounding of positions in float: a few units in the last place of the largest number involved.
+float margin_m(const Bounds& all, glm::vec3 eye) {
+    const glm::vec3 farthest = all.empty() ? glm::abs(eye) : glm::max(glm::max(-all.lower, all.upper), glm::abs(eye));
+    return 2e-6f * (farthest.x + farthest.y + farthest.z);
+}
+
+CulledObject culled_object(const DrawItem& item, uint32_t group) {
+    if (item.bounds.empty()) return {glm::vec3(0.0f), -1.0f, glm::vec3(0.0f), group};
+    const glm::vec3 half = 0.5f * item.bounds.extent();
+    return {item.bounds.center(), glm::length(half), half, group};
+}
+
+}  // namespace
+
+std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float margin_m) {
+    const glm::mat4 rows = glm::transpose(view_projection);
+    std::array<glm::vec4, 6> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+                                    rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
+    for (glm::vec4& plane : planes) {
+        const float length = glm::length(glm::vec3(plane));
+        plane = length > 0.0f ? plane / length + glm::vec4(0, 0, 0, margin_m) : glm::vec4(0, 0, 0, 1);
+    }
+    return planes;
+}
+
+void Culling::begin(Frame& frame, const Scene& scene, const View& view, const std::vector<Batch>& batches) {
+    const auto start = std::chrono::steady_clock::now();
+    scene_ = &scene;
+    view_id_ = view.id;
+    to_clip_ = view.view_projection;
+    planes_ = view_planes(to_clip_, margin_m(scene.bounds, view.eye));
+    listed_ = false;
+    list_count_ = 0;
+    group(frame, method.is("none") ? std::vector<Batch>() : batches);
+    if (culls() && method.is("frustum_cpu")) find();
+    host_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Culling::group(Frame& frame, const std::vector<Batch>& batches) {
+    std::vector<uint32_t> ends;
+    for (const Batch& batch : batches) ends.push_back(batch.first + batch.count);
+    const bool on_host = method.is("frustum_cpu");
+    if (!grouped_.from(scene_->placed, ends, on_host)) return;
+    groups_.clear();
+    objects_.assign(ends.empty() ? 0 : *std::max_element(ends.begin(), ends.end()),
+                    {.radius = -1.0f, .group = NO_GROUP});
+    for (const Batch& batch : batches) {
+        const DrawItem& item = batch.item();
+        const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
+        const auto number = static_cast<uint32_t>(groups_.size());
+        groups_.push_back({batch.first, batch.count, part.first_index, part.index_count});
+        for (uint32_t i = batch.first; i < batch.first + batch.count; ++i)
+            objects_[i] = culled_object(scene_->items[i], number);
+    }
+    if (groups_.empty() || on_host) return;
+    frame.upload("objects to cull", object_data_, objects_);
+    frame.upload("draw groups", group_data_, groups_);
+}
+
+// [host]
+// On the processor: neighbours that are visible stay one draw call.
+void Culling::find() {
+    const bool by_box = bounds.is("box");
+    const auto is_outside = [&](const CulledObject& object) {
+        for (const glm::vec4& plane : planes_) {
+            const glm::vec3 normal(plane);
+            const float reach = by_box ? glm::dot(glm::abs(normal), object.half_size) : object.radius;
+            if (glm::dot(normal, object.center) + plane.w < -reach) return true;
+        }
+        return false;
+    };
+    found_.assign(groups_.size(), {});
+    for (size_t g = 0; g < groups_.size(); ++g) {
+        const uint32_t end = groups_[g].first + groups_[g].count;
+        for (uint32_t i = groups_[g].first; i < end; ++i) {
+            if (objects_[i].radius >= 0.0f && is_outside(objects_[i])) continue;
+            std::vector<Batch>& found = found_[g];
+            if (!found.empty() && found.back().first + found.back().count == i)
+                ++found.back().count;
+            else
+                found.emplace_back(*scene_, i, 1u);
+        }
+    }
+}
+// [/host]
+
+// [passes]
+void Culling::passes(Frame& frame, const ImageView& depth, const std::function<void()>& record) {
+    if (!culls() || method.is("frustum_cpu") || listed_) return record();
+    listed_ = true;
+    const bool hidden_too = method.is("occlusion") && depth.image->desc.samples == 1;
+
+    // 1. Objects within the view that an earlier frame, if there was one, did not hide.
+    list(frame, hidden_too && seen_[view_id_].levels > 0 ? seen_before_ : all_, 0);
+    list_count_ = 1;
+    record();
+    if (!hidden_too) return;
+
+    // 2. The depth pyramid, then all other objects that it does not hide. None is lost: each object is in the first
+    // list or tested here, against depths of this frame.
+    make_pyramid(frame, depth);
+    list_count_ = 0;
+    list(frame, appearing_, 1);
+    first_list_ = 1;
+    list_count_ = 1;
+    record();
+    first_list_ = 0;
+    list_count_ = 2;
+}
+
+void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
+    Device& device = frame.gpu.device;
+    List& list = lists_[into];
+    const auto objects = static_cast<uint32_t>(objects_.size()), groups = static_cast<uint32_t>(groups_.size());
+    reserve(device, list.ranks, "ranks of objects", sizeof(uint32_t) * objects);
+    reserve(device, list.sums, "listed before", sizeof(uint32_t) * (objects / LIST_GROUP + 1));
+    reserve(device, list.total, "objects listed", sizeof(uint32_t));
+    reserve(device, list.instances, "instances listed", sizeof(Instance) * objects);
+    reserve(device, list.draws, "draws", sizeof(DrawCommand) * groups);
+    const Seen& seen = seen_[view_id_];
+    CullingView look{.to_clip = seen.to_clip,
+                     .pyramid_pixels = seen.pixels,
+                     .pyramid_levels = seen.levels,
+                     .objects = objects,
+                     .groups = groups};
+    std::copy(planes_.begin(), planes_.end(), look.planes);
+
+    ComputeAccess access{.reads = {object_data_, group_data_, scene_->instances, list.ranks, list.sums, list.total},
+                         .writes = {list.ranks, list.sums, list.total, list.instances, list.draws},
+                         .with = {*this}};
+    if (seen.levels > 0) access.reads.emplace_back(seen.pyramid);
+    if (into > 0) access.reads.emplace_back(lists_[0].ranks);
+    frame.compute(into > 0 ? "list the objects left" : "list objects", access, [&](Compute& pass) {
+        pass.use(which).set("objects", object_data_).set("ranks", list.ranks).set("sums", list.sums).set("look", look);
+        if (seen.levels > 0) pass.offer("pyramid", seen.pyramid, nearest_clamp);
+        if (into > 0) pass.set("earlier", lists_[0].ranks);
+        pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
+        pass.use(sum_).set("sums", list.sums).set("total", list.total).set("look", look);
+        pass.dispatch({1, 1, 1}).wait();
+        pass.use(write_).set("objects", object_data_).set("groups", group_data_).set("ranks", list.ranks);
+        pass.set("sums", list.sums).set("total", list.total).set("instances", scene_->instances).set("look", look);
+        pass.set("listed_instances", list.instances).set("draws", list.draws);
+        pass.dispatch_threads(glm::uvec2(std::max(objects, groups), 1));
+    });
+    frame.read_back(list.total, list.count);
+}
+
+void Culling::make_pyramid(Frame& frame, const ImageView& depth) {
+    Seen& seen = seen_[view_id_];
+    const glm::uvec2 pixels(depth.size()), half = glm::max(pixels / 2u, 1u);
+    seen.to_clip = to_clip_;
+    seen.pixels = glm::vec2(pixels);
+    seen.levels = static_cast<int>(std::bit_width(std::max(half.x, half.y)));
+    const auto levels = static_cast<uint32_t>(seen.levels);
+    seen.pyramid.fit(frame.gpu.device, {.name = fmt::format("{} pyramid {}", path(), view_id_),
+                                        .format = VK_FORMAT_R32_SFLOAT,
+                                        .size = half,
+                                        .mips = levels,
+                                        .kept = true});
+    const ImageView all(seen.pyramid);
+    frame.compute("depth pyramid", {.reads = {depth, all}, .writes = {all}}, [&](Compute& pass) {
+        pass.use(level_);
+        for (uint32_t m = 0; m < levels; ++m) {
+            if (m > 0) pass.wait();  // for the level before
+            pass.set("source", m > 0 ? all.mip(m - 1) : depth, nearest_clamp).set("level", all.mip(m));
+            pass.dispatch_threads(glm::uvec2(all.mip(m).size()));
+        }
+    });
+}
+// [/passes]
+
+void Culling::draw(Raster& pass, const Batch& batch) const {
+    if (!culls()) {
+        pass.draw(batch);
+        return;
+    }
+    const uint32_t group = objects_[batch.first].group;
+    if (method.is("frustum_cpu")) {
+        for (const Batch& found : found_[group]) pass.draw(found);
+        return;
+    }
+    const DrawItem& item = batch.item();
+    batch.bind(pass);
+    for (size_t i = first_list_; i < first_list_ + list_count_; ++i) {
+        pass.set("instances", lists_[i].instances);
+        pass.draw_indexed_indirect(item.model->indices[item.mesh], lists_[i].draws, 1, group * sizeof(DrawCommand));
+    }
+}
+
+std::vector<Resource> Culling::reads() const {
+    std::vector<Resource> all;
+    for (size_t i = first_list_; i < first_list_ + list_count_; ++i) {
+        all.emplace_back(lists_[i].instances);
+        all.emplace_back(lists_[i].draws);
+    }
+    return all;
+}
+
+size_t Culling::drawn() const {
+    size_t count = 0;
+    if (method.is("frustum_cpu")) {
+        for (const auto& found : found_)
+            for (const Batch& batch : found) count += batch.count;
+        return count;
+    }
+    for (const List& list : lists_)
+        if (list.count && (&list == lists_ || method.is("occlusion"))) count += list.count.as<uint32_t>()[0];
+    return count;
+}
+
+std::vector<std::string> Culling::status() const {
+    if (!culls()) return {};
+    return {fmt::format("{} of {} objects drawn", drawn(), objects_.size())};
+}
+
+}  // namespace lightwalk
