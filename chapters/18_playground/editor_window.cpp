@@ -4,6 +4,7 @@
 
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/window/camera_control.h"
 
 namespace lightwalk {
@@ -178,7 +179,13 @@ void EditorWindow::frame_selected() {
 }
 
 void EditorWindow::bring_up_to_date(Gpu& gpu) {
-    if (!std::exchange(view_.gpu, &gpu)) Arrival::rehearse(gpu);
+    if (!std::exchange(view_.gpu, &gpu)) {
+        Arrival::rehearse(gpu);
+        // In a window, and where no other scene was asked for, the tour has one of its own.
+        const std::filesystem::path& shown = editor.store.path;
+        if (automatic && tour_.shown() && !shown.empty() && find_asset(shown) == find_asset(default_scene()))
+            opens = find_asset(Tour::scene);
+    }
     Playground::bring_up_to_date(gpu);
     files_.export_due();
     loading_.was_shown();

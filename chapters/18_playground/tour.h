@@ -7,6 +7,8 @@ namespace lightwalk {
 /// A step is over once the person has done what it says. It is shown at the first start, and later on request.
 class Tour : public EditorPart {
   public:
+    static constexpr const char* scene = "scenes/terrace.json";
+
     /// Shown unless it was left before, which panel_memory.h keeps. LIGHTWALK_TOUR: "on" or "off" whatever was before.
     explicit Tour(EditorView& view);
 

@@ -81,6 +81,13 @@ class Tour(EditorTest):
         self.session.read_all()
         self.assertNotIn("tool.leave the tour", self.session.areas)
 
+    def test_5_a_first_start_without_a_scene_has_one_to_play_with(self):
+        session = Session(self.server, BUILD / "chapters" / "18_playground", ["--validate", "on", "--size", "460x700"],
+                          self.folder, LIGHTWALK_ROOT=str(ROOT), LIGHTWALK_TOUR="on")
+        self.addCleanup(session.close)
+        session.wait(lambda: "entry.terrace" in session.areas, "the scene of the tour")
+        self.assertEqual([line for line in session.errors if line], [])
+
 
 if __name__ == "__main__":
     unittest.main()
