@@ -9,9 +9,11 @@ starts: a compiler NOBODY, a student's code a user of its own, whose threads the
 
 import contextlib
 import dataclasses
+import fcntl
 import functools
 import itertools
 import json
+import mmap
 import os
 import selectors
 import shutil
@@ -27,7 +29,7 @@ from tree import BUILD, ROOT, Failure, cores
 
 PACKAGE = "bubblewrap"
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache", "/etc/vulkan")
-DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+DEVICES = ("/dev/null", "/dev/full", "/dev/random", "/dev/urandom")  # /dev/zero is memory that no limit counts
 COVERED = ("/proc/sys", "/proc/irq", "/proc/bus", "/proc/fs", "/proc/acpi", "/proc/scsi")  # the machine's own settings
 NOBODY = 65534  # who runs it where root asks for it
 TMP_BYTES = 256 << 20
@@ -41,9 +43,13 @@ userfaultfd perf_event_open io_uring_setup inotify_init inotify_init1 fanotify_i
 splice mount umount2 pivot_root chroot fsopen fsmount fspick open_tree move_mount mount_setattr unshare setns ptrace
 process_vm_readv process_vm_writev pidfd_getfd process_madvise name_to_handle_at open_by_handle_at personality quotactl acct
 swapon swapoff reboot kexec_load kexec_file_load init_module finit_module delete_module syslog lookup_dcookie nfsservctl
-sched_setattr sched_setaffinity mbind move_pages migrate_pages set_mempolicy kcmp""".split()
+sched_setattr sched_setaffinity mbind move_pages migrate_pages set_mempolicy kcmp io_setup landlock_create_ruleset
+landlock_add_rule landlock_restrict_self""".split()
 STARTING = ("fork", "vfork", "clone3")  # and clone() without CLONE_THREAD
 CLONE_THREAD, PR_SET_PDEATHSIG = 0x10000, 1
+LOCKING = (fcntl.F_SETLK, fcntl.F_SETLKW, fcntl.F_OFD_SETLK, fcntl.F_OFD_SETLKW)  # each lock is the kernel's memory
+SHARED_ANONYMOUS = mmap.MAP_SHARED | mmap.MAP_ANONYMOUS
+NUMBER = 0xFFFFFFFF  # all that the kernel takes of a number: higher bits must not hide it
 OWN_USERS = range(2_000_000_000, 2_000_060_000)  # for students' code, one after the other
 NUMBERS = itertools.count()
 THREADS = 64
@@ -140,7 +146,10 @@ def write_filter(limits: Limits, file):
             made.add_rule(seccomp.ERRNO(errno.ENOSYS if name == "clone3" else errno.EPERM), name)
     if not limits.processes:
         made.add_rule(seccomp.ERRNO(errno.EPERM), "clone", seccomp.Arg(0, seccomp.MASKED_EQ, CLONE_THREAD, 0))
-    made.add_rule(seccomp.ERRNO(errno.EPERM), "prctl", seccomp.Arg(0, seccomp.EQ, PR_SET_PDEATHSIG))
+        made.add_rule(seccomp.ERRNO(errno.EPERM), "mmap", seccomp.Arg(3, seccomp.MASKED_EQ, SHARED_ANONYMOUS, SHARED_ANONYMOUS))
+        for kind in LOCKING:
+            made.add_rule(seccomp.ERRNO(errno.EPERM), "fcntl", seccomp.Arg(1, seccomp.MASKED_EQ, NUMBER, kind))
+    made.add_rule(seccomp.ERRNO(errno.EPERM), "prctl", seccomp.Arg(0, seccomp.MASKED_EQ, NUMBER, PR_SET_PDEATHSIG))
     made.export_bpf(file)
 
 
