@@ -122,6 +122,7 @@ void Culling::passes(Frame& frame, const ImageView& depth, const std::function<v
     first_list_ = 0;
     list_count_ = 2;
 }
+// [/passes]
 
 void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     Device& device = frame.gpu.device;
@@ -182,8 +183,6 @@ void Culling::make_pyramid(Frame& frame, const ImageView& depth) {
         }
     });
 }
-// [/passes]
-
 void Culling::draw(Raster& pass, const Batch& batch) const {
     if (!culls()) {
         pass.draw(batch);
