@@ -123,7 +123,7 @@ foreach(script ${scripts})
     if(name MATCHES "course|grade|live|pages|chart")
       set_tests_properties(${name} PROPERTIES COST 60)  # the longest: first
     endif()
-    if(name MATCHES "live_(browser|links)")
+    if(name MATCHES "live_(browser|links|rest)")
       set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()
     if(name MATCHES "live_chapter")
@@ -144,6 +144,9 @@ foreach(script ${scripts})
     set_tests_properties(python.${name} PROPERTIES COST 100)  # so that the shots, which take a blink each, come last
     if(name MATCHES "(newcomer|autograder_container)$")
       set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600)  # it builds the course in a clone
+    endif()
+    if(name MATCHES "page_(site|firefox)$")
+      set_tests_properties(python.${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()
     if(name MATCHES "equal_methods$")
       set_tests_properties(python.${name} PROPERTIES COST 800 TIMEOUT 900)  # minutes: beside all others, not behind them

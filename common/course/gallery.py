@@ -120,6 +120,7 @@ class Drawer:
         self.folder, self.pictures, self.stale, self.known = folder, pictures, stale, known
         self.tasks, self.lock, self.done, self.total = queue.PriorityQueue(), threading.Lock(), 0, len(stale)
         self.programs, self.keys, self.written_s, self.stopping = None, {}, 0.0, False
+        self.drew = threading.Event()  # one picture, or tried to
         self.drawings: list[Drawing] = []
         self.progress = Progress("drawing")
 
@@ -129,14 +130,16 @@ class Drawer:
         if programs is None:
             for chapter in dict.fromkeys(picture["chapter"] for picture in self.stale):
                 self.add(chapter, [picture for picture in self.stale if picture["chapter"] == chapter], True)
-        else:
-            programs.start()
         workers = [threading.Thread(target=self.work, args=(i,), daemon=True) for i in range(min(cores(), 4))]
         try:
             with self.progress:
-                for worker in workers:
-                    worker.start()
                 added = set()
+                workers[0].start()
+                if programs:
+                    added.update(self.draw_first())
+                    programs.start()
+                for worker in workers[1:]:
+                    worker.start()
                 while programs and (programs.are_building() or added != set(programs.ready())):
                     for chapter in sorted(set(programs.ready()) - added):
                         added.add(chapter)
@@ -155,6 +158,15 @@ class Drawer:
         if programs:
             self.note_unbuilt()
         return self.total
+
+    def draw_first(self) -> list[str]:
+        """Draws one picture of what is built before the compiler takes the processor again. Returns the chapter."""
+        first = self.programs.ready()[:1]
+        for chapter in first:
+            self.plan(chapter)
+        if self.total:
+            self.drew.wait()
+        return first
 
     def plan(self, chapter: str):
         """Queues a chapter's pictures once its program is built."""
@@ -191,6 +203,7 @@ class Drawer:
             except Exception as error:  # a thread's own would be lost
                 for picture in pictures:
                     picture["error"] = picture["error"] or str(error)
+                self.drew.set()
 
     def draw_of_one(self, chapter: str, pictures: list[dict], samples: str):
         drawing = None
@@ -232,6 +245,7 @@ class Drawer:
             elif self.programs:
                 self.progress.show(self.done, self.total, f"{picture['chapter']}.{picture['name']}, one sample")
         self.page_changed(picture)
+        self.drew.set()
 
     def page_changed(self, picture: dict | None = None):
         """Writes the page of the available pictures, initially after the first one."""

@@ -1,5 +1,5 @@
-"""Tests of the course's descriptions for other systems: the workflow of a public CI, the dev container, docs/elsewhere.md
-and the hours of docs/teaching.md."""
+"""Tests of the course's descriptions for other systems: the workflow of a public CI, the dev container, editors, forms,
+docs/elsewhere.md and the hours of docs/teaching.md."""
 # Builds: nothing
 
 import argparse
@@ -12,6 +12,7 @@ from pathlib import Path
 
 REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
+from cli import COMMANDS  # noqa: E402
 from test import run_tests  # noqa: E402
 from tree import chapters, lesson_pages  # noqa: E402
 
@@ -70,6 +71,29 @@ class Workflow(unittest.TestCase):
         made = [words for key in ("updateContentCommand", "postCreateCommand") for words in commands(said[key])]
         self.assertEqual([f"./course {' '.join(words)}" for words in made], first)
         self.assertEqual(said["image"], "debian:12")
+
+
+class Editors(unittest.TestCase):
+    def read(self, name: str) -> dict:
+        return json.loads((REAL / ".vscode" / name).read_text())
+
+    def test_each_chapter_is_started_by_a_command_of_the_course_and_debugged(self):
+        tasks, launch = self.read("tasks.json"), self.read("launch.json")
+        for said in (tasks, launch):
+            self.assertEqual(said["inputs"][0]["options"], chapters())
+        for task in tasks["tasks"]:
+            self.assertEqual(task["command"], "./course", task["label"])
+            self.assertIn(task["args"][0], COMMANDS, task["label"])
+        for configuration in launch["configurations"]:
+            self.assertEqual(configuration["program"], "${workspaceFolder}/build/chapters/${input:chapter}")
+            self.assertIn(configuration["preLaunchTask"], [task["label"] for task in tasks["tasks"]])
+
+    @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
+    def test_forms_citation_and_the_language_server_are_yaml_with_their_keys(self):
+        for name, keys in {".clangd": {"CompileFlags"}, ".github/CITATION.cff": {"cff-version", "title", "authors", "license"},
+                           ".github/ISSUE_TEMPLATE/lesson.yml": {"name", "description", "body"},
+                           ".github/ISSUE_TEMPLATE/wrong.yml": {"name", "description", "body"}}.items():
+            self.assertLessEqual(keys, set(yaml.safe_load((REAL / name).read_text())), name)
 
 
 class Page(unittest.TestCase):

@@ -1,6 +1,7 @@
 """Tests of ./course serve in a browser: chapter 02's lesson on a copy of the course, drawn by its program."""
 
 import base64
+import json
 import os
 import signal
 import unittest
@@ -15,7 +16,8 @@ from small_course import REAL
 CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
 SHOWN = "Picture.all[0].answers[0]"
-IMAGES = "document.querySelectorAll('article img:is([src*=\"/golden/\"], [src*=\"images/\"][src$=\".png\"])')"
+DRAWN = ['[src*="/golden/"]', *(f'[src*="images/{name}."]' for name in json.loads((REAL / "docs/images/pictures.json").read_text()))]
+IMAGES = f"document.querySelectorAll('article img:is({', '.join(DRAWN)})')"
 # An image's colours, one after the other, once it is there: while one is read, an image draws nothing.
 PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); "
           "c.drawImage(image, 0, 0, 320, 180); return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")

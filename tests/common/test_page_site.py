@@ -1,86 +1,65 @@
 """The site in a browser (Chromium, WebGL by software): programs that are drawn and edited, exercises that are solved, answers as
 files, reading without a network; from files and from a server of files."""
 
-import functools
 import html
-import http.server
 import json
 import re
-import sys
+import shutil
 import tempfile
-import threading
 import unittest
 from pathlib import Path
 
 from browser import CHROMIUM, Browser
 from contrast import CONTRAST
 from part_in_ci import part
+from site_page import COLORS, DRAWN, DRAWN_BY, LAMBERT, PICTURE, SQUARE, Solving, remove, serve, site
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from pages import docs, publish, running  # noqa: E402
-from tree import UsageError, lessons  # noqa: E402
+from pages import drawn_pictures, knob_links, publish, running, states
+from shots.golden import golden_path
+from tree import UsageError, lessons
+
+tearDownModule = remove
 
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 LOADED = "performance.getEntriesByType('resource').reduce((sum, one) => sum + one.encodedBodySize, " \
          "performance.getEntriesByType('navigation')[0].encodedBodySize)"
 MOST_PAGE_BYTES = 1_500_000
-# How many colours a canvas shows, of a grid of its pixels.
-COLORS = """(canvas => {
-  const small = Object.assign(document.createElement("canvas"), {width: 32, height: 18}), to = small.getContext("2d");
-  to.drawImage(canvas, 0, 0, 32, 18);
-  const data = to.getImageData(0, 0, 32, 18).data, found = new Set();
-  for (let i = 0; i < data.length; i += 4) found.add(data.slice(i, i + 3).join());
-  return found.size;
-})(Program.all[%d].canvas)"""
-DRAWN_BY = "Program.all[%d].drawing?.program ? 1 : 0"
-LAMBERT = "float lambert(vec3 normal, vec3 to_light) {\n    return max(dot(normal, to_light), 0);\n}\n"
-DRAWN = ["02_lambert_phong"]
 STATES = "States.all.find(one => one.has('method', 'gouraud'))"
-SQUARE = "vec4 quaternion_square(vec4 q) {\n    return vec4(q.x * q.x - dot(q.yzw, q.yzw), 2 * q.x * q.yzw);\n}\n"
+POINT_BYTES = 20_000  # of the picture at a chart's point
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
+def state_bytes(golden: Path) -> int:
+    """Size of a golden as a state's file; its one sample is noisier than a state."""
+    from PIL import Image
 
-
-@functools.cache
-def site() -> Path:
-    """The site without its film, once for all tests; one chapter's pictures have their states."""
-    site.folder = tempfile.TemporaryDirectory()
-    made = Path(site.folder.name, "site")
-    docs.make(made, lambda folder: publish.finish(folder, None, DRAWN))
-    return made
-
-
-def tearDownModule():
-    if hasattr(site, "folder"):
-        site.folder.cleanup()
-
-
-class Solving(unittest.TestCase):
-    def press(self, browser, exercise: str, button: str):
-        browser.evaluate(f"[...Exercise.all.get('{exercise}').element.querySelectorAll('button')].find(one => one.textContent === '{button}').click()")
-
-    def solve(self, browser, exercise: str, answer: str):
-        """The starter is open, the answer solved."""
-        browser.evaluate(f"document.querySelector('[data-exercise=\"{exercise}\"]').click()")
-        browser.wait(f"!!Exercise.all.get('{exercise}').editor")
-        for text, verdict in ((None, "open"), (answer, "ok")):
-            if text:
-                browser.evaluate(f"Exercise.all.get('{exercise}').editor.setValue({json.dumps(text)}), 0")
-            self.press(browser, exercise, "Check")
-            browser.wait(f"document.querySelector('.run-verdict.{verdict}') ? 1 : 0")
+    with tempfile.TemporaryDirectory() as folder, Image.open(golden) as picture:
+        picture.thumbnail(states.SIZE)
+        picture.save(Path(folder, "state.png"))
+        return len(drawn_pictures.webp(Path(folder, "state.png")))
 
 
 @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
 class InBrowser(Solving):
-    def serve(self) -> str:
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site())))
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        self.end = lambda: (server.shutdown(), server.server_close())
-        return f"http://127.0.0.1:{server.server_port}/"
+    def test_the_start_page_has_a_shader_to_change_and_leads_to_the_first_exercise(self):
+        with Browser(webgl=True) as browser:
+            browser.open(site() / "index.html")
+            if clip_there := (site() / "assets/start.mp4").exists():
+                browser.wait("(film => film.muted && film.loop && film.currentTime > 0)(document.querySelector('.hero video'))")
+                browser.evaluate("document.querySelector('.hero > div').click()")
+                self.assertTrue(browser.evaluate("document.querySelector('.hero video').paused"))
+            self.assertEqual(clip_there, bool(shutil.which("ffmpeg")))
+            browser.evaluate("Program.all[0].canvas.scrollIntoView({behavior: 'instant'})")
+            browser.wait(DRAWN_BY % 0)
+            browser.evaluate("Program.all[0].edit().then(() => 0)")
+            before = browser.evaluate(PICTURE % 0)
+            number = browser.evaluate("Program.all[0].constants()[0].name")
+            browser.evaluate(f"Program.all[0].sliders.querySelectorAll('label').forEach(one => {{ if (one.textContent.startsWith('{number}'))"
+                             " { const range = one.querySelector('input'); range.value = 0.7 * range.value; range.oninput(); } }), 0")
+            browser.wait(f"Program.all[0].said.textContent === '' && {PICTURE % 0} !== {json.dumps(before)}")
+            self.assertNotEqual(browser.evaluate("Program.all[0].editor.getValue()"), browser.evaluate("Program.all[0].first"))
+            browser.evaluate("document.querySelector('.try a[href*=\"#02.lambert\"]').click()")
+            browser.wait("location.hash === '#02.lambert' && document.querySelector('[data-exercise=\"02.lambert\"]') ? 1 : 0")
+            self.assertEqual(browser.complaints, [])
 
     def test_a_first_exercise_is_solved_and_seen_from_a_file(self):
         for page, exercise, answer, program in (("02_lambert_phong", "02.lambert", LAMBERT, 0), ("11_fractals", "11.quaternion_square", SQUARE, 1)):
@@ -90,6 +69,8 @@ class InBrowser(Solving):
                 self.press(browser, exercise, "See it in the picture")
                 browser.wait(f"{DRAWN_BY % program} && Program.all[{program}].mine.size && Program.all[{program}].said.textContent === ''")
                 browser.wait(f"{COLORS % program} > 20")
+                following = browser.evaluate("document.querySelector('.run-next').textContent")
+                self.assertTrue(browser.evaluate(f"Answers.list.includes('{following}') && '{following}' !== '{exercise}'"))
                 mine = "document.querySelector('.run-progress').textContent"
                 self.assertRegex(browser.evaluate(mine), r"^1 of \d+ solved$")
                 browser.open(site() / f"{page}.html")
@@ -142,15 +123,7 @@ class InBrowser(Solving):
     def test_by_keyboard_on_a_phone_and_in_the_dark(self):
         with Browser(webgl=True, dark=True) as browser:
             browser.call("Emulation.setDeviceMetricsOverride", **PHONE)
-            browser.open(site() / "17_planets.html")
-            browser.evaluate("Program.all[0].canvas.scrollIntoView({behavior: 'instant'})")
-            browser.wait(DRAWN_BY % 0)
-            browser.evaluate("Program.all[0].canvas.focus()")
-            before = browser.evaluate("Program.all[0].drawing.camera.yaw")
-            browser.press("ArrowRight")
-            self.assertEqual(browser.evaluate("Program.all[0].drawing.camera.yaw"), before + 5)
-            browser.press("Tab")
-            self.assertEqual(browser.evaluate("document.activeElement.textContent"), "Edit")
+            self.turn_by_keys(browser)
             self.assertEqual(browser.evaluate("[innerWidth, document.documentElement.scrollWidth]"), [390, 390])
             self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
             # A chart keeps the size of its words, and is dark.
@@ -206,14 +179,14 @@ class InBrowser(Solving):
                     self.assertEqual(browser.evaluate(CONTRAST), {}, f"{page}, {'dark' if dark else 'light'}")
 
     def test_a_server_of_files_and_then_none(self):
-        address = self.serve()
+        address, end = serve()
         with Browser(webgl=True, server=address) as browser:
             for page in [Path("index"), *part(lessons(), 6)]:
                 browser.open(f"{address}{page.stem}.html")
                 self.assertLess(browser.evaluate(LOADED), MOST_PAGE_BYTES, page)
                 self.assertEqual(browser.complaints, [])
             browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
-            self.end()
+            end()
             for page in ("16_volume", "index"):
                 browser.open(f"{address}{page}.html")
                 self.assertIn("Lightwalk", browser.evaluate("document.title"))
@@ -240,8 +213,23 @@ class OnDisk(unittest.TestCase):
         self.assertEqual(drawn, {file for one in told for file in [one["base"], *(f for knob in one["knobs"] for f in knob["files"].values())]} |
                          {point["file"] for found in re.findall(r'data-points="([^"]*)"', page) for point in json.loads(html.unescape(found))})
 
-    def test_its_size_and_its_exercises(self):
-        self.assertLess(sum(path.stat().st_size for path in site().rglob("*") if path.is_file()), publish.MOST_BYTES)
+    def test_its_size_with_the_pictures_of_all_chapters(self):
+        """The test draws one chapter's. A state of another one is counted with the size of its golden as a state's file."""
+        size = sum(path.stat().st_size for path in site().rglob("*") if path.is_file())
+        states_of_all = 0
+        for name, text in site.lessons.items():
+            chapter = knob_links.chapter_of(name)
+            if not chapter or chapter in DRAWN:
+                continue
+            for one in states.planned(text, chapter, knob_links.knobs_of(chapter)):
+                if count := sum(map(len, one.values.values())):
+                    states_of_all += (count + 1) * state_bytes(golden_path(chapter, one.shot))
+            states_of_all += states.MOST_STATES * len(states.CHART.findall(text)) * POINT_BYTES
+        print(f"the site: {size / 1e6:.1f} MB, and {states_of_all / 1e6:.1f} MB of states")
+        self.assertGreater(states_of_all, 2e6)
+        self.assertLess(size + states_of_all, publish.MOST_BYTES)
+
+    def test_its_exercises(self):
         listed = json.loads((site() / "assets/tables/list.json").read_text())
         self.assertGreaterEqual(len(listed["in_the_page"]), 60)
         self.assertFalse(set(listed["in_the_page"]) & set(listed["elsewhere"]))

@@ -1,8 +1,8 @@
 """The page and ./course check give the same verdict on each answer: all variants in GLSL of the exercises that a browser
 can check.
 
-python3 tests/common/test_page_verdicts.py [NN | NN.name ...] prints a table of both verdicts, with marks where they
-differ.
+python3 tests/common/test_page_verdicts.py [--firefox] [NN | NN.name ...] prints a table of both verdicts, with marks where
+they differ.
 """
 
 import json
@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 from browser import CHROMIUM, Browser
+from firefox import Firefox
 from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,24 +31,28 @@ def answers(fit: list[str]) -> list[tuple[str, Variant]]:
             if variant.name.endswith(".glsl") and f"{chapter[:2]}.{variant.exercise}" in fit]
 
 
-def said(folder: Path, asked: list[tuple[str, Variant]]):
+def chromium():
+    return Browser(webgl=True)
+
+
+def said(folder: Path, asked: list[tuple[str, Variant]], browsed):
     """The page's verdict on each answer, in order."""
     names = sorted({exercise for exercise, _ in asked})
     scripts = [*(SITE / name for name in ("gl.js", "undefined.js", "tables.js")), folder / "undefined.js",
                *(folder / f"{name}.js" for name in names)]
     page = folder / "verdicts.html"
     page.write_text("<!doctype html>" + "".join(f'<script src="{path.as_uri()}"></script>' for path in scripts))
-    with Browser(webgl=True) as browser:
+    with browsed() as browser:
         browser.open(page)
         for exercise, variant in asked:
             yield browser.evaluate(f"Tables.check(Tables.known.get({json.dumps(exercise)}), {json.dumps(variant.text)})")
 
 
-def compared(folder: Path, wanted=lambda name: True) -> list[dict]:
+def compared(folder: Path, wanted=lambda name: True, browsed=chromium) -> list[dict]:
     fit = [name for name in in_browser.write(folder) if wanted(name)]
     asked = answers(fit)
     rows = []
-    for (exercise, variant), result in zip(asked, said(folder, asked)):
+    for (exercise, variant), result in zip(asked, said(folder, asked, browsed)):
         first = result["first_failure"] or ""
         same = result["ok"] == (not variant.words) and (not variant.words or any(one in first for one in variant.words.split(" | ")))
         rows.append({"exercise": exercise, "answer": variant.name, "check": variant.verdict, "page": "right" if result["ok"] else f"wrong: {first}",
@@ -77,10 +82,11 @@ class Verdicts(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    words = sys.argv[1:]
+    words = [word for word in sys.argv[1:] if not word.startswith("-")]
     with tempfile.TemporaryDirectory() as made:
-        found = compared(Path(made), lambda name: not words or any(name == word or name.startswith(f"{word}.") for word in words))
-    if "-v" not in words:
+        found = compared(Path(made), lambda name: not words or any(name == word or name.startswith(f"{word}.") for word in words),
+                         Firefox if "--firefox" in sys.argv else chromium)
+    if "-v" not in sys.argv:
         print(table(found))
         print(json.dumps([row for row in found if not row["same_words"] or row["note"]], indent=1))
         print(f"{len(found)} answers, {sum(not row['same_verdict'] for row in found)} with another verdict, "

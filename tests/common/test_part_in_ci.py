@@ -3,10 +3,16 @@
 
 import os
 import subprocess
+import sys
 import unittest
+from pathlib import Path
 from unittest import mock
 
 from part_in_ci import part
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+from test.run_tests import TURNS  # noqa: E402
 
 CASES = list("abcdefghij")
 
@@ -33,6 +39,12 @@ class Part(unittest.TestCase):
     def test_with_all_all(self):
         with mock.patch.dict(os.environ, {"LIGHTWALK_TESTS": ""}):
             self.assertEqual(part(CASES, 3), CASES)
+
+    def test_each_test_that_takes_turns_is_there_and_has_one_turn(self):
+        names = [name for turn in TURNS for name in turn.split("|")]
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            self.assertTrue(list(ROOT.glob(f"tests/*/test_{name}.py")), name)
 
 
 if __name__ == "__main__":

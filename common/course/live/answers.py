@@ -15,6 +15,8 @@ from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shot
 
 MOST_BYTES = 1 << 18  # of an exercise; the longest starter has 4 KiB
 CHECK_S = 900  # with a build from nothing
+# A picture at rest is drawn with four times the samples where that takes at most so long: never, or however long, as asked.
+REFINE_MS = {"off": 0, "on": 1_000_000}
 
 
 class Refused(Exception):
@@ -84,7 +86,7 @@ def catalogue() -> dict:
                               for name in in_order(chapter)]}
     pictures = {name: {"columns": made()[name]["columns"], "cells": cells(name)} for name in made()}
     return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "pictures": pictures, "solutions": has_solutions(),
-            "refines": os.environ.get("LIGHTWALK_REFINE") != "off"}
+            "refine_ms": REFINE_MS.get(os.environ.get("LIGHTWALK_REFINE"), 4000)}
 
 
 async def run(words: list, say, limit_s: float = CHECK_S) -> tuple[int, str]:

@@ -30,19 +30,21 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --on trixie      ./course run and then all tests on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
-Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs),
-only one chart of a chapter and one page of each kind are checked, and of wrong answers to exercises, attacks on grading,
+Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs)
+and those in Firefox, only one chart of a chapter and one page of each kind are checked, and of wrong answers to exercises, attacks on grading,
 charts, equal methods, random scenes, sites, shards, what is kept from frame to frame and lessons on a phone a part is tried,
 another with each commit. The last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
-LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built)$"
+LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
-TURNS = ("autograder|equal_methods|window_passes|window_tour", "grade_later|page_site|window_files|window_monkey",
-         "grade_shards|page_verdicts|grade_user|window_properties", "grade_forged|random_scenes|course_new|window_fields")
+TURNS = ("autograder|equal_methods|live_rest|course_shards|grade_slurm|window_passes|window_tour",
+         "grade_later|page_site|window_files|window_monkey|warm",
+         "grade_shards|page_verdicts|page_pictures|grade_user|grade_trouble|window_properties",
+         "grade_forged|random_scenes|course_new|course_trouble|window_fields")
 
 
 def add_arguments(parser):

@@ -147,7 +147,7 @@ class Picture {
   // At rest, four times the samples until there are 16, unless that would keep a hand waiting.
   refine(i, ms) {
     if (this.samples > 1) this.note.textContent = `${this.samples} samples`;
-    if (!Live.course.refines || i + 1 < this.sides.length || this.cell || this.state.set.samples || this.samples >= 16 || 4 * ms > 4000) return;
+    if (!Live.course.refine_ms || i + 1 < this.sides.length || this.cell || this.state.set.samples || this.samples >= 16 || 4 * ms > Live.course.refine_ms) return;
     clearTimeout(this.refining);
     this.refining = setTimeout(() => { this.samples *= 4; this.ask(true); }, 500);
   }

@@ -42,7 +42,7 @@ const Lesson = {
   // images/NAME.png. Null for a diagram or a chart.
   source(image) {
     const path = decodeURIComponent(new URL(image.src).pathname);
-    const golden = path.match(/\/tree\/tests\/(\d\d_\w+)\/golden\/(\w+)\.png$/), name = path.match(/\/images\/(\w+)\.png$/)?.[1];
+    const golden = path.match(/\/tree\/tests\/(\d\d_\w+)\/golden\/(\w+)\.png$/), name = path.match(/\/images\/(\w+)\.(?:png|jpg)$/)?.[1];
     if (Live.course.chapters[golden?.[1]]?.shots[golden[2]]) return {chapter: golden[1], shot: golden[2]};
     const made = Live.course.pictures[name];
     return made ? {chapter: made.cells[0].chapter, cell: [name, 0], made} : null;

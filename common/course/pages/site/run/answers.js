@@ -43,6 +43,12 @@ const Answers = {
     return Answers.list.filter(id => Answers.kept(`${id}.solved`));
   },
 
+  // The next exercise that is not solved, from this one on; undefined where all are.
+  after(id) {
+    const at = Answers.list.indexOf(id) + 1;
+    return [...Answers.list.slice(at), ...Answers.list.slice(0, at - 1)].find(one => !Answers.kept(`${one}.solved`));
+  },
+
   // The packaged editor on a text; its styles and scripts come with the first one.
   async editor(place, text, changed) {
     if (!document.querySelector("link.run-style"))
@@ -219,6 +225,8 @@ class Exercise {
     if (!result.ok) words.push(make("p", {textContent: result.first_failure}));
     if (result.note) words.push(make("p", {textContent: result.note}));
     if (!result.ok && result.hint) words.push(make("details", {}, make("summary", {textContent: "hint"}), make("p", {textContent: result.hint})));
+    const next = result.ok && Answers.after(this.id);
+    if (next) words.push(make("p", {}, "Next: ", make("a", {className: "run-next", href: new URL(`../../open/${next}.html`, Answers.base), textContent: next})));
     this.verdict.replaceChildren(...words);
     this.verdict.className = `run-verdict ${result.ok ? "ok" : "open"}`;
     const line = result.first_failure?.match(/^it does not compile: line (\d+): (.*)/s);
