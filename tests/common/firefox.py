@@ -42,7 +42,7 @@ class Firefox(Driven):
         with open(self.said, "w") as out:
             self.process = subprocess.Popen([FIREFOX, "--no-remote", "--profile", self.profile, "--remote-debugging-port", "0", "about:blank"],
                                             env=environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
-        self.number, self.buffer, self.complaints = 0, b"", []
+        self.number, self.buffer, self.socket, self.complaints = 0, b"", None, []
         try:
             self.connect()
             self.call("session.new", capabilities={})
@@ -56,6 +56,8 @@ class Firefox(Driven):
     def __exit__(self, *given):
         super().__exit__(*given)
         self.server.close()
+        if self.socket:
+            self.socket.close()
 
     def connect(self):
         end = time.monotonic() + TIMEOUT_S

@@ -86,6 +86,7 @@ class Solving(unittest.TestCase):
     def turn_by_keys(self, browser):
         """An arrow turns Saturn; Tab leads to the first button below it."""
         browser.open(site() / "17_planets.html")
+        browser.wait("Program.all.length")
         browser.evaluate("Program.all[0].canvas.scrollIntoView({behavior: 'instant'})")
         browser.wait(DRAWN_BY % 0)
         browser.evaluate("Program.all[0].canvas.focus()")

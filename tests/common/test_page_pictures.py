@@ -52,6 +52,7 @@ class Programs:
         scripts = "".join(f'<script src="{(running.OWN / name).as_uri()}"></script>' for name in ("gl.js", "program.js", "answers.js"))
         page.write_text(PAGE % (scripts, json.dumps(running.scenes())), encoding="utf-8")
         browser.open(page)
+        self.folder.cleanup()
 
     def draw(self, name: str):
         """The message below the picture, and the picture at a quarter of its width and height."""

@@ -59,6 +59,9 @@ class InBrowser(Solving):
             self.assertNotEqual(browser.evaluate("Program.all[0].editor.getValue()"), browser.evaluate("Program.all[0].first"))
             browser.evaluate("document.querySelector('.try a[href*=\"#02.lambert\"]').click()")
             browser.wait("location.hash === '#02.lambert' && document.querySelector('[data-exercise=\"02.lambert\"]') ? 1 : 0")
+            browser.wait("document.readyState === 'complete'")
+            browser.evaluate("Promise.all([...document.images].map(one => { one.loading = 'eager'; return one.decode().catch(() => 0); })).then(() => 0)")
+            browser.wait("(top => top >= 0 && top < 300)(document.getElementById('02.lambert').getBoundingClientRect().top)")
             self.assertEqual(browser.complaints, [])
 
     def test_a_first_exercise_is_solved_and_seen_from_a_file(self):
@@ -234,6 +237,12 @@ class OnDisk(unittest.TestCase):
         self.assertGreaterEqual(len(listed["in_the_page"]), 60)
         self.assertFalse(set(listed["in_the_page"]) & set(listed["elsewhere"]))
         self.assertIn("01.triangulate", listed["elsewhere"])
+
+    def test_every_picture_says_its_size(self):
+        """Pictures come in as one scrolls: without sizes an exercise's address would lead elsewhere."""
+        for lesson in lessons():
+            page = (site() / f"{lesson.stem}.html").read_text()
+            self.assertEqual(re.findall(r"<img (?![^>]*width=)[^>]*>", page), [], lesson)
 
     def test_a_policy_in_every_page(self):
         pages = [page for page in site().rglob("*.html") if page.parent.name != "open"]  # which only lead on

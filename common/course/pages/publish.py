@@ -3,6 +3,7 @@
 To the output of ./course docs it adds: small pictures, loaded as they come into view; a start page with a short film; a service
 worker, which keeps the site for reading without a network; a policy that lets a page load nothing from elsewhere."""
 
+import functools
 import hashlib
 import io
 import json
@@ -80,6 +81,7 @@ def search_later(made: Path) -> bool:
         return False
     write_atomically(made / "assets" / "search.js", 'const SOURCE = new URL("../search/search_index.js", document.currentScript.src).href;\n' +
                      script.replace("Promise.resolve(window.__index)", LATER))
+    (made / "search" / "search_index.json").unlink()  # the script has it
     return True
 
 
@@ -99,7 +101,7 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
         text = text.replace("<head>", f"<head>{head}", 1).replace("</body>", f'<script src="{up}offline.js"></script></body>', 1)
         if path == made / "index.html":
             text = start_page(made, text, clip)
-        path.write_text(text, encoding="utf-8")
+        path.write_text(re.sub(r'<img (?![^>]*width=)([^>]*)src="([^":]+)"', lambda found: sized(found, path), text), encoding="utf-8")
     for path, other in smaller.items():
         if other:
             path.unlink()
@@ -126,8 +128,8 @@ def smaller_fonts(made: Path):
     logging.getLogger("fontTools").setLevel(logging.ERROR)  # it finds the package's dates odd
     style = made / "assets" / "lesson.css"
     for face in (made / "assets" / "fonts").glob("*.ttf"):
-        subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713", "--layout-features=*",
-                     "--flavor=woff2", f"--output-file={face.with_suffix('.woff2')}"])
+        subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713",
+                     "--layout-features=kern,liga,tnum,ccmp,locl,mark,mkmk", "--no-hinting", "--flavor=woff2", f"--output-file={face.with_suffix('.woff2')}"])
         face.unlink()
     style.write_text(re.sub(r"(fonts/[\w-]+)\.ttf", r"\1.woff2", style.read_text(encoding="utf-8")), encoding="utf-8")
 
@@ -175,6 +177,28 @@ def renamed(found: re.Match, page: Path, smaller: dict[Path, Path | None]) -> st
     meant = (page.parent / unquote(found[2])).resolve()
     other = smaller.get(meant)
     return f'{found[1]}="{found[2][:found[2].rindex(".")]}.webp"' if other else found[0]
+
+
+def sized(found: re.Match, page: Path) -> str:
+    """The image with its size, so that a page keeps its place while pictures above come in."""
+    from urllib.parse import unquote
+
+    file = (page.parent / unquote(found[2])).resolve()
+    size = size_of(file) if file.is_file() else None
+    return f'<img width="{size[0]}" height="{size[1]}" {found[1]}src="{found[2]}"' if size else found[0]
+
+
+@functools.cache
+def size_of(file: Path) -> tuple[int, int] | None:
+    """In CSS pixels; None for a drawing that does not say."""
+    if file.suffix == ".svg":
+        head = file.read_text(encoding="utf-8")[:2000]
+        said = [re.search(rf'<svg[^>]*\b{side}="([\d.]+)(pt|px|)"', head) for side in ("width", "height")]
+        return tuple(round(float(one[1]) * (4 / 3 if one[2] == "pt" else 1)) for one in said) if all(said) else None
+    from PIL import Image
+
+    with Image.open(file) as picture:
+        return picture.size
 
 
 def meta_policy() -> str:

@@ -198,6 +198,7 @@ class Exercise {
     this.editor.addKeyMap({"Ctrl-Enter": () => this.check()});
     this.status.textContent = this.table.file;
     this.show_picture();
+    this.element.scrollIntoView({block: "nearest"});
   }
 
   changed(text) {
@@ -229,6 +230,7 @@ class Exercise {
     if (next) words.push(make("p", {}, "Next: ", make("a", {className: "run-next", href: new URL(`../../open/${next}.html`, Answers.base), textContent: next})));
     this.verdict.replaceChildren(...words);
     this.verdict.className = `run-verdict ${result.ok ? "ok" : "open"}`;
+    this.verdict.scrollIntoView({block: "nearest"});
     const line = result.first_failure?.match(/^it does not compile: line (\d+): (.*)/s);
     Answers.mark(this.editor, line ? [{line: Number(line[1]), words: line[2]}] : []);
     Answers.kept(`${this.id}.solved`, result.ok ? "1" : null);
