@@ -129,7 +129,8 @@ def smaller_fonts(made: Path):
     style = made / "assets" / "lesson.css"
     for face in (made / "assets" / "fonts").glob("*.ttf"):
         subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713",
-                     "--layout-features=kern,liga,tnum,ccmp,locl,mark,mkmk", "--no-hinting", "--flavor=woff2", f"--output-file={face.with_suffix('.woff2')}"])
+                     "--layout-features=kern,liga,tnum,ccmp,locl,mark,mkmk", "--no-hinting", "--flavor=woff2",
+                     f"--output-file={face.with_suffix('.woff2')}"])
         face.unlink()
     style.write_text(re.sub(r"(fonts/[\w-]+)\.ttf", r"\1.woff2", style.read_text(encoding="utf-8")), encoding="utf-8")
 
