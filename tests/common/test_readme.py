@@ -70,14 +70,14 @@ class FirstScreen(unittest.TestCase):
     def test_it_counts_what_the_knobs_have(self):
         for number, what, knob, others in COUNTED:
             with self.subTest(number):
-                said = re.search(rf"({'|'.join(NUMBERS)}) (?:\w+ )?{what}", row(number))
+                said = re.search(rf"({'|'.join(NUMBERS)}) (?:\w+ )?{what}", row(number), re.I)
                 self.assertTrue(said, row(number))
                 program = BUILD / "chapters" / find_chapter(number)
                 listed = json.loads(subprocess.run([program, "--list", "knobs", "--json"], check=True, text=True,
                                                    stdout=subprocess.PIPE).stdout)
                 listed = listed["knobs"] if isinstance(listed, dict) else listed
                 choices = next(one["options"] for one in listed if one["name"] == knob or one["name"].endswith("." + knob))
-                self.assertEqual(NUMBERS.index(said[1]) + 1, len(set(choices) - set(others)), choices)
+                self.assertEqual(NUMBERS.index(said[1].lower()) + 1, len(set(choices) - set(others)), choices)
 
     def test_the_undo_of_18_has_the_bound_of_its_code(self):
         [megabytes] = re.findall(r"undo keeps (\d+) MB", row("18"))
