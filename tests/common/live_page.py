@@ -22,7 +22,8 @@ def copy_of_course(root: Path):
     """The server's inputs, and an editable exercise; the build is the course's own."""
     for name in ("common/course", "shaders"):
         shutil.copytree(REAL / name, root / name, ignore=shutil.ignore_patterns("__pycache__", "*.cpp"))
-    for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
+    for path in [*REAL.glob("docs/*.md"), *REAL.glob("docs/images/*.json"), *REAL.glob("docs/studies/*.json"),
+                 *REAL.glob("chapters/*/exercise/*.cpp"), REAL / "course"]:
         (root / path.relative_to(REAL)).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, root / path.relative_to(REAL))
     for name in ("assets", "tests"):
