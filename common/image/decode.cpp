@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 #include <new>
 
 #include "common/base/bytes.h"
@@ -27,14 +28,14 @@ namespace {
 
 /// stb takes a JPEG that is cut off and fills the rest with grey. Its end marker (FFD9) must stand after the last
 /// start of scan (FFDA).
-bool is_cut_jpeg(const std::string& bytes) {
+bool is_cut_jpeg(std::string_view bytes) {
     if (!bytes.starts_with("\xFF\xD8")) return false;
     const size_t end = bytes.rfind("\xFF\xD9"), scan = bytes.rfind("\xFF\xDA");
     return end == std::string::npos || scan == std::string::npos || end < scan;
 }
 
 /// stb calls a PNG it finds too large "unknown"; so its header (width and height at byte 16, big endian) is read first.
-void check_png_size(const fs::path& path, const std::string& bytes) {
+void check_png_size(const fs::path& path, std::string_view bytes) {
     if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return;
     const auto number = [&](size_t at) {
         int64_t value = 0;
@@ -47,7 +48,7 @@ void check_png_size(const fs::path& path, const std::string& bytes) {
 /// The file as an stb source. Reads past its end return nothing; stb then assumes zeros and accepts most truncated
 /// formats.
 struct Source {
-    const std::string& bytes;
+    std::string_view bytes;
     size_t at = 0;
     bool ran_out = false;
 
@@ -76,7 +77,7 @@ struct Source {
     reject(path, why ? fmt::format("{} ({})", what, why) : what);
 }
 
-Decoded read_header(const fs::path& path, const std::string& bytes) {
+Decoded read_header(const fs::path& path, std::string_view bytes) {
     Decoded picture;
     Source source{bytes};
     if (!stbi_info_from_callbacks(&Source::calls, &source, &picture.width, &picture.height, &picture.channels)) {
@@ -89,7 +90,7 @@ Decoded read_header(const fs::path& path, const std::string& bytes) {
 }
 
 /// Bit 4 of a TGA's descriptor (byte 17): rows run from the right, which stb takes no notice of.
-bool runs_from_right(const fs::path& path, const std::string& bytes) {
+bool runs_from_right(const fs::path& path, std::string_view bytes) {
     return strcasecmp(path.extension().c_str(), ".tga") == 0 && bytes.size() > 17 && (bytes[17] & 0x10) != 0;
 }
 
@@ -98,15 +99,23 @@ void mirror_rows(Texel* texels, int width, int height) {
     for (int y = 0; y < height; ++y) std::reverse(texels + int64_t{y} * width, texels + int64_t{y + 1} * width);
 }
 
-bool is_webp(const std::string& bytes) { return bytes.starts_with("RIFF") && bytes.compare(8, 4, "WEBP") == 0; }
-
-std::string with_header(std::string samples, Decoded& picture) {
-    ByteWriter tail;
-    tail(picture);
-    return samples + tail.bytes;
+bool is_webp(std::string_view bytes) {
+    return bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP";
 }
 
-std::string decode_webp(const fs::path& path, const std::string& bytes, int wanted) {
+/// A picture in its decoder's own memory, so that its samples are copied once.
+struct Raw {
+    Decoded header;
+    std::unique_ptr<void, void (*)(void*)> samples;
+
+    size_t bytes(int wanted) const { return bytes_of(header, wanted); }
+    static size_t bytes_of(const Decoded& picture, int wanted) {
+        return static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height) *
+               static_cast<size_t>(wanted * picture.bits / 8);
+    }
+};
+
+Raw decode_webp(const fs::path& path, std::string_view bytes, int wanted) {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     WebPBitstreamFeatures header;
     if (WebPGetFeatures(data, bytes.size(), &header) != VP8_STATUS_OK) reject(path, "has a broken header");
@@ -115,16 +124,13 @@ std::string decode_webp(const fs::path& path, const std::string& bytes, int want
     Decoded picture{.width = header.width, .height = header.height, .channels = header.has_alpha ? 4 : 3, .bits = 8};
     uint8_t* const pixels = WebPDecodeRGBA(data, bytes.size(), &picture.width, &picture.height);
     if (!pixels) reject(path, "is broken or cut off");
-    const size_t count = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
-    std::string samples;
-    samples.reserve(count * static_cast<size_t>(wanted) + 64);  // and the tail
-    for (const uint8_t* p = pixels; p < pixels + 4 * count; p += 4) samples.append(p, p + wanted);
-    WebPFree(pixels);
-    return with_header(std::move(samples), picture);
+    const size_t count = Raw::bytes_of(picture, 1);
+    if (wanted == 3)
+        for (size_t i = 0; i < count; ++i) std::memmove(pixels + 3 * i, pixels + 4 * i, 3);
+    return {picture, {pixels, WebPFree}};
 }
 
-/// The message through the guard's pipe: samples, then the header's fields.
-std::string decode_here(const fs::path& path, const std::string& bytes, int wanted, Depth depth) {
+Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth depth) {
     if (is_webp(bytes)) return decode_webp(path, bytes, wanted);
     Decoded picture = read_header(path, bytes);
     if (is_cut_jpeg(bytes)) reject(path, "is cut off");
@@ -136,28 +142,35 @@ std::string decode_here(const fs::path& path, const std::string& bytes, int want
                                                                                  &height, channels, wanted))
                                 : stbi_load_from_callbacks(&Source::calls, &source, &width, &height, channels, wanted);
     if (!pixels) reject_as(path, "is broken or cut off");
+    Raw raw{picture, {pixels, stbi_image_free}};
     const bool has_end = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");  // which stb or we look for
-    if (width != picture.width || height != picture.height || (source.ran_out && !has_end)) {
-        stbi_image_free(pixels);
-        reject(path, "is cut off");
-    }
+    if (width != picture.width || height != picture.height || (source.ran_out && !has_end)) reject(path, "is cut off");
     if (runs_from_right(path, bytes) && !has_16) {
         if (wanted == 4) mirror_rows(static_cast<std::array<char, 4>*>(pixels), width, height);
         if (wanted == 3) mirror_rows(static_cast<std::array<char, 3>*>(pixels), width, height);
     }
-    const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(wanted);
-    std::string result;
-    if (has_16 && picture.bits == 8) {
-        const auto* samples = static_cast<const uint16_t*>(pixels);
-        result.reserve(count + 64);
-        result.resize(count);
-        for (size_t i = 0; i < count; ++i) result[i] = static_cast<char>((samples[i] * 255u + 32767u) / 65535u);
-    } else {
-        result.reserve(count * static_cast<size_t>(picture.bits / 8) + 64);  // and the tail
-        result.assign(static_cast<const char*>(pixels), count * static_cast<size_t>(picture.bits / 8));
+    if (has_16 && picture.bits == 8) {  // in place: a result is shorter than its sample
+        const auto* from = static_cast<const uint16_t*>(pixels);
+        auto* const to = static_cast<uint8_t*>(pixels);
+        const size_t count = raw.bytes(wanted);
+        for (size_t i = 0; i < count; ++i) to[i] = static_cast<uint8_t>((from[i] * 255u + 32767u) / 65535u);
     }
-    stbi_image_free(pixels);
-    return with_header(std::move(result), picture);
+    return raw;
+}
+
+/// Of the guarded process: the header's fields, then the samples.
+void decode_in_guard(std::string_view input, GuardReply& reply) {
+    ByteReader in(input);
+    fs::path path;
+    int wanted = 0;
+    Depth depth{};
+    size_t count = 0;
+    in(path, wanted, depth, count);
+    Raw raw = decode_here(path, in.take(count), wanted, depth);
+    ByteWriter header;
+    header(raw.header);
+    reply.append(header.bytes);
+    reply.append({static_cast<const char*>(raw.samples.get()), raw.bytes(wanted)});
 }
 
 }  // namespace
@@ -171,23 +184,33 @@ Decoded decode_picture(const fs::path& path, const std::string& bytes, int wante
     if (bytes.size() > size_t(1) << 30) reject(path, "is larger than 1 GiB");
     if (bytes.starts_with("#?")) reject(path, "is a Radiance image, which must be named .hdr");
     check_png_size(path, bytes);
+    Decoded picture;
+    const auto keep = [&](const void* samples) {
+        const auto* const begin = static_cast<const std::byte*>(samples);
+        picture.samples.assign(begin, begin + Raw::bytes_of(picture, wanted));
+    };
+    // The course's own files are known to be good.
+    if (!guards() || lies_below(path, course_root())) {
+        const Raw raw = decode_here(path, bytes, wanted, depth);
+        picture = raw.header;
+        keep(raw.samples.get());
+        return picture;
+    }
+    ByteWriter head;
+    head(path, wanted, depth, bytes.size());
     // A picture may be a thousand times larger than its file; the largest takes three times 1 GiB on its way.
     const GuardLimits limits{.cpu_s = 60, .memory = size_t{5} << 30};
-    Decoded picture;
-    const auto work = [&] { return decode_here(path, bytes, wanted, depth); };
-    // A copy of a large process takes some 20 ms of it, which adds up over a scene's textures. The course's own files
-    // are known to be good.
-    const bool here = !guards() || lies_below(path, course_root());
-    picture.samples = here ? work() : run_guarded(path.string(), "stb_image", limits, work);
-    const size_t head = 4 * sizeof(int);
-    if (picture.samples.size() < head) throw Failure("{}: its reader answered in part", path.string());
-    ByteReader tail(std::string_view(picture.samples).substr(picture.samples.size() - head));
-    tail(picture);
-    picture.samples.resize(picture.samples.size() - head);
-    check_image_size(path, picture.width, picture.height);
-    const size_t expected = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height) *
-                            static_cast<size_t>(wanted * (picture.bits == 16 ? 2 : 1));
-    if (picture.samples.size() != expected) throw Failure("{}: its reader answered in part", path.string());
+    read_guarded({path.string(), "stb_image", decode_in_guard}, limits, {head.bytes, bytes},
+                 [&](std::string_view said) {
+                     ByteReader reply(said);
+                     reply(picture);
+                     check_image_size(path, picture.width, picture.height);
+                     const bool as_asked = picture.bits == 8 || (picture.bits == 16 && depth == Depth::as_stored);
+                     const std::string_view samples = as_asked ? reply.take(Raw::bytes_of(picture, wanted)) : "";
+                     if (said.size() != sizeof(int) * 4 + samples.size() || !as_asked)
+                         throw Failure("{}: its reader answered in part", path.string());
+                     keep(samples.data());
+                 });
     return picture;
 }
 

@@ -138,11 +138,12 @@ ImageRgb read_image_linear(const fs::path& path) {
 
 namespace {
 
-TexelImage texels_of(const Decoded& file) {
-    TexelImage image{.width = file.width, .height = file.height, .bits = file.bits, .channels = file.channels};
-    const auto* begin = reinterpret_cast<const std::byte*>(file.samples.data());
-    image.bytes.assign(begin, begin + file.samples.size());
-    return image;
+TexelImage texels_of(Decoded file) {
+    return {.width = file.width,
+            .height = file.height,
+            .bits = file.bits,
+            .channels = file.channels,
+            .bytes = std::move(file.samples)};
 }
 
 Depth depth_of(bool keep_16_bits) { return keep_16_bits ? Depth::as_stored : Depth::bits8; }

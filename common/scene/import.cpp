@@ -131,6 +131,14 @@ std::string extension_of(const fs::path& file) {
     return extension;
 }
 
+bool is_gltf(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
+
+void import_in_guard(std::string_view name, GuardReply& reply) {
+    const fs::path path(name);
+    const std::string extension = extension_of(path);
+    reply.append(to_bytes(is_gltf(extension) ? read_gltf(path) : import_here(path, extension)));
+}
+
 }  // namespace
 
 bool is_model_file(const fs::path& file) {
@@ -151,12 +159,10 @@ Model import_model(const fs::path& path) {
     }
     if (bytes == 0) throw InputError("{}: the file is empty", name);
     if (extension == ".ply") check_counts(path, bytes);
-    const bool is_gltf = extension == ".gltf" || extension == ".glb";
-    const char* const reader = is_gltf ? "the glTF reader" : "Assimp";
     Model model;
-    read_bytes(run_guarded(name, reader, limits_for(bytes_to_import(path)),
-                           [&] { return to_bytes(is_gltf ? read_gltf(path) : import_here(path, extension)); }),
-               name, model);
+    read_guarded({name, is_gltf(extension) ? "the glTF reader" : "Assimp", import_in_guard},
+                 limits_for(bytes_to_import(path)), {name},
+                 [&](std::string_view said) { read_bytes(said, name, model); });
     if (!model.left_out.empty()) warn_once(fmt::format("{}: left out: {}", name, left_out_text(model)));
     return model;
 }

@@ -5,6 +5,8 @@
 #include "common/app/lists.h"
 #include "common/app/pictures.h"
 #include "common/base/crash.h"
+#include "common/base/files.h"
+#include "common/base/guarded.h"
 #include "common/base/text.h"
 #include "common/study/study.h"
 #include "common/window/stream.h"
@@ -27,6 +29,8 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         if (options->stream) return stream_pictures(*options, name, make, gpu);
         if (options->command) return options->command(*options, gpu);
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
+        const bool foreign = !options->scene.empty() && !lies_below(options->scene, course_root());
+        if (foreign || !options->headless()) prepare_guard();
         const Loading loading = automatic_choice(*options, *chapter);
         if (options->headless()) return run_headless(*options, *chapter, gpu, loading);
         return run_window(*options, *chapter, gpu, make, loading);

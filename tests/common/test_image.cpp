@@ -191,6 +191,7 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
     CHECK(message_of(scratch.folder).find("is a folder") != std::string::npos);
     refused("empty.png", "", "is empty");
     refused("text.png", "this is not an image at all, but it is long enough to look at", "is not an image");
+    refused("short.webp", "RIFF", "is not an image");
     refused("header.png", whole.substr(0, 20), "broken header");
     for (const size_t keep : {whole.size() / 4, whole.size() / 2, whole.size() - 40})
         refused("cut.png", whole.substr(0, keep), "broken or cut off");
