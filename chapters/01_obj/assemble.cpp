@@ -224,8 +224,9 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
     data.normals.resize(3 * total.normals);
     data.corners.resize(3 * total.triangles);
 
-    // Two rounds, because a face may use any position of the file.
-    on_threads(threads, pieces.size(), [&](unsigned, size_t i) {
+    // Two rounds, because a face may use any position of the file. Few bytes are copied before a thread has started.
+    const size_t floats = data.positions.size() + data.uvs.size() + data.normals.size();
+    on_threads(floats < (1 << 21) ? 1 : threads, pieces.size(), [&](unsigned, size_t i) {
         const Piece& p = pieces[i];
         copy_floats(p.from->positions, p.begin.positions, p.end.positions, data.positions, 3 * bases[i].positions);
         copy_floats(p.from->uvs, p.begin.uvs, p.end.uvs, data.uvs, 2 * bases[i].uvs);

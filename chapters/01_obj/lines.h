@@ -1,5 +1,6 @@
 // Lexical layer shared by OBJ and MTL: statements, words, and their positions in the file.
 #pragma once
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -9,7 +10,11 @@
 namespace lightwalk {
 
 /// Space within a line. A carriage return counts, so that CRLF files need no other care.
-inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+inline bool is_space(char c) {
+    constexpr uint64_t spaces = 1ull << ' ' | 1ull << '\t' | 1ull << '\r' | 1ull << '\v' | 1ull << '\f';
+    const auto code = static_cast<unsigned char>(c);
+    return code <= ' ' && (spaces >> code & 1) != 0;
+}
 
 inline std::string_view trim(std::string_view text) {
     while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
@@ -56,17 +61,15 @@ class Statements {
     bool next(std::string_view& statement) {
         while (!rest_.empty()) {
             line_ = next_line_;
-            std::string_view text = take_line();
-            const std::string_view trimmed = trim(text);
-            if (trimmed.starts_with('#')) continue;
-            if (trimmed.ends_with('\\')) {
+            statement = trim(take_line());
+            if (statement.starts_with('#')) continue;
+            if (statement.ends_with('\\')) {
                 joined_.clear();
-                for (text = trimmed; text.ends_with('\\'); text = trim(take_line()))
-                    joined_.append(text.substr(0, text.size() - 1)) += ' ';
-                joined_ += text;
-                text = joined_;
+                for (; statement.ends_with('\\'); statement = trim(take_line()))
+                    joined_.append(statement.substr(0, statement.size() - 1)) += ' ';
+                joined_ += statement;
+                statement = trim(joined_);
             }
-            statement = trim(text);
             if (!statement.empty()) return true;
         }
         return false;

@@ -125,7 +125,10 @@ void populate(std::string_view text) {
 
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options) {
     const unsigned threads = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-    const std::vector<std::string_view> chunks = chunks_of(text, std::max<size_t>(options.chunk_bytes, 1));
+    // Two for each thread, but none of less than a thread costs.
+    const size_t even = std::max(text.size() / (2 * threads), size_t{1} << 17);
+    const std::vector<std::string_view> chunks =
+        chunks_of(text, std::max<size_t>(std::min(options.chunk_bytes, even), 1));
     std::vector<Collected> collected(std::min<size_t>(threads, chunks.size()));
     std::vector<Piece> pieces(chunks.size());
     for (Collected& c : collected) {

@@ -6,6 +6,7 @@
 #include "01_obj/float_parse.h"
 #include "01_obj/lines.h"
 #include "01_obj/loaders.h"
+#include "01_obj/plain_parse.h"
 #include "common/base/text.h"
 
 namespace lightwalk {
@@ -48,7 +49,13 @@ void Scanner::face(std::string_view rest) {
     const size_t uvs = (out_.uvs.size() - start_.uvs) / 2, normals = (out_.normals.size() - start_.normals) / 3;
     const Counts total = total_ ? *total_ : Counts();
     const size_t first = out_.corners.size();
-    for (std::string_view word; !(word = next_value(rest)).empty();) {
+    for (;;) {
+        if (Corner plain; !total_ && take_plain_corner(rest, plain)) {
+            out_.corners.push_back(plain);
+            continue;
+        }
+        std::string_view word = next_value(rest);
+        if (word.empty()) break;
         const std::string_view whole = word;
         Corner corner;
         corner.position = index(word, positions, total.positions, "position");
@@ -134,7 +141,10 @@ VertexLine read_vertex(std::string_view rest) {
     float values[7] = {};
     bool numbers[7] = {};
     int count = 0;
-    for (std::string_view word; !(word = next_value(rest)).empty(); ++count) {
+    for (;; ++count) {
+        if (count < 7 && (numbers[count] = take_plain_float(rest, values[count]))) continue;
+        const std::string_view word = next_value(rest);
+        if (word.empty()) break;
         if (count == 7) throw InputError("too many numbers, expected {}", usage);
         numbers[count] = parse_float(word, values[count]) == FloatStatus::ok;
         const bool is_nan =
