@@ -2,7 +2,7 @@
 #include "02_lambert_phong/mist.h"
 #include "common/view_rays.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba16f) uniform image2D result;
 uniform sampler2D depth;
 layout(scalar) uniform MistBlock { Mist mist; };

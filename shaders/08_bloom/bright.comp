@@ -2,7 +2,7 @@
 #include "08_bloom/bright_pass.glsl"
 #include "08_bloom/dispatches.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(scalar) uniform BloomBlock { float threshold, knee; } bloom;
 uniform sampler2D hdr;

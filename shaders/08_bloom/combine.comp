@@ -3,7 +3,7 @@
 #include "08_bloom/combine.glsl"
 #include "08_bloom/dispatches.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(scalar) uniform BloomBlock { float strength; } bloom;
 uniform sampler2D spread;

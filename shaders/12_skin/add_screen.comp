@@ -1,7 +1,7 @@
 // The blurred light in the picture.
 #include "common/structs.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D light, after;
 layout(rgba16f) uniform image2D hdr;
 

@@ -1,5 +1,5 @@
 // The mean of four pictures, as they come.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(scalar) uniform SampleBlock { int sample_index; };
 layout(rgba16f) uniform image2D hdr;

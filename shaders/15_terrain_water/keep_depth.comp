@@ -1,5 +1,5 @@
 // The picture and its depth before the water, to be read while the water is drawn.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D picture;
 uniform sampler2D depth;

@@ -1,5 +1,5 @@
 // The transparent surfaces, each dimmed by those before it, over the background, dimmed by all of them.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D sum;
 uniform sampler2D absorbance;

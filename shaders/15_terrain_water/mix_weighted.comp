@@ -1,5 +1,5 @@
 // The mean of the transparent surfaces before the background, by their weights.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D sum;
 uniform sampler2D share;  // of the background that is seen

@@ -1,5 +1,5 @@
 // A picture as it is, into another image.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D from;
 layout(rgba16f) writeonly uniform image2D into;

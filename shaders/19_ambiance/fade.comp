@@ -1,7 +1,7 @@
 // The film's fade, of a picture in linear light.
 #include "19_ambiance/fade_linear_light.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(rgba16f) uniform image2D picture;
 layout(scalar) uniform FadeBlock { vec2 faded; };

@@ -1,5 +1,5 @@
 // A cross-fade of two pictures in linear light.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D before;
 layout(rgba16f) uniform image2D picture;

@@ -1,5 +1,5 @@
 // The running mean of linear light over pictures that are shifted within a pixel.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D hdr;
 layout(rgba32f) uniform image2D mean;
