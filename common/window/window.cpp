@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/study/device_choice.h"
 #include "common/study/method_choice.h"
 #include "common/window/blit.h"
 #include "common/window/event_log.h"
@@ -78,6 +79,8 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
             automatic_.offered.insert(knob->path());
         else if (dynamic_cast<const Choice*>(knob) && knob->name == "method")
             automatic_.without.insert(knob->path());
+    for (const DeviceChoice& one : choose_by_device(chapter_, gpu_))
+        automatic_.chosen[one.knob] = {one.value, "the fastest on this device: " + one.line};
     if (tool_) tool_->automatic = &automatic_;
 }
 
