@@ -100,7 +100,7 @@ bool FrameGraph::draw(const Area& room, float scale, const Frame& frame, Look& l
     fill_between(room, image_top, image_bottom);
     bool clicked = false;
     for (const Place& place : places) clicked |= draw_node(nodes_[place.index], place, frame, look);
-    draw_edges(places, image_bottom);
+    draw_edges(places, image_bottom, frame);
     ImGui::SetCursorScreenPos({left, start.y});
     ImGui::Dummy({1.0f, 1.0f});  // the end of what is scrolled
     if (hovered_ < nodes_.size()) explain(nodes_[hovered_], hovered_);
@@ -131,6 +131,7 @@ void FrameGraph::place_images(const std::vector<Place>& places, const Area& room
 // The ground of the panel, but for the images.
 void FrameGraph::fill_between(const Area& room, float top, float bottom) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();  // its margins, too
     const ImU32 ground = ImGui::GetColorU32(ImGuiCol_WindowBg);
     const glm::vec2 low(room.corner), high(room.corner + room.size);
     list.AddRectFilled({low.x, low.y}, {high.x, std::floor(top)}, ground);
@@ -141,6 +142,7 @@ void FrameGraph::fill_between(const Area& room, float top, float bottom) const {
         x = float(to.corner.x + to.size.x);
     }
     list.AddRectFilled({x, std::floor(top)}, {high.x, std::floor(bottom)}, ground);
+    list.PopClipRect();
 }
 
 // Its name and time over its images.
@@ -179,8 +181,17 @@ bool FrameGraph::draw_node(const FrameFlow::Node& node, const Place& place, cons
     return clicked;
 }
 
-// From the right end of one node to the left end of another, short ones nearest to the images.
-void FrameGraph::draw_edges(const std::vector<Place>& places, float bottom) {
+// Where the image stands that is read, in images from the left end of its node.
+float FrameGraph::image_x(const FrameFlow::Edge& edge, const Frame& frame) const {
+    const std::vector<size_t>& outputs = nodes_[edge.from].outputs;
+    for (size_t i = 0; i < outputs.size(); ++i)
+        if (outputs[i] < frame.outputs.size() && frame.outputs[outputs[i]].second.image->desc.name == edge.image)
+            return static_cast<float>(i) + 0.75f;
+    return 0.75f;
+}
+
+// From the image that is read to the left end of its reader, short ones nearest to the images.
+void FrameGraph::draw_edges(const std::vector<Place>& places, float bottom, const Frame& frame) {
     if (places.empty()) return;
     std::vector<FrameFlow::Edge> edges = edges_;
     std::stable_sort(edges.begin(), edges.end(),
@@ -201,7 +212,7 @@ void FrameGraph::draw_edges(const std::vector<Place>& places, float bottom) {
         lanes[lane].emplace_back(edge.from, edge.to);
         const float y = bottom + (static_cast<float>(lane) + 1.5f) * lane_px * scale;
         const Place &from = places[edge.from], &to = places[edge.to];
-        const float x = from.left + from.width - 14.0f * scale, into = to.left + 14.0f * scale;
+        const float x = from.left + image_x(edge, frame) * thumb_px * scale, into = to.left + 14.0f * scale;
         const bool is_marked = hovered_ == edge.from || hovered_ == edge.to;
         const ImU32 color = edge_color(is_marked, hovered_ != SIZE_MAX);
         const ImVec2 line[] = {{x, bottom}, {x, y}, {into, y}, {into, bottom + 2.0f * scale}};

@@ -31,7 +31,8 @@ class FrameGraph {
   private:
     struct Place;
     bool draw_node(const FrameFlow::Node& node, const Place& place, const Frame& frame, Look& look);
-    void draw_edges(const std::vector<Place>& places, float bottom);
+    void draw_edges(const std::vector<Place>& places, float bottom, const Frame& frame);
+    float image_x(const FrameFlow::Edge& edge, const Frame& frame) const;
     void explain(const FrameFlow::Node& node, size_t index) const;
     void place_images(const std::vector<Place>& places, const Area& room, glm::vec2 rows_px, const Frame& frame);
     void fill_between(const Area& room, float top, float bottom) const;
