@@ -20,16 +20,21 @@ LightData pack(const Light& light) {
 }
 
 // [update]
-bool LightBuffer::update(Frame& frame, const std::vector<Light>& lights) {
-    if (buffer && lights == lights_) return false;
+bool LightBuffer::update(Frame& frame, const LightList& lights) {
+    if (buffer && (lights == lights_ || *lights == *lights_)) return false;
     lights_ = lights;
     std::vector<LightData> packed;
-    packed.reserve(lights.size());
-    for (const Light& light : lights) packed.push_back(pack(light));
+    packed.reserve(lights->size());
+    for (const Light& light : *lights) packed.push_back(pack(light));
     frame.upload("lights", buffer, packed);
     ++rebuilds;
     return true;
 }
 // [/update]
+
+bool LightBuffer::update(Frame& frame, const std::vector<Light>& lights) {
+    if (buffer && lights == *lights_) return false;
+    return update(frame, std::make_shared<const std::vector<Light>>(lights));
+}
 
 }  // namespace lightwalk

@@ -13,14 +13,15 @@ LightData pack(const Light& light);
 class LightBuffer {
   public:
     /// Adds an upload pass to the frame if the lights have changed; true in this case.
+    bool update(Frame& frame, const LightList& lights);
     bool update(Frame& frame, const std::vector<Light>& lights);
 
     Buffer buffer;     ///< bound as `lights`; empty before update()
     int rebuilds = 0;  ///< how often it was packed
-    const std::vector<Light>& lights() const { return lights_; }
+    const std::vector<Light>& lights() const { return *lights_; }
 
   private:
-    std::vector<Light> lights_;
+    LightList lights_ = std::make_shared<std::vector<Light>>();
 };
 // [/light_buffer]
 

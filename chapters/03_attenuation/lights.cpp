@@ -4,8 +4,17 @@
 
 namespace lightwalk {
 
+void Lights::update(Frame& frame, const Scene& scene, const LightList& lights) {
+    buffer_.update(frame, lights);
+    update_objects(frame, scene);
+}
+
 void Lights::update(Frame& frame, const Scene& scene, const std::vector<Light>& lights) {
     buffer_.update(frame, lights);
+    update_objects(frame, scene);
+}
+
+void Lights::update_objects(Frame& frame, const Scene& scene) {
     if (method.is("per_object")) object_lights_.update(frame, scene, buffer_, ends_at());
 }
 

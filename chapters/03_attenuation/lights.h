@@ -36,6 +36,7 @@ struct Lights : Module {
     Knob<int> slices{*this, "slices", 24, {1, 256}, "Number of depth slices, and so of clusters, in each tile"};
 
     /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
+    void update(Frame& frame, const Scene& scene, const LightList& lights);
     void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);
 
     /// True if the culling reads the view's depth.
@@ -55,6 +56,7 @@ struct Lights : Module {
     float reach_m(const Light& light) const { return influence_radius(pack(light), ends_at()); }
 
   private:
+    void update_objects(Frame& frame, const Scene& scene);
     bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
     float ends_at() const { return falloff.is("inverse_square") ? threshold : 0.0f; }
     LightBuffer buffer_;

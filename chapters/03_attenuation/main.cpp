@@ -30,9 +30,7 @@ struct Attenuation : ModelChapter {
         const View view = set_view(frame);
 
         // 1. The scene's lights and the scattered ones, if any has changed.
-        std::vector<Light> all = scattered.all(frame.seed);
-        if (moving) move_lights(all, frame.time_s);
-        lights.update(frame, scene, all);
+        lights.update(frame, scene, scattered.all(frame.seed, moving ? std::optional(frame.time_s) : std::nullopt));
 
         // 2. Depth alone, so that each pixel is lit once and tiles know their depth range.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });

@@ -52,11 +52,21 @@ ScatteredLights::ScatteredLights(Module& owner)
     : Module(owner, "scattered"),
       count(owner, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene") {}
 
-std::vector<Light> ScatteredLights::all(unsigned seed) const {
-    std::vector<Light> lights = scene_->lights();
-    const std::vector<Light> more = scatter_lights(where_, count, seed);
-    lights.insert(lights.end(), more.begin(), more.end());
-    return lights;
+const LightList& LightsWithScattered::from(const std::vector<Light>& own, const Bounds& where, int count, unsigned seed,
+                                           std::optional<float> moved_at_s) {
+    if (still_made_.from(own, where.lower, where.upper, count, seed)) {
+        std::vector<Light> all = own;
+        const std::vector<Light> more = scatter_lights(where, count, seed);
+        all.insert(all.end(), more.begin(), more.end());
+        still_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    }
+    if (!moved_at_s) return still_;
+    if (moved_made_.from(still_, moved_at_s)) {
+        std::vector<Light> all = *still_;
+        move_lights(all, *moved_at_s);
+        moved_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    }
+    return moved_;
 }
 
 void move_lights(std::vector<Light>& lights, float time_s) {

@@ -1,6 +1,9 @@
 // Random lights over a scene; equal seeds give equal lights on every machine.
 #pragma once
+#include <optional>
+
 #include "common/app/module.h"
+#include "common/base/made.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -15,17 +18,33 @@ std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed)
 /// Takes each point and spot light around a circle of up to half a metre, in 2 s to 6 s. At time 0 it has moved, too.
 void move_lights(std::vector<Light>& lights, float time_s);
 
+/// Lights of a scene and random ones: the same list for as long as neither changes.
+class LightsWithScattered {
+  public:
+    /// `count` as in scatter_lights(); `moved_at_s`: moved by move_lights() to this time.
+    const LightList& from(const std::vector<Light>& own, const Bounds& where, int count, unsigned seed,
+                          std::optional<float> moved_at_s = {});
+
+  private:
+    Made<std::vector<Light>, glm::vec3, glm::vec3, int, unsigned> still_made_;
+    Made<LightList, std::optional<float>> moved_made_;
+    LightList still_, moved_;
+};
+
 /// The scene's lights and random ones within the scene's initial bounds. Its knob has no prefix.
 struct ScatteredLights : Module {
     explicit ScatteredLights(Module& owner);
     Knob<int> count;
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded, where_ = loaded.bounds; }
-    std::vector<Light> all(unsigned seed) const;
+    const LightList& all(unsigned seed, std::optional<float> moved_at_s = {}) {
+        return lights_.from(scene_->lights(), where_, count, seed, moved_at_s);
+    }
 
   private:
     const Scene* scene_ = nullptr;
     Bounds where_;
+    LightsWithScattered lights_;
 };
 
 }  // namespace lightwalk

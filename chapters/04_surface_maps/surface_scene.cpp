@@ -19,7 +19,10 @@ SurfaceScene::SurfaceScene(Module& owner, std::string name, const char* fragment
 }
 
 void SurfaceScene::update(Frame& frame) {
-    lights.update(frame, *scene_, all_lights ? all_lights(frame) : scene_->lights());
+    if (all_lights)
+        lights.update(frame, *scene_, all_lights(frame));
+    else
+        lights.update(frame, *scene_, scene_->lights());
 }
 
 std::vector<With> SurfaceScene::given() const {

@@ -16,8 +16,8 @@ struct SurfaceScene : Drawing {
     Maps maps;
     Lights lights;
     Shading shading;
-    std::function<std::vector<Light>(const Frame&)> all_lights;  ///< none given: the scene file's
-    std::function<std::vector<Batch>()> drawn;                   ///< none given: the scene's opaque items
+    std::function<LightList(const Frame&)> all_lights;  ///< none given: the scene file's
+    std::function<std::vector<Batch>()> drawn;          ///< none given: the scene's opaque items
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     std::vector<const Module*> made_of() const override;

@@ -10,7 +10,9 @@ namespace lightwalk {
 // [stage]
 struct LitStage : World {
     explicit LitStage(Module& owner) : World(owner) {
-        objects.surfaces.all_lights = [this](const Frame&) { return lamps(); };
+        objects.surfaces.all_lights = [this](const Frame&) {
+            return std::make_shared<const std::vector<Light>>(lamps());
+        };
     }
 
     LitScene objects{*this, "objects"};

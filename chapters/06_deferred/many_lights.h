@@ -32,10 +32,8 @@ struct ManyLights : World {
                        [&](const View& from, Canvas& into) { objects.lit.draw_lit(frame, from, into); });
     }
 
-    virtual std::vector<Light> all_lights(const Frame& frame) const {
-        std::vector<Light> all = scattered.all(frame.seed);
-        if (moving) move_lights(all, frame.time_s);
-        return all;
+    virtual LightList all_lights(const Frame& frame) {
+        return scattered.all(frame.seed, moving ? std::optional(frame.time_s) : std::nullopt);
     }
 };
 // [/many_lights]

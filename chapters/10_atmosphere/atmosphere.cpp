@@ -2,11 +2,8 @@
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <span>
 
 #include "10_atmosphere/path_parts.h"
-#include "10_atmosphere/skylight.h"
-#include "common/base/bytes.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
@@ -50,29 +47,17 @@ void Atmosphere::bind(Pass& pass) const {
     if (skylight_) pass.offer("skylight", skylight_);
 }
 
-// Its inputs, as bytes.
-static std::vector<std::byte> bytes_of(const Air& air) {
-    const auto bytes = std::as_bytes(std::span(&air, 1));
-    return {bytes.begin(), bytes.end()};
-}
-
-bool Atmosphere::make_sky_table() {
-    const Air now = air();
-    std::vector<std::byte> from = bytes_of(now);
-    if (from == sky_table_of_) return false;
-    sky_table_of_ = std::move(from);
-    sky_table_ = skylight_table(now);
-    return true;
-}
-
 void Atmosphere::update(Frame& frame) {
-    if (make_sky_table() || !skylight_) frame.upload("skylight", skylight_, sky_table_);
+    if (sky_table_.follow(air()) || !skylight_uploaded_) frame.upload("skylight", skylight_, sky_table_.entries());
+    skylight_uploaded_ = true;
 }
 
 Sun Atmosphere::sun() {
-    if (make_sky_table()) skylight_ = {};
+    const Air now = air();
+    if (sky_table_.follow(now)) skylight_uploaded_ = false;
     const float up = to_sun().y;
-    return {to_sun(), sunlight_of(air(), up), skylight_of(sky_table_, up) / glm::pi<float>()};
+    if (sun_made_.from(now, up)) sunlight_ = sunlight_of(now, up);
+    return {to_sun(), sunlight_, skylight_of(sky_table_.entries(), up) / glm::pi<float>()};
 }
 
 // Above the ground, at most that of the air's edge.

@@ -2,6 +2,7 @@
 #pragma once
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/path_part.h"
+#include "10_atmosphere/skylight.h"
 #include "common/app/drawing.h"
 #include "common/base/made.h"
 #include "common/scene/scene.h"
@@ -143,10 +144,11 @@ struct Atmosphere : Drawing {
     float height_of(glm::vec3 position) const;
     float volume_reach_m(const Camera& camera) const;
 
-    bool make_sky_table();  ///< true where it is another one than before
     Buffer skylight_;
-    std::vector<glm::vec3> sky_table_;
-    std::vector<std::byte> sky_table_of_;  ///< its inputs
+    bool skylight_uploaded_ = false;  ///< as the table is now
+    SkylightTable sky_table_;
+    Made<Air, float> sun_made_;  ///< and the sun's height
+    glm::vec3 sunlight_{0.0f};
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
     Made<Air, bool, unsigned> lasting_made_;         ///< of the two lasting ones: all orders, toggles
     Made<Air, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it

@@ -46,14 +46,13 @@ glm::dvec3 sky_light(const Air& air, double slope, double sun, double cos_angle)
         }
         behind += here;
     }
-    return light * glm::dvec3(air.sun);
+    return light;
 }
 
-}  // namespace
-
-std::vector<glm::vec3> skylight_table(const Air& air) {
+// Of a sun of 1.
+std::vector<glm::dvec3> unit_table(const Air& air) {
     constexpr int entries = 33, rings = 8, sectors = 6;
-    std::vector<glm::vec3> table;
+    std::vector<glm::dvec3> table;
     for (int i = 0; i < entries; ++i) {
         const double x = 2.0 * i / (entries - 1) - 1, sun = x * std::fabs(x), sun_sine = std::sqrt(1 - sun * sun);
         glm::dvec3 sum(0);
@@ -67,6 +66,23 @@ std::vector<glm::vec3> skylight_table(const Air& air) {
         table.emplace_back(sum * (pi / (rings * sectors)));
     }
     return table;
+}
+
+}  // namespace
+
+bool SkylightTable::follow(const Air& air) {
+    Air seen = air;
+    seen.sun = glm::vec3(1.0f);
+    seen.sun_rad = 0.0f;
+    if (made_.from(seen)) {
+        of_unit_sun_ = unit_table(seen);
+        scaled_.forget();
+        ++made;
+    }
+    if (!scaled_.from(air.sun)) return false;
+    entries_.clear();
+    for (const glm::dvec3& entry : of_unit_sun_) entries_.emplace_back(entry * glm::dvec3(air.sun));
+    return true;
 }
 
 glm::vec3 skylight_of(const std::vector<glm::vec3>& table, float sun) {

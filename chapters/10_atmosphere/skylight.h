@@ -3,13 +3,27 @@
 #include <vector>
 
 #include "10_atmosphere/air_data.h"
+#include "common/base/made.h"
 
 namespace lightwalk {
 
 /// Irradiance of level ground at a height of 0 by light scattered once, in the unit of air.sun, for sun cosines x |x|
 /// with x from -1 to 1 in equal steps. By eight times six directions of the upper half of the sky, each in 16
 /// samples, sunlight by Smith and Smith's fit; in double precision, in some milliseconds.
-std::vector<glm::vec3> skylight_table(const Air& air);
+class SkylightTable {
+  public:
+    /// True if the table is another one now. Sunlight and exposure only scale it; the air takes the milliseconds.
+    bool follow(const Air& air);
+
+    const std::vector<glm::vec3>& entries() const { return entries_; }
+    int made = 0;  ///< for another air, so far
+
+  private:
+    Made<glm::vec3> scaled_;
+    Made<Air> made_;
+    std::vector<glm::dvec3> of_unit_sun_;
+    std::vector<glm::vec3> entries_;
+};
 
 /// Between the table's entries: `sun` is the upward part of its direction, -1 to 1.
 glm::vec3 skylight_of(const std::vector<glm::vec3>& table, float sun);

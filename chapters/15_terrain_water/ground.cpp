@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/base/exercise.h"
+#include "common/base/turn.h"
 
 namespace lightwalk {
 namespace {
@@ -26,7 +27,7 @@ void Ground::prepare(Gpu& gpu, Scene& scene) {
     made_.forget();
     for (const SceneObject& object : scene.file.objects) {
         if (!is_height_map_file(object.model)) continue;
-        source_ = read_height_map(find_asset(object.model));
+        source_ = aside([&] { return read_height_map(find_asset(object.model)); });
         if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
         texels_ = Image(gpu.device, {.name = "elevations",
                                      .format = VK_FORMAT_R32_SFLOAT,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/turn.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
 #include "common/scene/scene_file.h"
@@ -188,10 +189,12 @@ void add_layer(Material material, std::vector<glm::u8vec4>& texels, std::vector<
 
 void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
     std::vector<glm::u8vec4> texels, slopes;
-    add_layer(Grass(), texels, slopes);
-    add_layer(Forest(), texels, slopes);
-    add_layer(Rock(), texels, slopes);
-    add_layer(Snow(), texels, slopes);
+    aside([&] {
+        add_layer(Grass(), texels, slopes);
+        add_layer(Forest(), texels, slopes);
+        add_layer(Rock(), texels, slopes);
+        add_layer(Snow(), texels, slopes);
+    });
     const auto upload = [&](Image& image, const char* name, const std::vector<glm::u8vec4>& from) {
         image = Image(gpu.device, {.name = name,
                                    .format = VK_FORMAT_R8G8B8A8_UNORM,

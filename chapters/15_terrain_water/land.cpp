@@ -61,7 +61,11 @@ void Land::cull(Frame& frame, const View& view, PerView& kept) {
     const VkDeviceSize bytes = sizeof(Chunk) * chunks_in_all(ground_.map());
     if (!kept.list || kept.list.bytes != bytes)
         kept.list = Buffer(frame.gpu.device, {.name = "chunk list", .bytes = bytes});
-    frame.upload("chunk draws", kept.draws, std::vector<uint32_t>{3 * chunk_triangles, 0, 0, 0, 0});
+    constexpr uint32_t none[] = {3 * chunk_triangles, 0, 0, 0, 0};
+    if (!kept.draws) kept.draws = Buffer(frame.gpu.device, {.name = "chunk draws", .bytes = sizeof none});
+    frame.transfer("chunk draws", {.reads = {}, .writes = {kept.draws}}, [&](VkCommandBuffer commands) {
+        vkCmdUpdateBuffer(commands, kept.draws.handle, 0, sizeof none, none);
+    });
     frame.compute(
         "chunk levels", {.reads = {kept.list, kept.draws}, .writes = {kept.list, kept.draws}, .with = {ground_}},
         [&](Compute& pass) {

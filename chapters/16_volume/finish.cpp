@@ -105,16 +105,10 @@ std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& 
                                          glm::uvec2 size) {
     const std::string key =
         fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);
-    const std::filesystem::path file_kept = kept_file(key, ".occlusion");
-    const size_t bytes = size_t{size.x} * size.y;
-    if (const auto kept = read_kept(file_kept, bytes); kept && kept->size() == bytes) {
-        const auto* const texels = reinterpret_cast<const std::byte*>(kept->data());
-        return {texels, texels + bytes};
-    }
-    ++baked;
-    const std::vector<std::byte> seen = bake(gpu, file, parts, size);
-    keep(file_kept, {reinterpret_cast<const char*>(seen.data()), seen.size()});
-    return seen;
+    return kept_or_made<std::byte>(key, ".occlusion", size_t{size.x} * size.y, [&] {
+        ++baked;
+        return bake(gpu, file, parts, size);
+    });
 }
 
 // [bake]

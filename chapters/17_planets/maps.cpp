@@ -6,6 +6,9 @@
 #include <glm/gtc/packing.hpp>
 
 #include "17_planets/exercises.h"
+#include "common/base/files.h"
+#include "common/base/kept.h"
+#include "common/base/turn.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
 #include "common/scene/scene_file.h"
@@ -16,7 +19,12 @@ namespace {
 constexpr int slope_rows = 512, ring_texels = 4096;
 
 // Slopes from a map of any size, at 1024 x 512.
-std::shared_ptr<Image> slopes(Gpu& gpu, const ImageRgb& map, const BodyTraits& body) {
+struct Slopes {
+    glm::uvec2 size;
+    std::vector<glm::u8vec4> texels;
+};
+
+Slopes slopes_of(const ImageRgb& map, const BodyTraits& body) {
     const int height = std::min(slope_rows, map.height), width = 2 * height;
     const int across = std::max(map.width / width, 1), down = std::max(map.height / height, 1);
     std::vector<float> brightness;
@@ -36,16 +44,20 @@ std::shared_ptr<Image> slopes(Gpu& gpu, const ImageRgb& map, const BodyTraits& b
     std::vector<glm::u8vec4> texels;
     texels.reserve(normals.size());
     for (const glm::vec3& n : normals) texels.emplace_back(glm::vec4(255.0f * (0.5f + 0.5f * n) + 0.5f, 255.0f));
-    const glm::uvec2 size(width, height);
-    auto image = std::make_shared<Image>(
-        gpu.device,
-        Image::Desc{.name = "slopes", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size, .mips = full_mip_count(size)});
-    gpu.upload(*image, std::as_bytes(std::span(texels)));
+    return {{width, height}, std::move(texels)};
+}
+
+std::shared_ptr<Image> slope_image(Gpu& gpu, const Slopes& slopes) {
+    auto image = std::make_shared<Image>(gpu.device, Image::Desc{.name = "slopes",
+                                                                 .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                                                 .size = slopes.size,
+                                                                 .mips = full_mip_count(slopes.size)});
+    gpu.upload(*image, std::as_bytes(std::span(slopes.texels)));
     return image;
 }
 
 std::shared_ptr<Image> ring_image(Gpu& gpu, BodyId body) {
-    const std::vector<glm::vec4> strip = ring_strip(body, ring_texels);
+    const std::vector<glm::vec4> strip = aside([&] { return ring_strip(body, ring_texels); });
     const glm::uvec2 size(ring_texels, 1);
     std::vector<uint64_t> texels;
     for (int layer = 0; layer < 4; ++layer)
@@ -60,9 +72,17 @@ std::shared_ptr<Image> ring_image(Gpu& gpu, BodyId body) {
     return image;
 }
 
+// Seconds of noise: from the cache, under a key that changes with the noise.
+std::vector<uint8_t> kept_pluto_map(int width, int height) {
+    const std::vector<uint8_t> small = pluto_map(32, 16);
+    const std::string_view fingerprint(reinterpret_cast<const char*>(small.data()), small.size());
+    return kept_or_made<uint8_t>(fmt::format("pluto {} {} {}", width, height, hash_bytes(fingerprint)), ".map",
+                                 size_t(width) * size_t(height) * 4, [&] { return pluto_map(width, height); });
+}
+
 std::shared_ptr<Image> made_map(Gpu& gpu) {
     const int height = slope_rows * 2;
-    const std::vector<uint8_t> texels = pluto_map(2 * height, height);
+    const std::vector<uint8_t> texels = aside([&] { return kept_pluto_map(2 * height, height); });
     const glm::uvec2 size(2 * height, height);
     auto image = std::make_shared<Image>(
         gpu.device,
@@ -79,13 +99,17 @@ BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
     BodyMaps maps;
     if (of.map) maps.color = load(of.map, TextureKind::color);
     if (body == BodyId::pluto) maps.color = made_map(gpu);
-    if (of.octaves > 0 && of.map) maps.normals = slopes(gpu, read_image_linear(find_asset(of.map)), of);
+    if (of.octaves > 0 && of.map)
+        maps.normals = slope_image(gpu, aside([&] { return slopes_of(read_image_linear(find_asset(of.map)), of); }));
     if (body == BodyId::pluto) {
-        const int height = slope_rows;
-        const std::vector<uint8_t> texels = pluto_map(2 * height, height);
-        ImageRgb map(2 * height, height);
-        for (size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = glm::vec3(srgb_to_linear(texels[4 * i]));
-        maps.normals = slopes(gpu, map, of);
+        const auto of_pluto = [&] {
+            const int height = slope_rows;
+            const std::vector<uint8_t> texels = kept_pluto_map(2 * height, height);
+            ImageRgb map(2 * height, height);
+            for (size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = glm::vec3(srgb_to_linear(texels[4 * i]));
+            return slopes_of(map, of);
+        };
+        maps.normals = slope_image(gpu, aside(of_pluto));
     }
     if (rings_of(body).outer > 0) maps.rings = ring_image(gpu, body);
     if (body == BodyId::earth) {

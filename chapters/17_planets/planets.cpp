@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "10_atmosphere/skylight.h"
 #include "17_planets/exercises.h"
 
 namespace lightwalk {
@@ -198,14 +197,7 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     const Pipeline& pipeline = around.diameter_px < small_px ? drawn.small : drawn.large;
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
     const bool sky = &drawn == &earth_;
-    if (sky) {
-        const auto bytes = std::as_bytes(std::span(&air_here, 1));
-        std::vector<std::byte> made_of(bytes.begin(), bytes.end());
-        if (made_of != skylight_of_) {
-            frame.upload("skylight", skylight_, skylight_table(air_here));
-            skylight_of_ = std::move(made_of);
-        }
-    }
+    if (sky && sky_table_.follow(air_here)) frame.upload("skylight", skylight_, sky_table_.entries());
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     frame.compute(body_names()[static_cast<size_t>(one.body)],
                   {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}}, [&](Compute& pass) {

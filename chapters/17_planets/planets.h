@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "10_atmosphere/skylight.h"
 #include "17_planets/maps.h"
 #include "common/app/drawing.h"
 #include "common/scene/scene.h"
@@ -137,7 +138,7 @@ struct Planets : Drawing {
     std::map<BodyId, BodyMaps> maps_;
     std::shared_ptr<Image> white_, flat_;
     Buffer skylight_;
-    std::vector<std::byte> skylight_of_;
+    SkylightTable sky_table_;
     /// A body's resources are the same at any size in the picture.
     struct Drawn {
         Pipeline large, small;

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "03_attenuation/scattered_lights.h"
 #include "common/app/knob_scope.h"
 
 namespace lightwalk {
@@ -20,11 +19,8 @@ Workbench::Workbench(Module& owner) : World(owner) {
     water.in_use = [this] { return !water.method.is("none"); };
 }
 
-std::vector<Light> Workbench::all_lights(const Frame& frame) {
-    std::vector<Light> all = scene().lights();
-    const std::vector<Light> more = scatter_lights(scene().bounds, scattered, frame.seed);
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+LightList Workbench::all_lights(const Frame& frame) {
+    return all_lights_.from(scene().lights(), scene().bounds, scattered, frame.seed);
 }
 
 // [workbench_record]

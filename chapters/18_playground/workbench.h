@@ -1,5 +1,6 @@
 // Workbench world: objects under many lights, in surroundings or under a sky, with water.
 #pragma once
+#include "03_attenuation/scattered_lights.h"
 #include "06_deferred/deferred_scene.h"
 #include "10_atmosphere/height_fog.h"
 #include "10_atmosphere/planet.h"
@@ -40,7 +41,8 @@ struct Workbench : World {
     void record_view(Frame& frame, const View& view) override { water.reflect(frame, view, drawings()); }
 
   private:
-    std::vector<Light> all_lights(const Frame& frame);
+    LightList all_lights(const Frame& frame);
+    LightsWithScattered all_lights_;
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
     SurfacePipelines glass_ = see_through("14_environment/surface.frag", all_);

@@ -7,8 +7,10 @@
 namespace lightwalk {
 
 // Spirals with steps of the golden angle. Each light is born at the foot, and fades out at the top.
-std::vector<Light> ClimbingLights::all_lights(const Frame& frame) const {
-    std::vector<Light> all = ManyLights::all_lights(frame);
+LightList ClimbingLights::all_lights(const Frame& frame) {
+    const LightList others = ManyLights::all_lights(frame);
+    if (!made_.from(others, frame.time_s, climbers, foot, figure_m, girth_m)) return all_;
+    std::vector<Light> all = *others;
     constexpr double golden = 0.6180339887498949;
     for (int i = 0; i < climbers; ++i) {
         const double speed = 0.12 + 0.1 * std::fmod(7 * golden * i, 1.0);  // of the height, in a second
@@ -21,7 +23,7 @@ std::vector<Light> ClimbingLights::all_lights(const Frame& frame) const {
         light.intensity = static_cast<float>(0.2 * std::min(1.0, 6 * std::min(high, 1 - high)));
         all.push_back(light);
     }
-    return all;
+    return all_ = std::make_shared<const std::vector<Light>>(std::move(all));
 }
 
 }  // namespace lightwalk

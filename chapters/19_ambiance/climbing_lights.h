@@ -15,7 +15,11 @@ struct ClimbingLights : ManyLights {
                         "m"};
 
   protected:
-    std::vector<Light> all_lights(const Frame& frame) const override;
+    LightList all_lights(const Frame& frame) override;
+
+  private:
+    Made<LightList, float, int, glm::vec3, float, float> made_;  ///< lights below, time, the knobs
+    LightList all_;
 };
 // [/climbing]
 

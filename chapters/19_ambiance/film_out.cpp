@@ -107,13 +107,20 @@ int FilmOut::write(Chapter& chapter, Reel& reel, const std::string& file, const 
         FramePipe pipe = ending == ".raw"
                              ? FramePipe(unfinished.file)
                              : FramePipe(ffmpeg(*this, reel, options.size, frames_from, end, unfinished.file));
+        ReadBack written;
         Frame frame(*gpu);
+        frame.fly(2);
+        frame.on_ended = [&, before = uint64_t(0)](const std::vector<PassTime>&) mutable {
+            if (std::exchange(before, written.number()) != before) pipe.write(written.bytes());
+        };
         Patience patience("writing", "frames");
         for (int i = frames_from; i < end; ++i) {
-            render(chapter, frame, {options.size, static_cast<float>(i / double(fps)), options.seed, {}});
-            pipe.write(gpu->read_back(frame.output));
+            Picture picture{options.size, static_cast<float>(i / double(fps)), options.seed, {}};
+            picture.written = &written;
+            render(chapter, frame, picture);
             patience.show(i + 1 - frames_from, end - frames_from);
         }
+        frame.finish();
         pipe.finish();
     }
     std::filesystem::rename(unfinished.file, path);

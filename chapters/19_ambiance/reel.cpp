@@ -13,6 +13,7 @@ namespace lightwalk {
 bool is_film_file(const std::filesystem::path& file) { return file.extension() == ".film"; }
 
 void Reel::prepare(Gpu&, Scene& loaded) {
+    ahead_.reset();
     parts_.clear();
     ways_.clear();
     chosen_.reset();
@@ -20,6 +21,7 @@ void Reel::prepare(Gpu&, Scene& loaded) {
     film_ = is_film_file(loaded.file.file) ? read_timeline(loaded.file.file) : Timeline();
     if (is_open() && !cut.is("whole")) film_ = cut_of(film_, cut.text());
     has_sound_ = false;
+    sound_ = {};
     if (!film_.music) return music.take({});
     try {
         music.take({}, read_levels(levels_of(find_asset(film_.music.file))));
@@ -29,11 +31,16 @@ void Reel::prepare(Gpu&, Scene& loaded) {
 // Decoding takes longer than most pictures, and a picture needs the levels alone.
 void Reel::load_sound() {
     if (has_sound_ || !film_.music) return;
+    const auto read = [file = find_asset(film_.music.file), from_s = film_.music.from_s] {
+        Sound sound = read_sound(file);
+        const auto cut_off = static_cast<size_t>(from_s * sound.rate_hz);
+        sound.samples.erase(sound.samples.begin(), sound.samples.begin() + std::min(cut_off, sound.samples.size()));
+        return sound;
+    };
+    if (!sound_.valid()) sound_ = std::async(std::launch::async, read);
+    if (sound_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     LevelTable measured = music.measured_levels();
-    Sound sound = read_sound(find_asset(film_.music.file));
-    const auto cut_off = static_cast<size_t>(film_.music.from_s * sound.rate_hz);
-    sound.samples.erase(sound.samples.begin(), sound.samples.begin() + std::min(cut_off, sound.samples.size()));
-    music.take(std::move(sound), std::move(measured));
+    music.take(sound_.get(), std::move(measured));
     has_sound_ = true;
 }
 
@@ -47,37 +54,84 @@ void Reel::choose(const std::optional<PathKind>& kind) {
 void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays) {
     std::vector<OnScreen> times;
     for (const FilmScene& scene : film_.scenes) times.push_back({scene.from_s, scene.to_s});
-    const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : later_s, plays ? int(most) : 3);
-    drop_parts(wanted, plays ? size_t(most) : 3);
+    const size_t room = plays ? size_t(most) : 3;
+    const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : later_s, int(room));
+
+    // 1. What the worker has made by now; what no longer fits the toggles goes.
+    if (plays && !ahead_) start_ahead(gpu, size);
+    if (ahead_) take_made();
+    const bool toggled = toggles_.from(Exercises::version());
+    std::erase_if(parts_, [&](const auto& part) {
+        const FilmScene& scene = film_.scenes.at(part.first);
+        const bool on_screen = scene.from_s <= time_s + later_s && time_s < scene.to_s;  // tracks set its knobs
+        return (toggled || on_screen) && !part.second->is_loaded();
+    });
+    drop_parts(wanted, room);
+
+    // 2. What is on the screen: this frame waits for it. The rest is made while frames are drawn.
+    std::vector<size_t> later;
     for (const int i : wanted) {
         const auto place = static_cast<size_t>(i);
-        if (const auto there = parts_.find(place); there != parts_.end()) {
-            if (there->second->is_loaded()) continue;
-            parts_.erase(there);
-        }
-        const FilmScene& scene = film_.scenes.at(place);
-        auto part = std::make_unique<FilmPart>(scene, film_.music ? &music : nullptr);
-        part->load(gpu);
-        part->draw_by(ways_[place]);
-        parts_[place] = std::move(part);
-        if (scene.from_s > time_s)  // it is not seen yet
-            for (const double at_s : plays ? film_.turns(place) : std::vector{scene.from_s})
-                draw_unseen(gpu, size, place, at_s);
+        if (parts_.contains(place)) continue;
+        if (plays && film_.scenes.at(place).from_s > time_s + later_s)
+            later.push_back(place);
+        else
+            need(gpu, size, place, plays);
     }
+    if (ahead_) ahead_->ask(later);
+    unseen_size_ = size;
     begin_frame(gpu, size);
     for (const auto& [place, part] : parts_) part->begin_frame(gpu, size);
 }
 
-// With all effects of a film on a scene: resources of fades and cross-fades are made as well.
-void Reel::draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s) {
-    Frame unseen(gpu);
+// Draws it once with all of a film's effects on a scene, at all times at which it may need something new.
+std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
+    auto part = std::make_unique<FilmPart>(film_.scenes.at(place), film_.music ? &music : nullptr);
+    part->load(gpu);
+    part->draw_by(ways_[place]);
+    for (const double at_s : plays ? film_.turns(place) : std::vector<double>{}) {
+        Frame unseen(gpu);
+        part->begin_frame(gpu, size);
+        unseen.begin(size, static_cast<float>(at_s));
+        part->record(unseen, at_s, {.black = 0.5f, .white = 0.5f});
+        unseen.end();
+    }
+    return part;
+}
+
+void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
+    unseen_size_ = size;
+    ahead_ = std::make_unique<Ahead>([this, &gpu](size_t place) { return made(gpu, unseen_size_, place, true); });
+    titles_.prepare(gpu, film_);
+    Frame unseen(gpu);  // fades between two scenes, and black
     begin_frame(gpu, size);
-    parts_.at(place)->begin_frame(gpu, size);
-    unseen.begin(size, static_cast<float>(time_s));
-    parts_.at(place)->record(unseen, time_s, {.black = 0.5f, .white = 0.5f});
+    unseen.begin(size, 0);
+    show_black(unseen);
     keep(unseen);
     mix(unseen, 0.5f);
     unseen.end();
+}
+
+void Reel::take_made() {
+    for (auto& [place, part] : ahead_->take()) {
+        if (!part->is_loaded()) continue;  // a toggle has changed meanwhile
+        part->draw_by(ways_[place]);
+        parts_[place] = std::move(part);
+    }
+}
+
+void Reel::need(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
+    while (ahead_ && ahead_->is_making(place)) ahead_->wait();
+    if (ahead_) {
+        take_made();
+        ahead_->ask({});  // not this one as well
+    }
+    if (!parts_.contains(place)) parts_[place] = made(gpu, size, place, plays);
+}
+
+void Reel::wait_until_ready() {
+    while (ahead_ && ahead_->is_busy()) ahead_->wait();
+    if (ahead_) take_made();
 }
 
 // Freeing a scene's memory is work as well. Hard cuts took 13 to 18 ms on a GPU while each of them dropped the scene before;
@@ -99,10 +153,10 @@ void Reel::draw_by(size_t scene, KnobSettings way) {
 }
 
 void Reel::apply_knobs(const Chapter& chapter, double time_s) const {
-    if (film_.knobs.empty()) return;
-    const KnobList all = chapter.all_knobs();
     for (const Track& track : film_.knobs) try {
-            if (KnobBase& knob = find_knob(all, track.name); !knob.pinned) knob.set(track.at(time_s));
+            KnobBase*& knob = chapter_knobs_[track.name];
+            if (!knob) knob = &find_knob(chapter.all_knobs(), track.name);
+            if (!knob->pinned) knob->set(track.at(time_s));
         } catch (const InputError& e) { throw InputError("{}: {}", track.where, e.what()); }
 }
 
@@ -149,11 +203,14 @@ void Reel::record(Frame& frame, double time_s, const Camera& flown) {
         if (i + 1 < shown.size()) keep(frame);
     }
     if (shown.size() == 2) mix(frame, shown[1].share);
-    if (shown.empty())  // black
-        frame.compute("black", {.writes = {frame.hdr}},
-                      [&](Compute& pass) { pass.use(black_).set("picture", frame.hdr).dispatch_threads(frame.size); });
+    if (shown.empty()) show_black(frame);
 }
 // [/record]
+
+void Reel::show_black(Frame& frame) {
+    frame.compute("black", {.writes = {frame.hdr}},
+                  [&](Compute& pass) { pass.use(black_).set("picture", frame.hdr).dispatch_threads(frame.size); });
+}
 
 void Reel::keep(Frame& frame) {
     frame.compute("keep", {.reads = {frame.hdr}, .writes = {before_}}, [&](Compute& pass) {

@@ -1,5 +1,8 @@
 // The running film: its timeline, and the scenes ready to be drawn.
 #pragma once
+#include <future>
+
+#include "19_ambiance/ahead.h"
 #include "19_ambiance/part.h"
 #include "19_ambiance/titles.h"
 #include "common/app/chapter.h"
@@ -13,6 +16,7 @@ bool is_film_file(const std::filesystem::path& file);
 
 // [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
+/// Large (29 functions, 21 members): the film, its scenes, and what is kept for them.
 struct Reel : Module {
     Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
 
@@ -31,12 +35,16 @@ struct Reel : Module {
     bool is_open() const { return !film_.file.empty(); }
     const Timeline& film() const { return film_; }
 
-    /// Loads the scenes requested by 19.warm and draws each once, unseen, so that its first visible picture finds its
-    /// pipelines and targets made. `plays`: later times will follow; else only the current scenes are loaded, from
-    /// `time_s` to `later_s` after it.
+    /// Loads the scenes on the screen from `time_s` to `later_s` after it. `plays`: later times will follow. Then a worker
+    /// loads the others that 19.warm requests and draws each once, unseen, so that its first visible picture finds its
+    /// pipelines and targets made.
     void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
 
-    /// Decodes the film's music for playing; its levels are available without.
+    /// Waits for all scenes that the worker was asked for.
+    void wait_until_ready();
+
+    /// Decodes the film's music for playing, in a thread of its own; its levels are available without. The first call
+    /// begins it, a later one takes it.
     void load_sound();
 
     /// Overrides the motion of all cameras; `pieces`: CameraPath's. None: the film's own.
@@ -79,7 +87,11 @@ struct Reel : Module {
 
   private:
     void drop_parts(const std::vector<int>& wanted, size_t room);
-    void draw_unseen(Gpu& gpu, glm::uvec2 size, size_t place, double time_s);
+    std::unique_ptr<FilmPart> made(Gpu& gpu, glm::uvec2 size, size_t place, bool plays);
+    void start_ahead(Gpu& gpu, glm::uvec2 size);
+    void take_made();
+    void need(Gpu& gpu, glm::uvec2 size, size_t place, bool plays);
+    void show_black(Frame& frame);
     void keep(Frame& frame);
     void mix(Frame& frame, float share);
 
@@ -89,12 +101,17 @@ struct Reel : Module {
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
     std::map<size_t, KnobSettings> ways_;                 ///< likewise
     const FilmPart* alone_ = nullptr;
+    mutable std::map<std::string, KnobBase*> chapter_knobs_;  ///< of the film's tracks
+    Made<unsigned> toggles_;
+    std::future<Sound> sound_;
     bool has_sound_ = false;
     Titles titles_;
+    glm::uvec2 unseen_size_{0};
     Target before_{*this, {.name = "before", .kept = true}};
     Pipeline copy_ = compute({.shader = "19_ambiance/copy.comp"}),
              black_ = compute({.shader = "19_ambiance/black.comp"});
     Pipeline mix_ = compute({.shader = "19_ambiance/mix.comp"});
+    std::unique_ptr<Ahead> ahead_;  ///< goes first: it uses the others
 };
 
 }  // namespace lightwalk

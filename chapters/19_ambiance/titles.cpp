@@ -28,7 +28,8 @@ void Titles::record(Frame& frame, const Image& picture, const Timeline& film, do
         glyphs.insert(glyphs.end(), line.begin(), line.end());
     }
     if (glyphs.empty()) return;
-    frame.upload("letters", glyphs_, glyphs);
+    const auto bytes = std::as_bytes(std::span(glyphs));
+    if (glyphs_made_.from({bytes.begin(), bytes.end()})) frame.upload("letters", glyphs_, glyphs);
     frame.compute("titles", {.reads = {glyphs_, picture}, .writes = {picture}}, [&](Compute& pass) {
         pass.use(draw_).set("glyphs", glyphs_).set("picture", picture);
         pass.set("distances", face_.distances(), linear_clamp);

@@ -3,6 +3,7 @@
 #include "19_ambiance/timeline.h"
 #include "19_ambiance/typeface.h"
 #include "common/app/module.h"
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -12,9 +13,15 @@ class Titles {
   public:
     void record(Frame& frame, const Image& picture, const Timeline& film, double time_s);
 
+    /// Reads the typeface, if the film has titles: no frame waits for it.
+    void prepare(Gpu& gpu, const Timeline& film) {
+        if (!film.titles.empty()) face_.load(gpu);
+    }
+
   private:
     Typeface face_;
     Buffer glyphs_;
+    Made<std::vector<std::byte>> glyphs_made_;
     Pipeline draw_ = compute({.shader = "19_ambiance/title.comp"});
 };
 

@@ -33,7 +33,7 @@ double processor_ms() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s) {
+void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, ReadBack* written) {
     chapter.begin_frame(frame.gpu, size);
     frame.begin(size, time_s);
     const double started_ms = processor_ms();
@@ -41,6 +41,7 @@ void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s)
         chapter.frame(frame);
         if (frame.output.written_in != frame.number())
             throw Failure("the frame of {} wrote no output: end it with encode_srgb()", chapter.name);
+        if (written) frame.read_back(frame.output, *written);
     } catch (...) {
         frame.end();
         throw;
@@ -79,10 +80,15 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
             // Samples of one picture take further shifts of the same sequence.
             frame.crop.shift =
                 gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(point, samples);
-            record_frame(chapter, frame, picture.size, chapter.gathered_at(picture.time_s, before));
+            const bool is_last = before == 0 && sample + 1 == last;
+            record_frame(chapter, frame, picture.size, chapter.gathered_at(picture.time_s, before),
+                         is_last ? picture.written : nullptr);
             if (gathering.frames > 0) ++frame.gathered;
         }
-        if (samples > 1) add_times(times, frame.times);
+        if (samples > 1) {
+            frame.finish();
+            add_times(times, frame.times);
+        }
         patience.show(sample + 1, samples);
     }
     if (samples > 1) frame.times = std::move(times);

@@ -17,6 +17,7 @@ struct Picture {
     /// Where a picture is gathered over frames: from a cold start and so many of them, 1/60 s apart; 0: it goes on from
     /// the frame before; without it as many as Module::gathering says. Then it depends on nothing drawn before.
     std::optional<int> gathered{};
+    ReadBack* written = nullptr;  ///< also read back, with the picture's last frame
 };
 
 // [render]

@@ -1,9 +1,12 @@
 // Reproducible results kept between runs: compiled shaders, baked textures.
 #pragma once
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace lightwalk {
 
@@ -20,5 +23,20 @@ std::optional<std::string> read_kept(const std::filesystem::path& file, size_t m
 /// Writes `bytes`, deflated, with their number and a checksum. A file that cannot be written is left out: the next run is
 /// only slower.
 void keep(const std::filesystem::path& file, std::string_view bytes);
+
+/// `count` values from the cache, or made and put there. `key` names all inputs, and the version of their maker.
+template <class T, class Make>
+std::vector<T> kept_or_made(std::string_view key, std::string_view ending, size_t count, const Make& make) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::filesystem::path file = kept_file(key, ending);
+    if (const auto kept = read_kept(file, count * sizeof(T)); kept && kept->size() == count * sizeof(T)) {
+        std::vector<T> values(count);
+        std::memcpy(static_cast<void*>(values.data()), kept->data(), kept->size());
+        return values;
+    }
+    std::vector<T> values = make();
+    keep(file, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+    return values;
+}
 
 }  // namespace lightwalk

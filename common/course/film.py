@@ -178,7 +178,7 @@ def read_systems(names: list[str]) -> list[dict]:
         try:
             one = json.loads(Path(name).read_text())
             systems[one["device"], tuple(one["size"])] = one
-            if not all("antialiasing" in scene for scene in one["scenes"]):
+            if not all("gpu_sum" in scene for scene in one["scenes"]):
                 raise KeyError("scenes")
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise UsageError(f"{name}: is no benchmark: {error}") from None
@@ -186,22 +186,28 @@ def read_systems(names: list[str]) -> list[dict]:
 
 
 def table(systems: list[dict]) -> str:
-    """One row for each scene: mean and 99th percentile of GPU milliseconds on each system, and the cost of anti-aliasing."""
+    """One row for each scene and system: played in order, the mean of its frames and the longest at its cut over that mean; the
+    processor's time of a frame; and the GPU's sum over passes, warm, with the cost of anti-aliasing."""
     heads = [f"{one['device']}, {one['size'][0]}×{one['size'][1]}" for one in systems]
-    lines = ["| scene | " + " | ".join(f"{head}: mean | p99 | MLAA | processor" for head in heads) + " |",
-             "|---|" + "---:|" * (4 * len(systems))]
+    lines = ["| scene | " + " | ".join(f"{head}: played | cut | processor | GPU sum | MLAA" for head in heads) + " |",
+             "|---|" + "---:|" * (5 * len(systems))]
     for scene in systems[0]["scenes"]:
         cells = []
         for one in systems:
             same = next((other for other in one["scenes"] if other["name"] == scene["name"]), None)
-            if same is None:
-                cells += ["", "", "", ""]
-                continue
-            off, on = same["antialiasing"]["none"], same["antialiasing"]["mlaa"]
-            cells += [f"{on['mean_ms']:.2f}", f"{on['p99_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}",
-                      f"{on['processor_ms']:.2f}"]
+            cells += cells_of(one, same)
         lines.append(f"| {scene['name']} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def cells_of(system: dict, scene: dict | None) -> list[str]:
+    if scene is None:
+        return [""] * 5
+    off, on = scene["gpu_sum"]["none"], scene["gpu_sum"]["mlaa"]
+    cut = next((one for one in system.get("cuts", []) if one["to"] == scene["name"]), None)
+    played = "mean_ms" in scene  # else measured by an earlier version, warm alone
+    return [f"{scene['mean_ms']:.2f}" if played else "–", f"{cut['longest_ms'] / cut['mean_ms']:.2f}" if cut else "–",
+            f"{(scene if played else on)['processor_ms']:.2f}", f"{on['mean_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}"]
 
 
 def write_page(names: list[str]) -> int:

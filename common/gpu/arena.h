@@ -9,8 +9,7 @@
 
 namespace lightwalk {
 
-/// Host-visible buffers filled one after the other. Only one frame is in flight, so each frame reuses the previous
-/// one's space.
+/// Host-visible buffers filled one after the other. Each frame in flight has its own.
 class Arena {
   public:
     Arena(Device& device, std::string name) : device_(device), name_(std::move(name)) {}

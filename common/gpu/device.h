@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace lightwalk {
@@ -93,7 +94,9 @@ class Device {
     /// frames begun before have ended.
     uint64_t begin_use();
     void end_use(uint64_t use);
-    bool in_use() const { return !uses_.empty(); }
+    /// This thread records a frame: from begin_use() to end_recording() or end_use().
+    bool is_recording() const;
+    void end_recording(uint64_t use);
     void destroy(Doomed objects);
     size_t doomed_count() const { return doomed_.size(); }
 
@@ -101,6 +104,7 @@ class Device {
     Device() = default;  // the other constructor goes on from it, so that the destructor runs where that throws
     void destroy_now(const Doomed& objects) const;
     std::vector<uint64_t> uses_;
+    std::vector<std::pair<uint64_t, std::thread::id>> recording_;
     uint64_t last_use_ = 0;
     std::vector<std::pair<uint64_t, Doomed>> doomed_;  ///< with the last frame that had begun
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/turn.h"
 #include "common/gpu/device.h"
 
 namespace lightwalk {
@@ -23,7 +24,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
     const VkMemoryAllocateInfo allocate_info{
         .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
     VkDeviceMemory result = VK_NULL_HANDLE;
-    const VkResult made = vkAllocateMemory(handle, &allocate_info, nullptr, &result);
+    const VkResult made = aside([&] { return vkAllocateMemory(handle, &allocate_info, nullptr, &result); });
     if (made == VK_SUCCESS) set_name(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<uint64_t>(result), name);
     try {
         check(made, ("memory of " + name).c_str());
@@ -36,10 +37,20 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
 
 uint64_t Device::begin_use() {
     uses_.push_back(++last_use_);
+    recording_.emplace_back(last_use_, std::this_thread::get_id());
     return last_use_;
 }
 
+bool Device::is_recording() const {
+    return std::ranges::any_of(recording_, [](const auto& one) { return one.second == std::this_thread::get_id(); });
+}
+
+void Device::end_recording(uint64_t use) {
+    std::erase_if(recording_, [&](const auto& one) { return one.first == use; });
+}
+
 void Device::end_use(uint64_t use) {
+    end_recording(use);
     std::erase(uses_, use);
     const uint64_t oldest = uses_.empty() ? UINT64_MAX : *std::min_element(uses_.begin(), uses_.end());
     std::erase_if(doomed_, [&](const auto& entry) {

@@ -5,44 +5,31 @@
 #include "common/base/error.h"
 
 namespace lightwalk {
-namespace {
 
-constexpr uint32_t max_passes = 2048;  // of one submission: forty lights with blurred moments take a thousand
-
-template <class T>
-void name_object(const Device& device, VkObjectType type, T handle, const char* name) {
-    device.set_name(type, reinterpret_cast<uint64_t>(handle), name);
-}
-
-}  // namespace
-
-Frame::Frame(Gpu& owner, const FrameWatch& watch)
-    : gpu(owner), watch_(watch), uniforms_(gpu.device, "uniforms"), uploads_(gpu.device, "uploads"), sets_(gpu.device) {
-    const VkDevice device = gpu.device.handle;
-    const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                            .queueFamilyIndex = gpu.device.queue_family};
-    check(vkCreateCommandPool(device, &pool_info, nullptr, pool_.put(device)), "vkCreateCommandPool");
-    const VkQueryPoolCreateInfo query_info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                           .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                           .queryCount = 2 * max_passes};
-    check(vkCreateQueryPool(device, &query_info, nullptr, queries_.put(device)), "vkCreateQueryPool");
+Frame::Frame(Gpu& owner, const FrameWatch& watch) : gpu(owner), watch_(watch) {
+    recordings_.push_back(std::make_unique<Recording>(gpu.device));
     const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
                                          .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
     const VkSemaphoreCreateInfo semaphore_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, .pNext = &type};
+    const VkDevice device = gpu.device.handle;
     check(vkCreateSemaphore(device, &semaphore_info, nullptr, timeline_.put(device)), "vkCreateSemaphore");
-    name_object<VkCommandPool>(gpu.device, VK_OBJECT_TYPE_COMMAND_POOL, pool_, "passes");
-    name_object<VkQueryPool>(gpu.device, VK_OBJECT_TYPE_QUERY_POOL, queries_, "pass times");
-    name_object<VkSemaphore>(gpu.device, VK_OBJECT_TYPE_SEMAPHORE, timeline_, "passes ended");
+    gpu.device.set_name(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<uint64_t>(VkSemaphore(timeline_)), "frames ended");
 }
 
 Frame::~Frame() {
-    vkDeviceWaitIdle(gpu.device.handle);
-    if (use_) gpu.device.end_use(use_);
+    try {
+        finish();
+    } catch (const std::exception&) {  // the device was lost, or a test says so
+        vkDeviceWaitIdle(gpu.device.handle);
+    }
+    for (const auto& one : recordings_)
+        if (one->use) gpu.device.end_use(one->use);
 }
 
 void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
-    if (use_) gpu.device.end_use(std::exchange(use_, 0));  // a frame that was recorded and not submitted
-    if (gpu.device.in_use()) throw Failure("a frame begins while another one is being recorded");
+    Recording& abandoned = recording();  // recorded and not submitted
+    if (abandoned.use && !abandoned.ends_at) gpu.device.end_use(std::exchange(abandoned.use, 0));
+    if (gpu.device.is_recording()) throw Failure("a frame begins while another one is being recorded");
     if (size != size_in_pixels) {
         size = size_in_pixels;
         hdr = Image(gpu.device, {.name = "hdr", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = size});
@@ -55,70 +42,37 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
             Image(gpu.device, {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size, .kept = true});
     time_s = time_in_seconds;
     outputs.clear();
-    times.clear();
-    read_backs_.clear();
-    start_anew();
-    use_ = gpu.device.begin_use();
-}
-
-// Resets all recording state, after a frame has ended or was abandoned.
-void Frame::start_anew() {
-    for (const Recorded& pass : passes_) free_commands_.push_back(pass.commands);
-    passes_.clear();
-    uniforms_.reset();
-    uploads_.reset();
-    sets_.reset();
-    check(vkResetCommandPool(gpu.device.handle, pool_, 0), "vkResetCommandPool");
-    vkResetQueryPool(gpu.device.handle, queries_, 0, 2 * max_passes);
+    if (recordings_.size() == 1) times.clear();
+    current_ = (current_ + 1) % recordings_.size();
+    retire(recording());
+    recording().read_backs.clear();
+    recording().times.clear();
+    recording().restart();
+    recording().use = gpu.device.begin_use();
+    ++begun;
 }
 
 // Makes room for one more pass, before anything is copied for it. Long recordings, such as a thousand lens samples,
 // are submitted in parts.
 void Frame::make_room() {
-    if (passes_.size() < max_passes) return;
+    if (recording().has_room()) return;
     submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
-    start_anew();
+    wait_for(recording());
+    recording().read_times();
+    recording().ends_at = 0;
+    recording().restart();
 }
 
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
     make_room();
-    if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, passes_.back().name);
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    if (!free_commands_.empty()) {
-        commands = free_commands_.back();
-        free_commands_.pop_back();
-    } else {
-        const VkCommandBufferAllocateInfo allocate{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                                   .commandPool = pool_,
-                                                   .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                                   .commandBufferCount = 1};
-        check(vkAllocateCommandBuffers(gpu.device.handle, &allocate, &commands), "vkAllocateCommandBuffers");
-    }
-    gpu.device.set_name(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<uint64_t>(commands), name);
-    const VkCommandBufferBeginInfo begin_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                              .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    check(vkBeginCommandBuffer(commands, &begin_info), "vkBeginCommandBuffer");
-    passes_.push_back({name, stage, commands});
+    if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, recording().passes.back().name);
     in_pass_ = true;
-    gpu.device.begin_label(commands, name.c_str());
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
-                         2 * static_cast<uint32_t>(passes_.size() - 1));
-    if (gpu.device.software()) {
-        // Mesa's rasteriser, once it has drawn, writes a time when it draws next, but computes at once: wait for the
-        // time.
-        const VkDependencyInfo nothing{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-        vkCmdPipelineBarrier2(commands, &nothing);
-    }
-    return commands;
+    return recording().begin_pass(name, stage);
 }
 
 void Frame::end_pass() {
-    const VkCommandBuffer commands = passes_.back().commands;
     in_pass_ = false;
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
-                         2 * static_cast<uint32_t>(passes_.size() - 1) + 1);
-    gpu.device.end_label(commands);
-    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    recording().end_pass();
 }
 
 // A pass that throws is ended all the same: its barriers are in the images' histories, so it must be submitted.
@@ -159,30 +113,30 @@ void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stat
         throw Failure("pass '{}' reads {}, which no pass of this frame wrote", pass, view.name());
     };
     for (const Stated& one : stated)
-        if (one.read && !one.writable && one.resource.view && !holds(one.resource.view, use_))
+        if (one.read && !one.writable && one.resource.view && !holds(one.resource.view, number()))
             refuse(one.resource.view);
     if (!targets) return;
     for (const ImageView& view : targets->loaded)
-        if (!holds(view, use_)) refuse(view);
+        if (!holds(view, number())) refuse(view);
 }
 
 void Frame::note_writes(const std::vector<Stated>& stated, const Rendering* targets) const {
     for (const Stated& one : stated)
-        if (one.writable && one.resource.view) one.resource.view.image->written_in = use_;
+        if (one.writable && one.resource.view) one.resource.view.image->written_in = number();
     if (!targets) return;
     for (const auto& [view, access] : targets->accesses)
-        if (access.writes) view.image->written_in = use_;
+        if (access.writes) view.image->written_in = number();
 }
 
 void Frame::apply_tones(const std::string& who, const Image& image) const {
-    if (image.shown_in == use_)
+    if (image.shown_in == number())
         throw Failure("{} applies a tone curve to {}, which has had one in this frame: keep one of the two", who,
                       image.desc.name);
-    image.shown_in = use_;
+    image.shown_in = number();
 }
 
 void Frame::need_light(const std::string& who, const Image& image) const {
-    if (image.shown_in == use_)
+    if (image.shown_in == number())
         throw Failure("{} needs linear light, but {} has had its tone curve: record it before the tones", who,
                       image.desc.name);
 }

@@ -3,18 +3,12 @@
 #include <functional>
 #include <map>
 
-#include "common/gpu/arena.h"
 #include "common/gpu/pass.h"
 #include "common/gpu/pass_listener.h"
 #include "common/gpu/read_back.h"
+#include "common/gpu/recording.h"
 
 namespace lightwalk {
-
-struct PassTime {
-    std::string name;
-    std::string stage;  ///< raster, compute or transfer: where the time was spent
-    double gpu_ms = 0;
-};
 
 /// The part of a larger picture that a frame draws, at that picture's own resolution.
 struct Crop {
@@ -23,9 +17,8 @@ struct Crop {
     glm::vec2 shift{0.0f};  ///< of the whole picture within a pixel, for anti-aliasing: -0.5 to 0.5 pixels
 };
 
-/// Records passes in order and submits them at once, one frame in flight. Every pass is a submission of its own that
-/// counts a timeline semaphore up, so that a pass that never ends can be named.
-/// Large (35 functions, 29 members): what one command buffer records, and its pools.
+/// Records passes in order and submits them at once. A pass that never ends is named.
+/// Large (35 functions, 25 members): what one command buffer records, and its targets.
 class Frame {
   public:
     explicit Frame(Gpu& gpu, const FrameWatch& watch = {});
@@ -55,8 +48,10 @@ class Frame {
     /// Throws Failure if a tone curve was applied to the image in this frame: `who` needs linear light.
     void need_light(const std::string& who, const Image& image) const;
 
+    size_t begun = 0;  ///< frames that began so far
+
     /// Another one for each frame that begins; 0 while none is recorded.
-    uint64_t number() const { return use_; }
+    uint64_t number() const { return recording().use; }
 
     /// Starts recording; recreates the targets if the size has changed. Throws Failure if another frame of this
     /// device is being recorded, since frames that depend on each other must run in order.
@@ -93,12 +88,21 @@ class Frame {
     void read_back(const Buffer& buffer, ReadBack& into);
     void read_back(const ImageView& view, ReadBack& into);
 
-    /// Submits and waits. A pass that takes longer than Device::timeout_ns from the end of the one before ends the
-    /// process with its name. Fills `times`.
+    /// Submits. With one frame in flight it waits for it, else begin() waits for the oldest one. Where no pass ends within
+    /// Device::timeout_ns, the process ends with the running one's name. Fills `times` and the read-backs of frames that
+    /// have ended.
     void end(VkSemaphore wait = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
 
-    std::vector<PassTime> times;  ///< of the last frame that ended, in order
-    double recording_ms = 0;      ///< processor time that the chapter took to record it
+    /// Waits for all frames in recording.
+    void finish();
+
+    /// Most frames that are recorded or running at a time, 1 at first. With 2 the processor records one while the device
+    /// draws the one before, and times and read-backs arrive a frame later.
+    void fly(size_t in_flight);
+
+    std::vector<PassTime> times;                                 ///< of the last frame that ended, in order
+    std::function<void(const std::vector<PassTime>&)> on_ended;  ///< called with the times of each frame, in order
+    double recording_ms = 0;  ///< processor time that the chapter took to record the last one
 
     /// Outputs of this frame's passes, in order, for viewing: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
@@ -112,17 +116,14 @@ class Frame {
     // For Pass.
     VkDescriptorBufferInfo copy_to_arena(std::span<const std::byte> bytes);
     VkDescriptorSet descriptor_set(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
-        return sets_.make(pipeline, writes);
+        return recording().sets.make(pipeline, writes);
     }
-    size_t descriptor_sets() const { return sets_.count; }  ///< for pipelines without push descriptors
+    size_t descriptor_sets() const { return recording().sets.count; }  ///< for pipelines without push descriptors
 
   private:
     friend class Pass;
     const FrameWatch watch_;
-    struct Recorded {
-        std::string name, stage;
-        VkCommandBuffer commands;
-    };
+    Recording& recording() const { return *recordings_[current_]; }
     VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
     void check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const;
@@ -131,24 +132,17 @@ class Frame {
     void record_and_end(const Record& record, const End& end);
     void add_output(const std::string& name, const ImageView& view);
     void run_after_pass(size_t outputs_before);
-    ReadBack::State& staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes);
+    const Buffer& staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes);
     void submit(VkSemaphore wait, VkSemaphore signal);
-    void start_anew();
     void make_room();
-    void wait_for_passes();
-    void read_times();
-    std::vector<Recorded> passes_;
+    void wait_for(const Recording& one);
+    void retire(Recording& one);
+    std::vector<std::unique_ptr<Recording>> recordings_;
+    size_t current_ = 0;  ///< the one in the making, or the last
     bool in_pass_ = false;
-    uint64_t use_ = 0;  ///< Device::begin_use; 0: not recording
-    std::vector<VkCommandBuffer> free_commands_;
     Image mean_;
-    Owned<VkCommandPool, vkDestroyCommandPool> pool_;
-    Owned<VkQueryPool, vkDestroyQueryPool> queries_;
-    Owned<VkSemaphore, vkDestroySemaphore> timeline_;
-    uint64_t counted_ = 0;
-    Arena uniforms_, uploads_;
-    DescriptorSets sets_;
-    std::vector<std::shared_ptr<ReadBack::State>> read_backs_;  ///< of this frame
+    Owned<VkSemaphore, vkDestroySemaphore> timeline_;  ///< counts submissions that have ended
+    uint64_t submitted_ = 0;
 };
 
 }  // namespace lightwalk

@@ -8,7 +8,7 @@ VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {
     const VkPhysicalDeviceLimits& limits = gpu.device.properties.limits;
     if (bytes.size() > limits.maxUniformBufferRange)
         throw Failure("a uniform block has at most {} bytes", limits.maxUniformBufferRange);
-    return uniforms_.copy(bytes, limits.minUniformBufferOffsetAlignment);
+    return recording().uniforms.copy(bytes, limits.minUniformBufferOffsetAlignment);
 }
 
 void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes) {
@@ -19,7 +19,7 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
     buffer.bytes = needed;
     buffer.constant = true;
     make_room();
-    const VkDescriptorBufferInfo from = uploads_.copy(bytes, 16);
+    const VkDescriptorBufferInfo from = recording().uploads.copy(bytes, 16);
     gpu.uploaded_bytes += bytes.size();
     transfer(name, {.reads = {}, .writes = {buffer}}, [&](VkCommandBuffer commands) {
         const VkBufferCopy region{.srcOffset = from.offset, .size = bytes.size()};
@@ -31,7 +31,7 @@ void Frame::upload(const std::string& name, const ImageView& view, std::span<con
     if (texels.size() != byte_count(view))
         throw Failure("upload of {} bytes into {}, which holds {}", texels.size(), view.name(), byte_count(view));
     make_room();
-    const VkDescriptorBufferInfo from = uploads_.copy(texels, 4 * texel_bytes(view.image->desc.format));
+    const VkDescriptorBufferInfo from = recording().uploads.copy(texels, 4 * texel_bytes(view.image->desc.format));
     gpu.uploaded_bytes += texels.size();
     transfer(name, {.reads = {}, .writes = {view.mip(0)}},
              [&](VkCommandBuffer commands) { copy(commands, from.buffer, from.offset, view); });
@@ -71,21 +71,18 @@ void Frame::fill(const std::string& name, const Image& image, glm::vec4 value) {
     });
 }
 
-ReadBack::State& Frame::staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes) {
+// The bytes of the last frame that ended stay as they are until this one has.
+const Buffer& Frame::staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes) {
     if (!into.state_) into.state_ = std::make_shared<ReadBack::State>();
-    ReadBack::State& state = *into.state_;
-    // The bytes of the last frame stay as they are until this one is submitted. A larger one is another buffer.
-    if (state.staging.capacity < bytes) {
-        state.bytes = 0;
-        state.staging = Buffer(gpu.device, {.name = "read back " + name, .bytes = bytes, .host_visible = true});
-    }
-    state.recorded = bytes;
-    read_backs_.push_back(into.state_);
-    return state;
+    Buffer staging = std::move(into.state_->spare);
+    if (staging.capacity < bytes)
+        staging = Buffer(gpu.device, {.name = "read back " + name, .bytes = bytes, .host_visible = true});
+    recording().read_backs.push_back({into.state_, std::move(staging), bytes});
+    return recording().read_backs.back().staging;
 }
 
 void Frame::read_back(const Buffer& buffer, ReadBack& into) {
-    const Buffer& staging = staging_for(into, buffer.name, buffer.bytes).staging;
+    const Buffer& staging = staging_for(into, buffer.name, buffer.bytes);
     transfer("read back " + buffer.name, {.reads = {buffer}, .writes = {staging}}, [&](VkCommandBuffer commands) {
         const VkBufferCopy region{.size = buffer.bytes};
         vkCmdCopyBuffer(commands, buffer.handle, staging.handle, 1, &region);
@@ -95,7 +92,7 @@ void Frame::read_back(const Buffer& buffer, ReadBack& into) {
 
 void Frame::read_back(const ImageView& view, ReadBack& into) {
     if (view.image->desc.samples > 1) throw Failure("{} has several samples: resolve it, then read back", view.name());
-    const Buffer& staging = staging_for(into, view.name(), byte_count(view)).staging;
+    const Buffer& staging = staging_for(into, view.name(), byte_count(view));
     transfer("read back " + view.name(), {.reads = {view.mip(0)}, .writes = {staging}}, [&](VkCommandBuffer commands) {
         copy(commands, view, staging.handle);
         barrier(commands, staging, host_read);

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <array>
 #include <utility>
 
 #include "common/gpu/device_wait.h"
@@ -9,74 +8,86 @@
 namespace lightwalk {
 
 void Frame::end(VkSemaphore wait, VkSemaphore signal) {
-    if (!passes_.empty()) submit(wait, signal);
-    for (const auto& state : read_backs_) state->bytes = state->recorded;
-    read_backs_.clear();
-    if (use_) gpu.device.end_use(std::exchange(use_, 0));
+    Recording& ended = recording();
+    if (!ended.passes.empty()) submit(wait, signal);
+    if (ended.use) gpu.device.end_recording(ended.use);
+    if (recordings_.size() == 1 || !ended.ends_at) return retire(ended);
+    // Those that have ended by now; the next begin() waits for the oldest.
+    uint64_t counted = 0;
+    check(vkGetSemaphoreCounterValue(gpu.device.handle, timeline_, &counted), "vkGetSemaphoreCounterValue");
+    for (size_t i = 1; i <= recordings_.size(); ++i)
+        if (Recording& one = *recordings_[(current_ + i) % recordings_.size()]; one.ends_at && one.ends_at <= counted)
+            retire(one);
 }
 
-// Adds to `times`.
+void Frame::finish() {
+    for (size_t i = 1; i <= recordings_.size(); ++i)
+        if (Recording& one = *recordings_[(current_ + i) % recordings_.size()]; one.ends_at) retire(one);
+}
+
+void Frame::fly(size_t in_flight) {
+    if (recordings_.size() == in_flight) return;
+    finish();
+    recordings_.resize(std::max<size_t>(in_flight, 1));
+    for (auto& one : recordings_)
+        if (!one) one = std::make_unique<Recording>(gpu.device);
+    current_ = std::min(current_, recordings_.size() - 1);
+}
+
+// One submission: all passes of the frame in one command buffer.
 void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
-    const size_t count = passes_.size();
     const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
                                      .semaphore = semaphore,
                                      .value = value,
                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     };
-    std::vector<VkCommandBufferSubmitInfo> commands(count);
-    std::vector<std::array<VkSemaphoreSubmitInfo, 2>> signals(count);
-    std::vector<VkSubmitInfo2> submits(count);
-    const VkSemaphoreSubmitInfo first_wait = semaphore_info(wait, 0);
-    for (size_t i = 0; i < count; ++i) {
-        commands[i] = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = passes_[i].commands};
-        signals[i] = {semaphore_info(timeline_, counted_ + i + 1), semaphore_info(signal, 0)};
-        submits[i] = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                      .commandBufferInfoCount = 1,
-                      .pCommandBufferInfos = &commands[i],
-                      .signalSemaphoreInfoCount = 1,
-                      .pSignalSemaphoreInfos = signals[i].data()};
-    }
-    if (wait) {
-        submits.front().waitSemaphoreInfoCount = 1;
-        submits.front().pWaitSemaphoreInfos = &first_wait;
-    }
-    if (signal) submits.back().signalSemaphoreInfoCount = 2;
-    check(vkQueueSubmit2(gpu.device.queue, static_cast<uint32_t>(count), submits.data(), VK_NULL_HANDLE),
-          "vkQueueSubmit2");
-    wait_for_passes();
-    read_times();
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = recording().finish()};
+    const VkSemaphoreSubmitInfo waits = semaphore_info(wait, 0),
+                                signals[] = {semaphore_info(timeline_, submitted_ + 1), semaphore_info(signal, 0)};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = wait ? 1u : 0u,
+                               .pWaitSemaphoreInfos = &waits,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &commands,
+                               .signalSemaphoreInfoCount = signal ? 2u : 1u,
+                               .pSignalSemaphoreInfos = signals};
+    check(vkQueueSubmit2(gpu.device.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    recording().ends_at = ++submitted_;
 }
 
-// For one after the other, so that the clock restarts with each: a frame of many passes may take its time.
-void Frame::wait_for_passes() {
-    for (const Recorded& pass : passes_) {
-        const uint64_t target = counted_ + 1;
-        const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
-                                            .semaphoreCount = 1,
-                                            .pSemaphores = timeline_.address(),
-                                            .pValues = &target};
-        const VkResult waited = wait_for(
+// The clock restarts whenever a pass has ended: a frame of many passes may take its time.
+void Frame::wait_for(const Recording& one) {
+    const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                        .semaphoreCount = 1,
+                                        .pSemaphores = timeline_.address(),
+                                        .pValues = &one.ends_at};
+    for (size_t ended = 0;;) {
+        const VkResult waited = lightwalk::wait_for(
             gpu.device, [&](uint64_t most_ns) { return vkWaitSemaphores(gpu.device.handle, &wait_info, most_ns); });
-        if (waited == VK_TIMEOUT)
+        if (waited != VK_TIMEOUT) return check(waited, one.passes.back().name.c_str());
+        const size_t now = one.ended_passes();
+        if (now == ended && now < one.passes.size())
             abandon_device(
                 fmt::format("pass '{}' did not end within {:.4} s; look for a loop without an end in its shaders",
-                            pass.name, std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9)));
-        check(waited, fmt::format("pass '{}'", pass.name).c_str());
-        counted_ = target;
+                            one.passes[now].name, std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9)));
+        ended = now;
     }
 }
 
-void Frame::read_times() {
-    std::vector<uint64_t> stamps(2 * passes_.size());
-    check(vkGetQueryPoolResults(gpu.device.handle, queries_, 0, static_cast<uint32_t>(stamps.size()),
-                                stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t),
-                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-          "vkGetQueryPoolResults");
-    const double tick_ms = static_cast<double>(gpu.device.properties.limits.timestampPeriod) * 1e-6;
-    for (size_t i = 0; i < passes_.size(); ++i)
-        times.push_back(
-            {passes_[i].name, passes_[i].stage, static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});
+// Waits for a frame; then its times and read-backs are there, and its memory is free.
+void Frame::retire(Recording& one) {
+    if (one.ends_at) {
+        wait_for(one);
+        one.read_times();
+        one.ends_at = 0;
+    }
+    one.deliver();
+    if (!one.use) return;
+    times = std::exchange(one.times, {});
+    gpu.device.end_use(std::exchange(one.use, 0));
+    if (on_ended) on_ended(times);
 }
 
 }  // namespace lightwalk

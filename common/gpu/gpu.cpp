@@ -25,10 +25,7 @@ Gpu::Gpu(const DeviceOptions& options) : device(options) {
                                             .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
                                             .queueFamilyIndex = device.queue_family};
     check(vkCreateCommandPool(device.handle, &pool_info, nullptr, pool_.put(device.handle)), "vkCreateCommandPool");
-    const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    check(vkCreateFence(device.handle, &fence_info, nullptr, fence_.put(device.handle)), "vkCreateFence");
     device.set_name(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<uint64_t>(VkCommandPool(pool_)), "transfers");
-    device.set_name(VK_OBJECT_TYPE_FENCE, reinterpret_cast<uint64_t>(VkFence(fence_)), "transfers");
 }
 
 Gpu::~Gpu() {
@@ -41,6 +38,11 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                                .commandPool = pool_,
                                                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                                .commandBufferCount = 1};
+    // Another thread's may run meanwhile.
+    Owned<VkFence, vkDestroyFence> fence;
+    const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    check(vkCreateFence(device.handle, &fence_info, nullptr, fence.put(device.handle)), "vkCreateFence");
+    device.set_name(VK_OBJECT_TYPE_FENCE, reinterpret_cast<uint64_t>(VkFence(fence)), "transfer");
     VkCommandBuffer commands = VK_NULL_HANDLE;
     check(vkAllocateCommandBuffers(device.handle, &allocate, &commands), "vkAllocateCommandBuffers");
     device.set_name(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<uint64_t>(commands), "transfer");
@@ -55,9 +57,9 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
         const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                                    .commandBufferInfoCount = 1,
                                    .pCommandBufferInfos = &command_info};
-        check(vkQueueSubmit2(device.queue, 1, &submit, fence_), "vkQueueSubmit2");
+        check(vkQueueSubmit2(device.queue, 1, &submit, fence), "vkQueueSubmit2");
         const VkResult waited = wait_for(device, [&](uint64_t most_ns) {
-            return vkWaitForFences(device.handle, 1, fence_.address(), VK_TRUE, most_ns);
+            return vkWaitForFences(device.handle, 1, fence.address(), VK_TRUE, most_ns);
         });
         if (waited == VK_TIMEOUT)
             abandon_device(fmt::format("a transfer did not finish within {:.4g} s",
@@ -65,13 +67,10 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
         check(waited, "vkWaitForFences");
     } catch (...) {
         vkDeviceWaitIdle(device.handle);  // resources in use are destroyed next
-        vkResetFences(device.handle, 1, fence_.address());
         vkFreeCommandBuffers(device.handle, pool_, 1, &commands);
         throw;
     }
-    vkResetFences(device.handle, 1, fence_.address());
     vkFreeCommandBuffers(device.handle, pool_, 1, &commands);
-    vkResetCommandPool(device.handle, pool_, 0);
 }
 
 }  // namespace lightwalk

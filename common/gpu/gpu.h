@@ -50,7 +50,6 @@ class Gpu {
 
   private:
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
-    Owned<VkFence, vkDestroyFence> fence_;
 };
 
 /// Copies between a buffer, from byte `offset` on, and the view's first mip, all its layers. The image is in the layout

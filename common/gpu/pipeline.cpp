@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/base/exercise.h"
+#include "common/base/turn.h"
 #include "common/gpu/hidden_blocks.h"
 #include "common/gpu/sealed.h"
 
@@ -173,7 +174,10 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     Variant& variant = variants_[key];
     if (!variant.error.empty()) throw ShaderError(variant.error);  // a failed variant stays failed until it is edited
     try {
-        if (!variant.built) variant.built = build(pipeline, formats, flat);
+        if (!variant.built) {
+            auto built = aside([&] { return build(pipeline, formats, flat); });
+            if (!variant.built) variant.built = std::move(built);  // or another thread was faster
+        }
     } catch (const ShaderError& e) {
         variant.error = e.what();
         throw;

@@ -27,11 +27,16 @@ class ReadBack {
         return result;
     }
 
+    /// Another one for each frame that has brought bytes; 0: none has.
+    uint64_t number() const { return state_ ? state_->number : 0; }
+
   private:
+    friend class Recording;
     friend class Frame;
     struct State {
-        Buffer staging;
-        size_t bytes = 0, recorded = 0;
+        Buffer staging, spare;
+        size_t bytes = 0;
+        uint64_t number = 0;
     };
     std::shared_ptr<State> state_;
 };

@@ -1,7 +1,9 @@
 // A light as a scene file states it.
 #pragma once
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace lightwalk {
 
@@ -23,5 +25,8 @@ struct Light {
     bool locked = false;     ///< not changed in an editor
     bool operator==(const Light&) const = default;
 };
+
+/// Lights that no longer change: one list is equal to itself without comparing a million lights.
+using LightList = std::shared_ptr<const std::vector<Light>>;
 
 }  // namespace lightwalk

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/turn.h"
 #include "common/gpu/device.h"
 
 namespace lightwalk {
@@ -156,7 +157,7 @@ VkSurfaceKHR Display::make_surface(VkInstance instance) const {
 
 Input Display::poll(double wait_s) {
     if (wait_s > 0.0)
-        glfwWaitEventsTimeout(wait_s);
+        aside([&] { glfwWaitEventsTimeout(wait_s); });
     else
         glfwPollEvents();
     Input& now = events_->input;

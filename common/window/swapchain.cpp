@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
+#include "common/base/turn.h"
 
 namespace lightwalk {
 namespace {
@@ -30,14 +31,14 @@ Swapchain::Swapchain(Gpu& gpu, Display& display) : gpu_(gpu), display_(display) 
                          "or use --screenshot FILE");
     }
     choose_format();
-    acquired_ = make_semaphore(gpu.device.handle);
+    for (VkSemaphore& one : acquired_) one = make_semaphore(gpu.device.handle);
 }
 
 Swapchain::~Swapchain() {
     vkDeviceWaitIdle(gpu_.device.handle);
     destroy_images();
     vkDestroySwapchainKHR(gpu_.device.handle, handle_, nullptr);
-    vkDestroySemaphore(gpu_.device.handle, acquired_, nullptr);
+    for (const VkSemaphore one : acquired_) vkDestroySemaphore(gpu_.device.handle, one, nullptr);
     vkDestroySurfaceKHR(gpu_.device.instance, surface_, nullptr);
 }
 
@@ -55,6 +56,8 @@ void Swapchain::choose_format() {
         *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     format = surface_format_.format;
 }
+
+bool Swapchain::is_outdated() const { return outdated_ || display_.framebuffer_size() != size; }
 
 bool Swapchain::ready() {
     const glm::uvec2 framebuffer = display_.framebuffer_size();
@@ -119,14 +122,18 @@ void Swapchain::destroy_images() {
 }
 
 const Image* Swapchain::acquire() {
-    const VkResult result =
-        vkAcquireNextImageKHR(gpu_.device.handle, handle_, acquire_timeout_ns, acquired_, VK_NULL_HANDLE, &index_);
+    const size_t next = (turn_ + 1) % acquired_.size();
+    const VkResult result = aside([&] {
+        return vkAcquireNextImageKHR(gpu_.device.handle, handle_, acquire_timeout_ns, acquired_[next], VK_NULL_HANDLE,
+                                     &index_);
+    });
     if (result == VK_TIMEOUT || result == VK_NOT_READY) return nullptr;
     if (result == VK_ERROR_OUT_OF_DATE_KHR) {
         outdated_ = true;
         return nullptr;
     }
     if (result != VK_SUBOPTIMAL_KHR) check(result, "vkAcquireNextImageKHR");
+    turn_ = next;
     outdated_ = result == VK_SUBOPTIMAL_KHR;
     // Contents are discarded; writing has to wait for the semaphore, which Frame::end awaits with all stages.
     images_[index_].history = {.all = {.last_write = {.stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}}, .each = {}};

@@ -110,14 +110,14 @@ void Window::run() {
         // Nothing is drawn while nothing changes: a software rasteriser has better things to do.
         const bool idle = is_still();
         if (std::exchange(rests_, idle) != idle && idle) log_event("rests");
-        const Input input = display_.poll(idle || !swapchain_.ready() ? watch_every_s : 0.0);
+        const Input input = display_.poll(idle || !can_show() ? watch_every_s : 0.0);
         Requests requests;
         handle_keys(input, requests);
         obey(requests);
         activity_.note(input);
         watch_files();
         watch_programs();
-        if (!swapchain_.ready()) continue;
+        if (!can_show()) continue;
         compare_when_still();
         if (notice_.has_ended()) activity_.stay_panel(0.01);
         const Sound* sound = clock_.runs ? chapter_.any_sound() : nullptr;
@@ -131,6 +131,11 @@ void Window::run() {
         if (is_still()) continue;
         draw();
     }
+}
+
+bool Window::can_show() {
+    if (swapchain_.is_outdated()) screen_.finish();
+    return swapchain_.ready();
 }
 
 bool Window::picture_is_due() const {
@@ -237,6 +242,10 @@ void Window::draw() {
     activity_.begin_panel();
     const double started = steady_s();
     const bool anew = picture_is_due();
+    // What is clicked or asked for arrives with the picture; only a clock that runs draws another one.
+    const size_t in_flight = clock_.runs && !picture_.split.on() ? 2 : 1;
+    picture_.fly(in_flight);
+    screen_.fly(in_flight);
     if (anew) {
         draw_picture();
     } else if (refines()) {

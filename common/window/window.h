@@ -44,6 +44,7 @@ class Window {
     void draw();
     void draw_picture();
     bool refines() const;         ///< the picture rests, and samples are missing
+    bool can_show();              ///< the window has a size
     bool picture_is_due() const;  ///< false: the panel is drawn beside the picture that is there
     bool is_still() const;        ///< nothing is drawn: neither time nor input changes the picture
     Requests build_panel(bool picture_is_new);

@@ -73,10 +73,13 @@ TEST_CASE("the course's film at 60 times: cold, played at 30 and at 144 a second
 
 TEST_CASE("while it plays, what follows is ready and what is over is dropped; a single picture loads what it shows") {
     Started played(true, 2);
-    played.picture(0.25);
-    CHECK(played.chapter.reel.parts().size() == 2);
-    played.picture(2.5);
-    CHECK(played.chapter.reel.parts().size() == 2);
+    const auto ready = [&](double time_s) {
+        played.picture(time_s);
+        played.chapter.reel.wait_until_ready();
+        return played.chapter.reel.parts().size();
+    };
+    CHECK(ready(0.25) == 2);
+    CHECK(ready(2.5) == 2);
     CHECK(!played.chapter.reel.parts().contains(0));
     Started cold(false);
     cold.picture(1);
@@ -113,6 +116,7 @@ TEST_CASE("a fade to black ends in black, a gap is black, and the sun outlives t
 TEST_CASE("what is over is kept while there is room: a cut frees nothing") {
     Started played(true, 8);
     for (const double time_s : {0.25, 2.5, 4.0}) played.picture(time_s);
+    played.chapter.reel.wait_until_ready();
     CHECK(played.chapter.reel.parts().size() == 3);
 }
 

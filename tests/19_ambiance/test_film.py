@@ -183,12 +183,12 @@ class Film(unittest.TestCase):
         def system(name, scale):
             figures = {"mean_ms": scale, "p99_ms": 2 * scale, "processor_ms": 0.5}
             more = {**figures, "mean_ms": scale + 0.25}
-            return {"device": name, "size": [480, 270],
-                    "scenes": [{"name": "dawn", "antialiasing": {"none": figures, "mlaa": more}}]}
+            return {"device": name, "size": [480, 270], "cuts": [{"to": "dawn", "longest_ms": 6 * scale, "mean_ms": 4 * scale}],
+                    "scenes": [{"name": "dawn", "mean_ms": 4 * scale, "processor_ms": 0.75, "gpu_sum": {"none": figures, "mlaa": more}}]}
 
         lines = film.table([system("a", 1), system("b", 3)]).splitlines()
-        self.assertIn("a, 480×270: mean", lines[0])
-        self.assertEqual(lines[2], "| dawn | 1.25 | 2.00 | 0.25 | 0.50 | 3.25 | 6.00 | 0.25 | 0.50 |")
+        self.assertIn("a, 480×270: played", lines[0])
+        self.assertEqual(lines[2], "| dawn | 4.00 | 1.50 | 0.75 | 1.25 | 0.25 | 12.00 | 1.50 | 0.75 | 3.25 | 0.25 |")
 
     def test_a_page_of_several_systems(self):
         from pages import film_page
@@ -196,7 +196,7 @@ class Film(unittest.TestCase):
         def system(name, software, scale):
             figures = {"mean_ms": scale, "p99_ms": 2 * scale, "processor_ms": 0.5, "min_ms": 0.5 * scale}
             return {"device": name, "driver": "1 <2>", "software": software, "size": [480, 270],
-                    "scenes": [{"name": name, "antialiasing": {"none": figures, "mlaa": figures}} for name in ("dawn", "car")],
+                    "scenes": [{"name": name, "gpu_sum": {"none": figures, "mlaa": figures}} for name in ("dawn", "car")],
                     "cuts": [{"to": "car", "longest_ms": 3 * scale, "mean_ms": 2 * scale}]}
 
         text = film_page.page([system("a <b>", False, 1), system("lavapipe", True, 30)])

@@ -18,6 +18,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 from charts.chart import STYLE  # noqa: E402
+from film import cells_of  # noqa: E402
 from pages.page import page as filled  # noqa: E402
 
 BUDGETS = (0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3)
@@ -36,12 +37,7 @@ def page(systems: list[dict]) -> str:
 
 def cells(system: dict, name: str) -> list[str]:
     scene = next((one for one in system["scenes"] if one["name"] == name), None)
-    if scene is None:
-        return [""] * 5
-    off, on = scene["antialiasing"]["none"], scene["antialiasing"]["mlaa"]
-    cut = next((one for one in system.get("cuts", []) if one["to"] == name), None)
-    return [f"{on['mean_ms']:.2f}", f"{on['p99_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}", f"{on['processor_ms']:.2f}",
-            f"{cut['longest_ms'] / cut['mean_ms']:.2f}" if cut else "–"]
+    return cells_of(system, scene)
 
 
 def bars(systems: list[dict]) -> str:
@@ -50,7 +46,7 @@ def bars(systems: list[dict]) -> str:
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(10, 0.6 + 0.22 * len(names) * (1 + len(systems))))
         for i, one in enumerate(systems):
-            on = {scene["name"]: scene["antialiasing"]["mlaa"] for scene in one["scenes"]}
+            on = {scene["name"]: scene["gpu_sum"]["mlaa"] for scene in one["scenes"]}
             places = [k + (i - (len(systems) - 1) / 2) * 0.8 / len(systems) for k, name in enumerate(names) if name in on]
             means = [on[name]["mean_ms"] for name in names if name in on]
             axes.barh(places, means, 0.7 / len(systems), label=f"{one['device']}, {one['size'][0]}×{one['size'][1]}")

@@ -1,0 +1,53 @@
+// Scenes of a film that a thread makes ready before they are shown.
+#pragma once
+#include <deque>
+#include <exception>
+#include <functional>
+#include <map>
+#include <semaphore>
+#include <thread>
+#include <vector>
+
+#include "19_ambiance/part.h"
+#include "common/base/turn.h"
+
+namespace lightwalk {
+
+// [ahead]
+/// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
+/// All functions are called by that one.
+/// Large (10 functions, 11 members): what two threads share.
+class Ahead {
+  public:
+    using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;
+    explicit Ahead(Make make);
+    ~Ahead();  ///< stops at the part's next file, shader or texture
+    Ahead(const Ahead&) = delete;
+
+    /// What is to be made, from now on: it replaces earlier lists, but for the part in the making.
+    void ask(const std::vector<size_t>& places);
+
+    /// Parts that are ready. Rethrows what a maker threw.
+    std::map<size_t, std::unique_ptr<FilmPart>> take();
+
+    bool is_making(size_t place) const { return making_ == place; }
+    bool is_busy() const { return making_ || !asked_.empty(); }
+    void wait();  ///< for the part in the making, or the next one
+                  // [/ahead]
+
+  private:
+    void run();
+    void wake();
+    const Make make_;
+    const Turn::Shared shared_;
+    std::deque<size_t> asked_;
+    std::optional<size_t> making_;
+    std::map<size_t, std::unique_ptr<FilmPart>> made_;
+    std::exception_ptr failed_;
+    std::atomic<bool> stop_ = false;
+    bool sleeps_ = false;
+    std::counting_semaphore<> wake_{0}, done_{0};
+    std::thread thread_;
+};
+
+}  // namespace lightwalk

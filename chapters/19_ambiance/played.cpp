@@ -1,0 +1,157 @@
+#include "19_ambiance/played.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "common/app/render.h"
+#include "common/base/patience.h"
+#include "common/base/statistics.h"
+
+namespace lightwalk {
+namespace {
+
+using nlohmann::json;
+
+constexpr int a_second = 60, after_cut = 6;
+
+double clock_ms(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// When this program started, on the clock since boot: field 22 of the line, counted after the name in brackets.
+double started_ms() {
+    std::ifstream line("/proc/self/stat");
+    line.ignore(1 << 16, ')');
+    std::string field;
+    for (int i = 3; i <= 22; ++i) line >> field;
+    return 1e3 * std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(std::max<size_t>(values.size(), 1));
+}
+
+template <class Wanted>
+std::vector<double> column(const std::vector<PlayedFrame>& frames, double PlayedFrame::*figure, const Wanted& wanted) {
+    std::vector<double> values;
+    for (size_t i = 0; i < frames.size(); ++i)
+        if (wanted(i)) values.push_back(frames[i].*figure);
+    return values;
+}
+
+template <class Wanted>
+json summary(const std::vector<PlayedFrame>& frames, const Wanted& wanted) {
+    const std::vector<double> all = column(frames, &PlayedFrame::wall_ms, wanted);
+    if (all.empty()) return {{"frames", 0}};
+    const double mean_ms = mean(all);
+    return {{"frames", all.size()},
+            {"mean_ms", mean_ms},
+            {"frames_a_second", 1e3 / mean_ms},
+            {"p99_ms", percentile(all, 0.99)},
+            {"longest_ms", percentile(all, 1.0)},
+            {"processor_ms", median(column(frames, &PlayedFrame::processor_ms, wanted))},
+            {"gpu_ms", mean(column(frames, &PlayedFrame::gpu_ms, wanted))}};
+}
+
+}  // namespace
+
+std::vector<int> played_numbers(const Timeline& film, std::optional<int> each_scene) {
+    std::set<int> numbers;
+    const int end = static_cast<int>(std::ceil(film.duration_s * a_second));
+    const auto add = [&](int number) {
+        if (number >= 0 && number < end) numbers.insert(number);
+    };
+    for (int i = 0; i < (each_scene ? a_second : end); ++i) add(i);
+    for (const FilmScene& scene : film.scenes) {
+        const int first = static_cast<int>(std::ceil(scene.from_s * a_second));
+        for (int i = 0; i < after_cut; ++i) add(first + i);
+        const double frames = (scene.to_s - scene.from_s) * a_second;
+        for (int i = 0; i < each_scene.value_or(0); ++i)
+            add(first + static_cast<int>((i + 0.5) / *each_scene * frames));
+    }
+    return {numbers.begin(), numbers.end()};
+}
+
+std::vector<PlayedFrame> play(Chapter& chapter, Gpu& gpu, const Timeline& film, const Options& options) {
+    const std::vector<int> numbers =
+        played_numbers(film, options.frames_given ? std::optional(options.frames) : std::nullopt);
+    std::vector<PlayedFrame> frames;
+    std::vector<double> gpu_ms;  // of the recordings that have ended; a picture of several samples has several
+    std::vector<size_t> recorded;
+    Frame frame(gpu);
+    frame.fly(2);
+    frame.on_ended = [&](const std::vector<PassTime>& times) {
+        gpu_ms.push_back(0);
+        for (const PassTime& time : times) gpu_ms.back() += time.gpu_ms;
+    };
+    Patience patience("playing", "frames");
+    double before_ms = started_ms();
+    for (const int number : numbers) {
+        const double time_s = static_cast<double>(number) / a_second;
+        const std::vector<Timeline::Shown> shown = film.shown(time_s);
+        PlayedFrame& one = frames.emplace_back();
+        one.number = number;
+        if (!shown.empty()) one.scene = shown.back().scene;
+        const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
+        Picture picture{options.size, static_cast<float>(time_s), options.seed, {}};
+        picture.gathered = 0;  // as in a window, it goes on from the one before
+        render(chapter, frame, picture);
+        recorded.push_back(frame.begun);
+        frames.back().processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID) - processor_ms;
+        if (frames.size() == 1) frame.finish();  // a viewer waits until it is seen
+        const double now_ms = clock_ms(CLOCK_BOOTTIME);
+        frames.back().wall_ms = now_ms - before_ms;
+        before_ms = now_ms;
+        patience.show(static_cast<int>(frames.size()), static_cast<int>(numbers.size()));
+    }
+    frame.finish();
+    for (size_t i = 0; i < frames.size(); ++i)
+        for (size_t j = i ? recorded[i - 1] : 0; j < recorded[i]; ++j) frames[i].gpu_ms += gpu_ms.at(j);
+    return frames;
+}
+
+// [figures]
+json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames) {
+    using Wanted = std::function<bool(size_t)>;
+    std::vector<int> in_scene(frames.size(), 0);  // number of a frame among its scene's
+    for (size_t i = 1; i < frames.size(); ++i)
+        in_scene[i] = frames[i].scene == frames[i - 1].scene ? in_scene[i - 1] + 1 : 0;
+    json scenes = json::array(), cuts = json::array();
+    for (size_t place = 0; place < film.scenes.size(); ++place) {
+        const FilmScene& scene = film.scenes[place];
+        const Wanted in_it = [&](size_t i) { return frames[i].scene == place; };
+        json figures = summary(frames, in_it);
+        const double mean_ms = figures.value("mean_ms", 0.0);
+        figures.update({{"name", scene.name}, {"kind", scene.kind}});
+        scenes.push_back(figures);
+        if (scene.from_s <= 0) continue;
+        const std::vector<double> after = column(frames, &PlayedFrame::wall_ms,
+                                                 Wanted([&](size_t i) { return in_it(i) && in_scene[i] < after_cut; }));
+        if (after.empty()) continue;
+        cuts.push_back({{"to", scene.name},
+                        {"at_s", scene.from_s},
+                        {"frames_ms", after},
+                        {"longest_ms", percentile(after, 1.0)},
+                        {"mean_ms", mean_ms}});
+    }
+    const Wanted any = [](size_t i) { return i > 0; };
+    json all = summary(frames, any);
+    all["first_frame_s"] = 1e-3 * frames.front().wall_ms;
+    all["first_second_longest_ms"] = percentile(
+        column(frames, &PlayedFrame::wall_ms, Wanted([&](size_t i) { return i > 0 && frames[i].number < a_second; })),
+        1.0);
+    return {{"in_order", all}, {"scenes", scenes}, {"cuts", cuts}};
+}
+// [/figures]
+
+}  // namespace lightwalk

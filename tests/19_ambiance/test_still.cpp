@@ -1,0 +1,70 @@
+// A frame in which nothing moves: only what the view needs is made.
+#include "../catch.h"
+#include "19_ambiance/ambiance.h"
+#include "common/app/render.h"
+
+using namespace lightwalk;
+
+namespace {
+
+// Draws a film at a time until nothing changes, and once more.
+struct Still {
+    explicit Still(const char* film) : gpu(DeviceOptions{}) { load_scene(chapter, gpu, film); }
+
+    void draw(double time_s) { render(chapter, frame, {{64, 36}, static_cast<float>(time_s), 0, {}}); }
+
+    void check(double time_s) {
+        INFO(time_s);
+        draw(time_s);
+        draw(time_s);
+        const uint64_t uploaded = gpu.uploaded_bytes;
+        const std::vector<PassTime> before = frame.times;
+        draw(time_s);
+        CHECK(gpu.uploaded_bytes == uploaded);
+        for (const PassTime& pass : frame.times) {
+            INFO(pass.name);
+            // Of a land's chunks the view decides; the command that draws them is reset where the device has it.
+            CHECK((pass.stage != "transfer" || pass.name == "chunk draws"));
+        }
+        REQUIRE(frame.times.size() == before.size());
+        for (size_t i = 0; i < before.size(); ++i) CHECK(frame.times[i].name == before[i].name);
+    }
+    Gpu gpu;
+    Ambiance chapter;
+    Frame frame{gpu};
+};
+
+}  // namespace
+
+TEST_CASE("where nothing moves nothing is uploaded: no lights, letters or tables") {
+    Still still("tests/19_ambiance/short.film");
+    for (const double time_s : {0.75, 2.5, 4.25}) still.check(time_s);
+}
+
+TEST_CASE("in no scene of the course's film is anything uploaded where nothing moves", "[.long]") {
+    Still still("films/ambiance.film");
+    for (const FilmScene& scene : still.chapter.reel.film().scenes) still.check(0.5 * (scene.from_s + scene.to_s));
+}
+
+TEST_CASE("the worker makes a film's later scenes while the first is drawn, and a time stays the same picture") {
+    const auto pictures = [](bool waits) {
+        Gpu gpu(DeviceOptions{.validate = true});
+        Ambiance chapter;
+        chapter.plays = true;
+        load_scene(chapter, gpu, "tests/19_ambiance/short.film");
+        Frame frame(gpu);
+        frame.fly(2);
+        std::vector<std::vector<std::byte>> all;
+        for (const double time_s : {0.25, 0.5, 1.0, 1.75, 2.5, 3.75, 4.75}) {
+            render(chapter, frame, {{64, 36}, static_cast<float>(time_s), 0, {}});
+            if (all.empty()) CHECK(chapter.reel.parts().size() < 3);
+            if (waits) chapter.reel.wait_until_ready();
+            all.push_back(gpu.read_back(frame.output));
+        }
+        chapter.reel.wait_until_ready();
+        CHECK(chapter.reel.parts().size() == 3);
+        CHECK(gpu.device.validation_message_count() == 0);
+        return all;
+    };
+    CHECK(pictures(true) == pictures(false));
+}
