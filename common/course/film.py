@@ -11,6 +11,7 @@ from pathlib import Path
 from build.build import build
 from many import shards, slurm
 from many.shards import Shard
+from pages.film_figures import cells_of
 from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
 
 HELP = """Writes the film of chapter 19.
@@ -198,16 +199,6 @@ def table(systems: list[dict]) -> str:
             cells += cells_of(one, same)
         lines.append(f"| {scene['name']} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
-
-
-def cells_of(system: dict, scene: dict | None) -> list[str]:
-    if scene is None:
-        return [""] * 5
-    off, on = scene["gpu_sum"]["none"], scene["gpu_sum"]["mlaa"]
-    cut = next((one for one in system.get("cuts", []) if one["to"] == scene["name"]), None)
-    played = "mean_ms" in scene  # else measured by an earlier version, warm alone
-    return [f"{scene['mean_ms']:.2f}" if played else "–", f"{cut['longest_ms'] / cut['mean_ms']:.2f}" if cut else "–",
-            f"{(scene if played else on)['processor_ms']:.2f}", f"{on['mean_ms']:.2f}", f"{on['mean_ms'] - off['mean_ms']:.2f}"]
 
 
 def write_page(names: list[str]) -> int:

@@ -18,7 +18,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 from charts.chart import STYLE  # noqa: E402
-from film import cells_of  # noqa: E402
+from pages.film_figures import cells_of  # noqa: E402
 from pages.page import page as filled  # noqa: E402
 
 BUDGETS = (0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3)
