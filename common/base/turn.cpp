@@ -7,43 +7,44 @@
 namespace lightwalk {
 namespace {
 
-std::mutex mutex;
-std::condition_variable changed;
-uint64_t next = 0, served = 0;  // tickets: a thread that gives its turn and asks again stands behind the others
-thread_local bool mine = false;
-thread_local const std::atomic<bool>* stopped = nullptr;
-int sharing = 0;
+std::mutex turn_mutex;
+std::condition_variable turn_served;
+uint64_t last_ticket = 0,
+         served_ticket = 0;  // tickets: a thread that gives its turn and asks again stands behind the others
+thread_local bool has_turn = false;
+thread_local const std::atomic<bool>* told_to_stop = nullptr;
+int turns_shared = 0;
 
 }  // namespace
 
-bool Turn::is_mine() { return mine; }
+bool Turn::is_mine() { return has_turn; }
 
 void Turn::take() {
-    std::unique_lock lock(mutex);
-    const uint64_t ticket = next++;
-    changed.wait(lock, [&] { return served == ticket; });
-    mine = true;
+    std::unique_lock lock(turn_mutex);
+    const uint64_t ticket = last_ticket++;
+    turn_served.wait(lock, [&] { return served_ticket == ticket; });
+    has_turn = true;
 }
 
 void Turn::give() {
-    const std::lock_guard lock(mutex);
-    mine = false;
-    ++served;
-    changed.notify_all();
+    const std::lock_guard lock(turn_mutex);
+    has_turn = false;
+    ++served_ticket;
+    turn_served.notify_all();
 }
 
 Turn::Shared::Shared() {
-    if (sharing++ == 0) take();
+    if (turns_shared++ == 0) take();
 }
 
 Turn::Shared::~Shared() {
-    if (--sharing == 0) give();
+    if (--turns_shared == 0) give();
 }
 
-void Turn::stop_when(const std::atomic<bool>* stop) { stopped = stop; }
+void Turn::stop_when(const std::atomic<bool>* stop) { told_to_stop = stop; }
 
 void Turn::check_stopped() {
-    if (stopped && *stopped) throw Stopped();
+    if (told_to_stop && *told_to_stop) throw Stopped();
 }
 
 }  // namespace lightwalk
