@@ -29,7 +29,7 @@ void WindowPicture::draw(glm::uvec2 size, float time_s, const std::function<void
         std::optional<ToggleScope> mine;
         if (split.on() && all_reference(own)) mine.emplace(own, false);
         std::optional<Capture> capture;
-        if (captured) frame_.fly(1), capture.emplace();
+        if (captured) capture.emplace();
         live_.draw(frame_, picture);
         if (capture) captured(*capture);
     }
