@@ -67,3 +67,26 @@ TEST_CASE_METHOD(DeviceTest, "a ring's shadow is as soft as the sun's disc is wi
         }
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
 }
+
+// Of a ring's two crossings with a line through the planet's middle one lies before the planet, the other behind it. The
+// planet is measured in a space in which it is round, where ways are longer.
+TEST_CASE_METHOD(OnPlanets, "from far away no more of the rings lies before the planet than from near",
+                 "[17.ring_order]") {
+    camera.fov_y_rad = 0.02f;
+    look_at("saturn", 200);
+    planets.ring_exposure.value = 0;
+    const ImageRgb dark = picture();
+    planets.ring_exposure.value = 8;
+    const ImageRgb bright = picture();
+    const auto is_ring = [&](int x, int y) { return std::fabs(dark.at(x, y).g - bright.at(x, y).g) > 1e-3f; };
+    const double radius_px = 64 / (200 * 0.02);
+    int before = 0, both = 0;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 96; ++x) {
+            if (std::hypot(x + 0.5 - 48, y + 0.5 - 32) > 0.8 * radius_px) continue;
+            const bool here = is_ring(x, y), opposite = is_ring(95 - x, 63 - y);
+            before += here || opposite, both += here && opposite;
+        }
+    CHECK(before > 10);
+    CHECK(both == 0);
+}

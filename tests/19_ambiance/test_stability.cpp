@@ -337,3 +337,26 @@ TEST_CASE("a clock that adds frames drifts; one that counts them does not") {
     CHECK(double(added) == Approx(599.90).margin(0.01));
     CHECK(36000 / 60.0 == 600.0);
 }
+
+TEST_CASE("between two keys alone every curve is their line, at an even speed", "[19.ends]") {
+    for (const Spline spline : {Spline::catmull_rom, Spline::centripetal}) {
+        const Curve curve{.spline = spline, .times_s = {2, 6}, .points = {{1, 0, 0}, {5, 2, -4}}};
+        for (double s = 0; s <= 1; s += 0.125) {
+            const glm::dvec3 right = glm::mix(curve.points[0], curve.points[1], s);
+            CHECK(glm::distance(curve.at(2 + 4 * s), right) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("a key that looks along its own up says nothing about a roll: up is carried on", "[19.near_up]") {
+    const double beside = glm::radians(5.0);
+    const CameraPath path({{.time_s = 0, .position = {0, 0, 0}, .target = {0, 0, -1}},
+                           {.time_s = 1, .position = {0, 0, 0}, .target = {std::sin(beside), std::cos(beside), 0}}},
+                          {});
+    glm::dvec3 up(0, 1, 0);  // carried along the view by small turns
+    for (int i = 1; i <= 2000; ++i) {
+        const glm::dvec3 view = glm::normalize(glm::dvec3(path.at(i / 2000.0, {}).target));
+        up = glm::normalize(up - glm::dot(up, view) * view);
+    }
+    CHECK(glm::distance(glm::dvec3(path.at(1, {}).up), up) < 0.02);
+}

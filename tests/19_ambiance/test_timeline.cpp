@@ -81,6 +81,7 @@ TEST_CASE("a cut shows one scene, a cross-fade two whose shares are 1 together, 
     }
     CHECK(film.shown(16)[1].share == 0.0f);
     CHECK(film.shown(18)[1].share == 0.5f);
+    CHECK(film.shown(17)[1].share == Approx(0.15625f));  // 3 s² - 2 s³ of a quarter
 }
 
 TEST_CASE("fades last until the next one of their colour") {

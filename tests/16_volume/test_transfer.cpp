@@ -1,0 +1,35 @@
+// How a march reads the transfer function: at its edges, by its table, and as closed forms say.
+#include "16_volume/transfer.h"
+#include "16_volume/volume_data.h"
+#include "volume_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE_METHOD(OnVolume, "a density behind the last empty entry of the function is marched through",
+                 "[16.transfer]") {
+    const float entries = TRANSFER_TEXELS - 1, last_empty = std::floor(0.12f * entries);  // skin begins at 0.12
+    load({8, 8, 8}, [&](int, int, int) { return (last_empty + 0.5f) / entries; });
+    volume.transfer.set("skin"), volume.steps.value = 64, volume.method.set("midpoint");
+    const ImageRgb right = picture();
+    REQUIRE(middle().g > 0.01f);
+    volume.method.set("skipping");
+    CHECK(mean_difference(right, picture()) == 0);
+}
+
+TEST_CASE_METHOD(OnVolume, "even matter is as opaque by the table as by its own opacity, also at an edge",
+                 "[16.transfer]") {
+    load({8, 8, 8}, [](int, int, int) { return 0.13f; });
+    volume.transfer.set("skin"), volume.density.value = 0.01f, volume.steps.value = 64;
+    volume.method.set("midpoint");
+    const double right = double(middle().g);
+    REQUIRE(right > 0.01);
+    volume.method.set("preintegrated");
+    CHECK(double(middle().g) == Approx(right).epsilon(0.04));
+}
+
+TEST_CASE("a density of two lets through the square; a layer is as thin as its entries", "[16.transfer]") {
+    CHECK(transfer_function("even", 2).back().a == Approx(1 - 0.8f * 0.8f));
+    std::vector<glm::vec4> layer(256, glm::vec4(0));
+    for (int i = 100; i < 110; ++i) layer[size_t(i)].a = 0.5f;
+    CHECK(thinnest_layer(layer) == Approx(10.0f / 256));
+}
