@@ -43,10 +43,11 @@ const Answers = {
     return Answers.list.filter(id => Answers.kept(`${id}.solved`));
   },
 
-  // The next exercise that is not solved, from this one on; undefined where all are.
+  // The next exercise that is not solved: on this page, in a later chapter, then any; undefined where all are.
   after(id) {
-    const at = Answers.list.indexOf(id) + 1;
-    return [...Answers.list.slice(at), ...Answers.list.slice(0, at - 1)].find(one => !Answers.kept(`${one}.solved`));
+    const here = [...document.querySelectorAll("a.exercise")].map(one => one.id).filter(one => Answers.list.includes(one));
+    return [...here.slice(here.indexOf(id) + 1), ...here, ...Answers.list.filter(one => one > id), ...Answers.list]
+      .find(one => one !== id && !Answers.kept(`${one}.solved`));
   },
 
   // The packaged editor on a text; its styles and scripts come with the first one.
