@@ -63,7 +63,7 @@ class FirstScreen(unittest.TestCase):
             self.skipTest("a copy without git")
         files = [ROOT / os.fsdecode(name) for name in listed.stdout.split(b"\0") if name]
         deflated = sum(stored(file) for file in files if file.is_file()) / 1e6
-        self.assertLess(deflated, 90)
+        self.assertLess(deflated, 92)  # a clone packs like files together, and is smaller
         [said] = re.findall(r"`--depth 1` takes (\d+) MB", README)
         self.assertLess(abs(deflated - int(said)), 5)
 
