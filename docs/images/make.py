@@ -51,7 +51,7 @@ def make(name: str):
             whole.paste(picture, (i % columns * width + GAP // 2, i // columns * height + GAP // 2))
     photograph = ROOT / "docs/images" / f"{name}.jpg"  # of shaded surfaces: a fourth of the PNG
     if photograph.exists():
-        whole.save(photograph, quality=90, subsampling=0, optimize=True, progressive=True)
+        whole.save(photograph, quality=85, subsampling=0, optimize=True, progressive=True)
     else:
         whole.save(photograph.with_suffix(".png"), optimize=True)
 
