@@ -73,8 +73,7 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     // 1. The shadow maps.
     lit.record_shadows(frame, view);
 
-    // 2. Depth alone, if requested; of all objects that culling does not leave out. Bounds hold for the meshes as loaded,
-    // and a geometry shader asks for the instance of an item.
+    // 2. Depth alone, if requested. Bounds hold for meshes as loaded; a geometry shader needs all instances.
     const bool culls = maps.mesh.is("loaded") && (cull == Cull::fixed || cull == Cull::nothing);
     culling.begin(frame, scene(), view, culls ? surfaces.opaque_batches() : std::vector<Batch>());
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
@@ -126,6 +125,7 @@ void DeferredScene::write_gbuffer(Frame& frame, Canvas& canvas) {
     });
     gbuffer.written();
 }
+// [/draw]
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
     const std::vector<Batch> stored = batches_by_stored(true);
@@ -137,8 +137,6 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
         [&](Raster& pass) { draw_kept(pass, both, batches); });
 }
-// [/draw]
-
 // Lit as they are drawn, by the lights of their own cells.
 void DeferredScene::draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                              const std::vector<Batch>& batches) {
