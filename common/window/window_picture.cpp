@@ -29,7 +29,10 @@ void WindowPicture::draw(glm::uvec2 size, float time_s, const std::function<void
         std::optional<ToggleScope> mine;
         if (split.on() && all_reference(own)) mine.emplace(own, false);
         std::optional<Capture> capture;
-        if (captured) capture.emplace();
+        if (captured) {
+            frame_.fly(1);
+            capture.emplace();
+        }
         live_.draw(frame_, picture);
         if (capture) captured(*capture);
     }
