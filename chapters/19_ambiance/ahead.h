@@ -15,8 +15,7 @@ namespace lightwalk {
 
 // [ahead]
 /// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
-/// All functions are called by that one.
-/// Large (10 functions, 11 members): what two threads share.
+/// That thread alone calls these functions. Large (10 functions, 11 members): the state of two threads.
 class Ahead {
   public:
     using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;
@@ -24,7 +23,7 @@ class Ahead {
     ~Ahead();  ///< stops at the part's next file, shader or texture
     Ahead(const Ahead&) = delete;
 
-    /// What is to be made, from now on: it replaces earlier lists, but for the part in the making.
+    /// The parts to make from now on. Replaces earlier lists, but for the part in the making.
     void ask(const std::vector<size_t>& places);
 
     /// Parts that are ready. Rethrows what a maker threw.

@@ -86,10 +86,10 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
     if (options.automatic) choose_ways(chapter, reel, *gpu, options);
     const Timeline& film = reel.film();
 
-    // 1. What a viewer has, from a cold process on.
+    // 1. A viewer's frames, from a cold process on.
     json written = played_figures(film, play(chapter, *gpu, film, options));
 
-    // 2. What each scene costs the GPU.
+    // 2. Each scene's cost on the GPU.
     reel.wait_until_ready();
     Frame frame(*gpu);
     GpuLoad load(*gpu);

@@ -57,7 +57,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
     const size_t room = plays ? size_t(most) : 3;
     const std::vector<int> wanted = warm(times, time_s, plays ? double(ahead_s) : later_s, int(room));
 
-    // 1. What the worker has made by now; what no longer fits the toggles goes.
+    // 1. Parts from the worker; parts of other toggles go.
     if (plays && !ahead_) start_ahead(gpu, size);
     if (ahead_) take_made();
     const bool toggled = toggles_.from(Exercises::version());
@@ -68,7 +68,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
     });
     drop_parts(wanted, room);
 
-    // 2. What is on the screen: this frame waits for it. The rest is made while frames are drawn.
+    // 2. Scenes on the screen: this frame waits for them. The worker makes the rest.
     std::vector<size_t> later;
     for (const int i : wanted) {
         const auto place = static_cast<size_t>(i);

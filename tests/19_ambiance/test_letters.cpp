@@ -1,4 +1,4 @@
-// What a title looks like: letters stand upright, an outline is a pixel wide at least, and a shadow lies around it.
+// Titles: letters stand upright, an outline is a pixel wide at least, and a shadow lies around it.
 #include "../common/gpu_fixture.h"
 #include "19_ambiance/titles.h"
 #include "common/app/read_picture.h"

@@ -1,4 +1,4 @@
-// The film's benchmark: which frames are played, and what is said of them.
+// The film's benchmark: the frames it plays, and their figures.
 #include <nlohmann/json.hpp>
 
 #include "../catch.h"

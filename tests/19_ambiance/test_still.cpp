@@ -1,4 +1,4 @@
-// A frame in which nothing moves: only what the view needs is made.
+// Uploads of a frame without motion: the view alone.
 #include "../catch.h"
 #include "19_ambiance/ambiance.h"
 #include "common/app/render.h"
