@@ -15,7 +15,8 @@ namespace lightwalk {
 
 // [ahead]
 /// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
-/// That thread alone calls these functions. Large (10 functions, 11 members): the state of two threads.
+/// That thread alone calls these functions.
+/// Large (10 functions, 11 members): the state of two threads.
 class Ahead {
   public:
     using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;
