@@ -9,7 +9,12 @@ namespace lightwalk {
 
 void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     Recording& ended = recording();
-    if (!ended.passes.empty()) submit(wait, signal);
+    try {
+        if (!ended.passes.empty()) submit(wait, signal);
+    } catch (...) {
+        vkDeviceWaitIdle(gpu.device.handle);  // resources in use are destroyed next
+        throw;
+    }
     if (ended.use) gpu.device.end_recording(ended.use);
     if (recordings_.size() == 1 || !ended.ends_at) return retire(ended);
     // Those that have ended by now; the next begin() waits for the oldest.
@@ -53,8 +58,9 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
                                .pCommandBufferInfos = &commands,
                                .signalSemaphoreInfoCount = signal ? 2u : 1u,
                                .pSignalSemaphoreInfos = signals};
-    check(vkQueueSubmit2(gpu.device.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
-    recording().ends_at = ++submitted_;
+    const VkResult submitted = vkQueueSubmit2(gpu.device.queue, 1, &submit, VK_NULL_HANDLE);
+    if (submitted == VK_SUCCESS) recording().ends_at = ++submitted_;  // it is waited for, whatever fails next
+    check(submitted, "vkQueueSubmit2");
 }
 
 // The clock restarts whenever a pass has ended: a frame of many passes may take its time.
