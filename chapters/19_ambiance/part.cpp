@@ -1,5 +1,7 @@
 #include "19_ambiance/part.h"
 
+#include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "01_obj/obj.h"
@@ -25,6 +27,13 @@ class OwnFrame {
     const float time_before_;
     const Given* const root_before_;
 };
+
+std::set<std::string> words_of(const std::string& load_state) {
+    std::set<std::string> words;
+    std::istringstream all(load_state);
+    for (std::string word; std::getline(all, word, ';');) words.insert(word);
+    return words;
+}
 
 }  // namespace
 
@@ -60,11 +69,27 @@ void FilmPart::load(Gpu& gpu) {
         Model own;
         return any_model(model, own) ? own : load_model(model, Loader::parallel);
     });
+    apply_knobs(fullest_clock_s());
     prepare_all(gpu, scene_);
-    loaded_with_ = load_state();
+    loaded_with_ = words_of(load_state());
 }
 
-bool FilmPart::is_loaded() const { return load_state() == loaded_with_; }
+// A module that a track switches on in mid-scene is prepared with the others: a load takes longer than a frame.
+double FilmPart::fullest_clock_s() {
+    double fullest_s = film_scene_.clock_s;
+    size_t most = words_of(load_state()).size();
+    for (const Track& track : film_scene_.knobs)
+        for (const double time_s : track.steps ? track.times_s : std::vector<double>()) {
+            apply_knobs(time_s);
+            if (const size_t count = words_of(load_state()).size(); count > most) {
+                most = count;
+                fullest_s = time_s;
+            }
+        }
+    return fullest_s;
+}
+
+bool FilmPart::is_loaded() const { return std::ranges::includes(loaded_with_, words_of(load_state())); }
 
 void FilmPart::apply_knobs(double clock_s) {
     for (const Track& track : film_scene_.knobs) {

@@ -1,6 +1,7 @@
 // A scene of the film: a scene file, an earlier chapter's world that shows it, and a camera path.
 #pragma once
 #include <memory>
+#include <set>
 
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
@@ -52,9 +53,10 @@ class FilmPart : public Module {
     Bloom bloom_{*this, "bloom"};
     Post post_{*this, "post"};
     void apply_knobs(double clock_s);
+    double fullest_clock_s();  ///< of the entries of tracks that step; applies knobs
     KnobBase& knob(const std::string& name, const std::string& where);
     const FilmScene& film_scene_;
-    std::string loaded_with_;
+    std::set<std::string> loaded_with_;  ///< modules in use, keys and exercises, as load_state() has them
     std::map<std::string, KnobBase*> knobs_;
     KnobSettings way_, before_way_;
     Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});

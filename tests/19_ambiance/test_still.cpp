@@ -1,4 +1,10 @@
 // Uploads of a frame without motion: the view alone.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
 #include "../catch.h"
 #include "19_ambiance/ambiance.h"
 #include "common/app/render.h"
@@ -44,6 +50,22 @@ TEST_CASE("where nothing moves nothing is uploaded: no lights, letters or tables
 TEST_CASE("in no scene of the course's film is anything uploaded where nothing moves", "[.long]") {
     Still still("films/ambiance.film");
     for (const FilmScene& scene : still.chapter.reel.film().scenes) still.check(0.5 * (scene.from_s + scene.to_s));
+}
+
+// Each frame after a water's switch once loaded the scene anew: 600 ms on an H100.
+TEST_CASE("a module that a track switches on in mid-scene was loaded with the others, and once") {
+    const auto film = std::filesystem::temp_directory_path() / fmt::format("lightwalk_switched_{}.film", getpid());
+    std::ofstream(film) << R"({"duration_s": 4, "scenes": [
+        {"name": "sea", "kind": "descent", "scene": "films/descent.json", "from_s": 0, "to_s": 4,
+         "knobs": {"water.method": ["steps", [0, "none"], [2, "fft"]]}}]})";
+    Still still(film.c_str());
+    std::filesystem::remove(film);
+    int loads = 0;
+    for (const double time_s : {1.0, 1.5, 2.5, 3.0, 3.5, 1.0}) {
+        still.draw(time_s);
+        for (const PassTime& pass : still.frame.times) loads += pass.name.find("ground errors") != std::string::npos;
+    }
+    CHECK(loads == 1);
 }
 
 TEST_CASE("the worker makes a film's later scenes while the first is drawn, and a time stays the same picture") {
