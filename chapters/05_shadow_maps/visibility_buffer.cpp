@@ -4,10 +4,8 @@ namespace lightwalk {
 
 namespace {
 
-void clear_view(VkCommandBuffer commands, const ImageView& view, const VkClearColorValue& value) {
-    const VkImageSubresourceRange range = view.range();
-    vkCmdClearColorImage(commands, view.image->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
-}
+const Pipeline no_item = compute({.shader = "05_shadow_maps/nothing_seen.comp"});
+const Pipeline one_color = compute({.shader = "05_shadow_maps/background.comp"});
 
 }  // namespace
 
@@ -16,11 +14,11 @@ Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas) {
     ComputeAccess access{.writes = {image}};
     const bool is_first = !canvas.has_color();
     if (is_first) access.writes.push_back(canvas.color_overwritten());
-    frame.transfer("nothing seen", access, [&](VkCommandBuffer commands) {
-        clear_view(commands, image, {});
-        const glm::vec4& color = canvas.background();
-        if (is_first)
-            clear_view(commands, canvas.color_overwritten(), {.float32 = {color.r, color.g, color.b, color.a}});
+    frame.compute("nothing seen", access, [&](Compute& pass) {
+        pass.use(no_item).set("result", image).dispatch_threads(canvas.size());
+        if (!is_first) return;
+        pass.use(one_color).set("result", canvas.color_overwritten()).set("background", canvas.background());
+        pass.dispatch_threads(canvas.size());
     });
     return keep(image);
 }

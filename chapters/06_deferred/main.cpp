@@ -3,13 +3,11 @@
 
 #include "01_obj/model_chapter.h"
 #include "06_deferred/many_lights.h"
-#include "06_deferred/town.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct Deferred : ModelChapter {
-    Town town{*this, "town"};  // before the world, which is prepared for all objects
     ManyLights world{*this};
     DeferredScene& objects = world.objects;
     Choice cull{*this,
@@ -66,7 +64,7 @@ struct Deferred : ModelChapter {
 
     // For the studies: objects drawn; or the size of the G-buffer, and its mean loss of normals and positions.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        if (town.objects > 0) {
+        if (world.town.objects > 0) {
             for (int again = 0; again < 2; ++again)
                 render_linear(*this, gpu, size);  // the first has no frame before it
             error["drawn"] = objects.culling.culls() ? objects.culling.drawn() : scene.opaque().size();

@@ -3,6 +3,7 @@
 #include "03_attenuation/scattered_lights.h"
 #include "06_deferred/deferred_scene.h"
 #include "06_deferred/screens.h"
+#include "06_deferred/town.h"
 #include "common/app/world.h"
 
 namespace lightwalk {
@@ -14,6 +15,7 @@ struct ManyLights : World {
         objects.surfaces.drawn = [this] { return screens.batches(scene()); };
         objects.shading.with = {screens};
     }
+    Town town{*this, "town"};  // before all that is prepared for its objects
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
     ScatteredLights scattered{*this};

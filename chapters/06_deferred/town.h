@@ -10,7 +10,7 @@ namespace lightwalk {
 std::vector<SceneObject> town_objects(int count);
 
 // [town]
-/// Adds a town to the scene's objects. A chapter declares it before the modules that are prepared for the scene.
+/// Adds a town to the scene's objects. A world declares it before the modules that are prepared for the scene.
 struct Town : Module {
     Town(Module& owner, std::string name) : Module(owner, std::move(name)) {}
     Knob<int> objects{*this, "objects", 0, {0, 1000000}, "Number of objects in a town added to the scene"};

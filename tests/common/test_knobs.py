@@ -76,6 +76,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return knob["options"]
     if knob["name"] in ("samples", "dof.views", "mlaa.taa.warm_up"):
         return ["2", "7"]  # the end is 256, 4,096 or 65,536 pictures
+    if knob["name"] == "town.objects":
+        return ["0", "900"]  # the end is a million
     if knob["name"] == "select":
         return ["-1", "0"]  # numbers of objects
     if knob["range"] == [-360, 360]:

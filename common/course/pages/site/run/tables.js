@@ -6,7 +6,7 @@ const Tables = {
   undefined: null, // of undefined.js: the GLSL that notes operations without a defined result, and words for them
 
   // A device may be off by 2^-11 in these, more than a table allows, and give no 0 for pow(0, y): ours are exact to a float's
-  // last digits. fma is not part of ES.
+  // last digits. fma and the functions of bits are not part of ES.
   EXACT: (() => {
     const scalar = `float probe_sin(float x) {
         float turns = floor(x * 0.636619772 + 0.5), r = ((x - turns * 1.5703125) - turns * 4.83751297e-4) - turns * 7.54979013e-8, q = r * r;
@@ -36,6 +36,13 @@ const Tables = {
         return probe_atan(y / x) + (x > 0.0 ? 0.0 : y < 0.0 ? -3.14159265 : 3.14159265);
       }
       float probe_pow(float x, float y) { return x == 0.0 && y > 0.0 ? 0.0 : pow(x, y); }
+      int findMSB(uint bits) { int last = -1; for (; bits != 0u; bits >>= 1u) ++last; return last; }
+      int findMSB(int bits) { return findMSB(uint(bits < 0 ? ~bits : bits)); }
+      ivec2 findMSB(ivec2 bits) { return ivec2(findMSB(bits.x), findMSB(bits.y)); }
+      int findLSB(uint bits) { return findMSB(bits & (~bits + 1u)); }
+      int findLSB(int bits) { return findLSB(uint(bits)); }
+      int bitCount(uint bits) { int count = 0; for (; bits != 0u; bits &= bits - 1u) ++count; return count; }
+      int bitCount(int bits) { return bitCount(uint(bits)); }
       float fma(float a, float b, float c) { return a * b + c; }\n`;
     const spread = (name, count) => [2, 3, 4].map(n => {
       const operands = ["a", "b", "c"].slice(0, count), parts = [..."xyzw"].slice(0, n).map(axis => `${name}(${operands.map(one => `${one}.${axis}`).join(", ")})`);

@@ -1,0 +1,10 @@
+// A picture of one colour, for drawing over it in compute.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba16f) writeonly uniform image2D result;
+layout(scalar) uniform BackgroundBlock { vec4 background; };
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (all(lessThan(at, imageSize(result)))) imageStore(result, at, background);
+}
