@@ -183,6 +183,7 @@ void Culling::make_pyramid(Frame& frame, const ImageView& depth) {
         }
     });
 }
+
 void Culling::draw(Raster& pass, const Batch& batch) const {
     if (!culls()) {
         pass.draw(batch);

@@ -137,6 +137,7 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
         [&](Raster& pass) { draw_kept(pass, both, batches); });
 }
+
 // Lit as they are drawn, by the lights of their own cells.
 void DeferredScene::draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                              const std::vector<Batch>& batches) {
