@@ -52,7 +52,7 @@ TEST_CASE("in no scene of the course's film is anything uploaded where nothing m
     for (const FilmScene& scene : still.chapter.reel.film().scenes) still.check(0.5 * (scene.from_s + scene.to_s));
 }
 
-// Each frame after a water's switch once loaded the scene anew: 600 ms on an H100.
+// Each frame after the switch used to load the scene again, which takes 600 ms on an H100.
 TEST_CASE("a module that a track switches on in mid-scene was loaded with the others, and once") {
     const auto film = std::filesystem::temp_directory_path() / fmt::format("lightwalk_switched_{}.film", getpid());
     std::ofstream(film) << R"({"duration_s": 4, "scenes": [
