@@ -92,8 +92,9 @@ Grown grow_sides(Run all, Run begin, Run end, uint32_t depth) {
     constexpr auto large = 1 << 14;
     const Run middle = end - begin < large ? end : split(begin, end, BVH_STACK - depth);
     if (middle == end) return grow(all, begin, end, depth);
-    auto upper = at_the_same_time(depth < std::bit_width(std::max(std::thread::hardware_concurrency(), 1u) - 1u),
-                                  [=] { return grow_sides(all, middle, end, depth + 1); });
+    // std::bit_width returns the argument's type or, since LWG 3656, an int.
+    const auto halvings = uint32_t(std::bit_width(std::max(std::thread::hardware_concurrency(), 1u) - 1));
+    auto upper = at_the_same_time(depth < halvings, [=] { return grow_sides(all, middle, end, depth + 1); });
     const Grown lower = grow_sides(all, begin, middle, depth + 1);
     return joined(lower, upper.get());
 }
