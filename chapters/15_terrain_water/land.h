@@ -32,8 +32,8 @@ struct Land : Drawing, SunReceiver {
                          "error_px",
                          1.5f,
                          {0.05f, 64.0f},
-                         "Target error of chunks, perpendicular to the ground; not a bound, since a ridge drawn too "
-                         "low shows what lies behind it",
+                         "Maximum error of chunks: the distance between the ground and each point drawn, in pixels at "
+                         "that point",
                          "px"};
     Choice blend{*this,
                  "blend",

@@ -10,6 +10,7 @@
 #include "01_obj/assemble.h"
 #include "01_obj/load_bench.h"
 #include "01_obj/mapped_file.h"
+#include "01_obj/plain_parse.h"
 #include "01_obj/truth.h"
 #include "agreement.h"
 #include "catch.h"
@@ -90,6 +91,16 @@ TEST_CASE("loaders: every form of a corner") {
     CHECK(positions_of(read("f 1 2 3\n" + triangle)) == Indices{0, 1, 2});  // used before it is given
 }
 
+TEST_CASE("loaders: a corner ends with its line, whatever follows") {
+    for (const std::string_view text : {"3/5", "3/4/5", "3//5"}) {
+        std::string_view rest = text.substr(0, text.size() - 1);
+        Corner corner;
+        CHECK_FALSE(take_plain_corner(rest, corner));
+        rest = text;
+        CHECK(take_plain_corner(rest, corner));
+    }
+}
+
 TEST_CASE("loaders: what files in the wild look like") {
     CHECK(positions_of(read("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n")) == Indices{0, 1, 2});
     CHECK(positions_of(read(triangle + "f 1 2 3")) == Indices{0, 1, 2});
@@ -146,6 +157,8 @@ TEST_CASE("loaders: malformed files are refused with their line") {
     refuse(triangle + "f 1 2\n", 4);
     refuse(triangle + "f\n", 4);
     refuse(triangle + "f 1/ 2/ 3/\n", 4);
+    refuse(triangle + "f 1 2 3/\n", 4);
+    refuse(triangle + "f 1 2 3/", 4);
     refuse(triangle + "f 1///1 2 3\n", 4);
     refuse(triangle + "f a b c\n", 4);
     refuse(triangle + "f 1,2,3\n", 4);

@@ -188,3 +188,33 @@ TEST_CASE(
     CHECK(sobels[0][0] > 1.1 * degrees[0][0]);  // too coarse a grid: wider is worse
     CHECK(sobels[3][1] < 0.5 * degrees[3][1]);  // noise of 8 bits: wider is better
 }
+
+TEST_CASE_METHOD(OnVolume, "each moment reads the texture of noise at a place of its own, in all three directions") {
+    // Instead of the texel the place comes back that was read, as one number.
+    Probe probe{.include = "common/srgb.glsl",
+                .before =
+                    "#define VOLUME_NOISE 2\n#define VOLUME_NOISE_LATTICE 0\n#define VOLUME_NOISE_SIMPLEX 1\n"
+                    "#define textureSize(map, level) ivec3(1)\n"
+                    "#define textureLod(map, at, level) vec4(dot(floor(at), vec3(10000.0, 100.0, 1.0)))\n"
+                    "#include \"16_volume/noise_methods.glsl\"\n"
+                    "float place_of(float moment) { return at_moment(vec3(50.0), int(moment), 3); }\n",
+                .signature = "float place_of(float moment)",
+                .inputs = {}};
+    for (int moment = 0; moment < 400; ++moment) probe.inputs.push_back({double(moment)});
+    const Table found = run_probe(gpu, probe, 1);
+    std::vector<glm::dvec3> shifts;
+    for (const auto& row : found) {
+        const int place = int(row[0]);
+        shifts.emplace_back(place / 10000 - 50, place / 100 % 100 - 50, place % 100 - 50);
+    }
+    // Even from -31 to 31: a variance of 31 squared over 3; and two directions have nothing in common.
+    const auto mean_of = [&](int a, int b) {
+        double sum = 0;
+        for (const glm::dvec3& shift : shifts) sum += shift[a] * shift[b];
+        return sum / double(shifts.size());
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK(mean_of(axis, axis) == Approx(31 * 31 / 3.0).epsilon(0.15));
+        CHECK(std::fabs(mean_of(axis, (axis + 1) % 3)) < 0.2 * 31 * 31 / 3.0);
+    }
+}

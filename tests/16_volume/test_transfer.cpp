@@ -33,3 +33,16 @@ TEST_CASE("a density of two lets through the square; a layer is as thin as its e
     for (int i = 100; i < 110; ++i) layer[size_t(i)].a = 0.5f;
     CHECK(thinnest_layer(layer) == Approx(10.0f / 256));
 }
+
+TEST_CASE_METHOD(OnVolume, "each end of a trapezium colours the step as far as it is opaque", "[16.transfer]") {
+    // Along the ray the density falls from 1 to 0.34 in one step: both are points of the function `nebula`. A scan's y
+    // points to the camera.
+    load({2, 2, 2}, [](int, int y, int) { return y ? 1.0f : 0.34f; });
+    volume.transfer.set("nebula"), volume.method.set("trapezium"), volume.steps.value = 1;
+    const glm::dvec3 found(middle());
+    const glm::dvec3 front(3.0, 2.7, 2.2), back(0.9, 0.22, 0.75);
+    const double thick = -std::log(1 - 0.16), thin = -std::log(1 - 0.022);
+    const glm::dvec3 right = (thick * front + thin * back) / (thick + thin);
+    CHECK(found.g / found.r == Approx(right.g / right.r).epsilon(0.01));
+    CHECK(found.b / found.r == Approx(right.b / right.r).epsilon(0.01));
+}

@@ -30,6 +30,40 @@ TEST_CASE_METHOD(DeviceTest, "air lets through the same in both directions, from
         }
 }
 
+TEST_CASE_METHOD(DeviceTest,
+                 "light scattered many times: the sky keeps its brightness, and loses its colour towards the night",
+                 "[17.more_orders]") {
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) + "#include \"17_planets/air_shell.glsl\"\n",
+                .signature = "vec3 with_more_orders(vec3 light, float sun_cosine)",
+                .inputs = {},
+                .macros = known_air(air_of(BodyId::earth, glm::vec3(1.0f), 0.0047f))};
+    const std::vector<double> cosines{-1, -0.06, 0, 0.1, 0.2, 0.31, 1};
+    for (const glm::dvec3 light : {glm::dvec3(3, 1.2, 0.2), glm::dvec3(0.2, 0.5, 1.5), glm::dvec3(0.7)})
+        for (const double cosine : cosines) probe.inputs.push_back({light.r, light.g, light.b, cosine});
+    const Table found = run_probe(gpu, probe, 3);
+    for (size_t i = 0; i < found.size(); ++i) {
+        const Row& in = probe.inputs[i];
+        INFO(call_text(probe, in));
+        // ITU-R BT.709.
+        const auto luminance = [](const Row& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
+        CHECK(luminance(found[i]) == Approx(luminance(in)).epsilon(0.01));
+        // Of what tells red from green a sixth is left at night, all of it by day, and ever more in between.
+        const double was = in[0] - in[1], is = found[i][0] - found[i][1], left = is / was;
+        if (i >= 2 * cosines.size()) {
+            CHECK(std::fabs(is) < 0.05);  // grey stays nearly grey
+            CHECK(found[i][2] >= found[i][0]);
+        } else if (in[3] < -0.05) {
+            CHECK(left == Approx(0.15).margin(0.06));
+        } else if (in[3] > 0.3) {
+            for (size_t c = 0; c < 3; ++c) CHECK(found[i][c] == Approx(in[c]));
+        } else {
+            CHECK((left > 0.1 && left < 1));
+            CHECK(left > (found[i - 1][0] - found[i - 1][1]) / was + 0.02);
+        }
+    }
+}
+
 TEST_CASE_METHOD(OnPlanets, "at midnight the ground hides the clouds of the day side, also from below the clouds") {
     look_at("earth", 1.0001, 180);
     camera.up = {0, 1, 0};

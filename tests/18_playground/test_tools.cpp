@@ -177,6 +177,65 @@ TEST_CASE(
     CHECK(std::fabs(length - 90) < 0.5f);
 }
 
+TEST_CASE("handles are as large as GizmoSizes says, and within 8 degrees of their end or edge they are gone") {
+    Document document;
+    const std::vector<EntryId> ids = add_all(document, {"a"});
+    Selection selection;
+    selection.set(ids);
+    const View front = view_from({0, 0, 10});
+    const auto at = [&](Tool tool, double from_middle_px, double direction_deg, float scale = 1) {
+        const double rad = glm::radians(direction_deg);
+        const glm::vec2 cursor = center + float(from_middle_px) * glm::vec2(std::cos(rad), -std::sin(rad));
+        return handle_at(*gizmo_place(document, selection, front, tool, false, scale), front, cursor);
+    };
+    // Arrows of 90 pixels, squares of 28 that begin 12 from the middle, a disc of 9; 7 pixels reach each of them.
+    for (const float scale : {1.0f, 2.0f}) {
+        const double px = double(scale);
+        CHECK(at(Tool::move, 95 * px, 0, scale) == x_axis);
+        CHECK_FALSE(at(Tool::move, 99 * px, 0, scale));
+        CHECK(at(Tool::move, 15 * px, 200, scale) == whole);
+        CHECK_FALSE(at(Tool::move, 17.5 * px, 200, scale));
+        CHECK(at(Tool::move, (40 * std::sqrt(2) + 6) * px, 45, scale) == Handle{Handle::Kind::plane, 2});
+        CHECK_FALSE(at(Tool::move, (40 * std::sqrt(2) + 8) * px, 45, scale));
+        CHECK(at(Tool::rotate, 90 * px, 40, scale) == z_ring);
+        CHECK(at(Tool::rotate, 84 * px, 40, scale) == z_ring);
+        CHECK_FALSE(at(Tool::rotate, 82 * px, 40, scale));
+        CHECK(at(Tool::rotate, 103.5 * px, 40, scale) == whole);
+        CHECK_FALSE(at(Tool::rotate, 112 * px, 40, scale));
+    }
+    const GizmoPlace place = *gizmo_place(document, selection, front, Tool::move, false);
+    for (const double degrees : {7.5, 8.5}) {
+        const double rad = glm::radians(degrees);
+        const View from_end = view_from(10.0f * glm::vec3(std::sin(rad), 0, std::cos(rad)));
+        CHECK(is_end_on(place, {Handle::Kind::axis, 2}, from_end) == (degrees < 8));
+        CHECK(is_end_on(place, {Handle::Kind::plane, 0}, from_end) == (degrees < 8));
+        CHECK_FALSE(is_end_on(place, {Handle::Kind::axis, 0}, from_end));
+        CHECK_FALSE(is_end_on(place, {Handle::Kind::plane, 2}, from_end));
+    }
+}
+
+TEST_CASE("nothing beside or behind the camera is on the screen, and a gizmo there has the size that it has nearest") {
+    const View view = view_from({0, 0, 10});
+    for (const glm::vec3& gone : {glm::vec3(0, 0, 10), glm::vec3(1, 0, 10), glm::vec3(0, 3, 10), glm::vec3(0, 0, 10.1f),
+                                  glm::vec3(0.1f, 0.1f, 30)})
+        CHECK_FALSE(on_screen(view, gone));
+    REQUIRE(on_screen(view, {0.01f, 0, 9.9f}));
+    // What stands 0.1 m before a camera of a width of 960 and a height of 540 pixels.
+    const double pixels = 270 / std::tan(0.5 * double(view.camera.fov_y_rad));
+    CHECK(double(on_screen(view, {0.01f, 0, 9.9f})->x) == Approx(480 + 0.1 * pixels).margin(0.05));
+    Document document;
+    const std::vector<EntryId> ids = add_all(document, {"a"});
+    Selection selection;
+    selection.set(ids);
+    for (const float z : {10.0f, 10.5f, 300.0f}) {
+        place(document, ids[0], {{0, 0, z}, {}, glm::vec3(1)});
+        const GizmoPlace there = *gizmo_place(document, selection, view, Tool::move, false);
+        CHECK(double(there.length_m) == Approx(90 * double(view.camera.near_m) / pixels).epsilon(0.01));
+        CHECK_FALSE(handle_at(there, view, center + glm::vec2(60, 0)));
+        CHECK_FALSE(handle_at(there, view, center));
+    }
+}
+
 TEST_CASE("dragged in a plane up to its horizon and beyond, nothing goes further than a hundred arrows") {
     Document document;
     const std::vector<EntryId> ids = add_all(document, {"a"});

@@ -1,4 +1,8 @@
 // The music's levels as an asset, and how long a state that follows must be warmed up.
+#include <unistd.h>
+
+#include <cmath>
+
 #include "../catch.h"
 #include "14_environment/sound_file.h"
 #include "19_ambiance/level_file.h"
@@ -37,6 +41,28 @@ TEST_CASE("the film's levels are those of its music, within 16 bits: a decoder's
             REQUIRE(double(kept.at(time_s)[i]) ==
                     Approx(scale * double(measured.at(time_s)[i])).margin(2e-3 * double(kept.at(loudest_s)[i]) + 1e-4));
     }
+}
+
+TEST_CASE("levels come back from their file to half of a code of 16 bits") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("lightwalk_levels_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path music = folder / "music.ogg";
+    std::filesystem::copy_file(find_asset("audio/beat.ogg"), music, std::filesystem::copy_options::overwrite_existing);
+    write_levels(music);
+    const LevelTable measured = measure_levels(read_sound(music)), kept = read_levels(levels_of(music));
+    REQUIRE(kept.entries.size() == measured.entries.size());
+    const Levels most = measured.most();
+    double off = 0, same = 0;
+    for (size_t i = 0; i < kept.entries.size(); ++i)
+        for (int k = 0; k < 4; ++k) {
+            off =
+                std::max(off, std::fabs(double(kept.entries[i][k]) - double(measured.entries[i][k])) / double(most[k]));
+            same = std::max(same, double(kept.entries[i][k]) / double(most[k]));
+        }
+    CHECK(off < 0.51 / 65535);
+    CHECK(same == Approx(1));
+    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a level that follows: begun five time constants before, 0.7% of what was before is left") {

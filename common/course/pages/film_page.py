@@ -2,7 +2,7 @@
 sufficient way.
 
     ./course film --page PAGE.html A.json B.json          benchmarks (chapter 19's --benchmark)
-    python3 common/course pages.film_page WAYS.json OUT  OUT.svg and OUT.png of chapter 19's --ways
+    python3 common/course pages.film_page WAYS.json OUT  OUT.svg and OUT.png of chapter 19's --ways; OUT.budgets.json
 
 The scenes' ways are judged by their mean FLIP against the first one with many samples a pixel, at three times of the scene.
 """
@@ -20,6 +20,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from charts.chart import STYLE  # noqa: E402
 from pages.film_figures import cells_of  # noqa: E402
 from pages.page import page as filled  # noqa: E402
+from tree import write_atomically  # noqa: E402
 
 BUDGETS = (0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3)
 SHOWN = 0.1  # the budget of the bars
@@ -66,6 +67,18 @@ def cheapest(scene: dict, budget: float) -> dict:
     """As chapters/19_ambiance/ways.cpp chooses: where no way is enough, the one with the smallest error."""
     enough = [way for way in scene["ways"] if way["error"] <= budget]
     return min(enough, key=lambda way: way["gpu_ms"]) if enough else min(scene["ways"], key=lambda way: way["error"])
+
+
+def within_budgets(measured: dict) -> dict:
+    """Of each budget, the scenes with a way within it, and the film's time as a share of that of the most accurate ways."""
+    scenes = measured["scenes"]
+    whole = sum(scene["ways"][0]["gpu_ms"] for scene in scenes)
+    points = []
+    for budget in BUDGETS:
+        ways = [cheapest(scene, budget) for scene in scenes]
+        points.append({"method": f"{budget:g}", "within": sum(way["error"] <= budget for way in ways),
+                       "share": sum(way["gpu_ms"] for way in ways) / whole})
+    return {"device": measured["device"], "driver": measured["driver"], "size": measured["size"], "points": points}
 
 
 def ways_chart(measured: dict, command: str):
@@ -117,6 +130,7 @@ def main(words: list[str]) -> int:
     figure = ways_chart(measured, f"build/chapters/19_ambiance --ways {file.name} --size {'x'.join(map(str, measured['size']))}")
     figure.savefig(out.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
     figure.savefig(out.with_suffix(".png"), dpi=150, metadata={"Software": None})
+    write_atomically(out.with_suffix(".budgets.json"), json.dumps(within_budgets(measured), indent=1, ensure_ascii=False) + "\n")
     return 0
 
 

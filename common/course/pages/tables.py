@@ -109,7 +109,7 @@ def at_path(study, path: str):
 
 
 def value_of(study: dict, point: dict, name: str) -> float:
-    """One number of a point, or of the whole file where its name begins with /."""
+    """One number (or text) of a point, or of the whole file where its name begins with /."""
     name, between, other = ([*BETWEEN.split(name.strip(), 1), "", ""])[:3]
     if between:
         one = value_of(study, point, name)
@@ -147,7 +147,10 @@ def cell(study: dict, wanted: dict[str, str]) -> tuple[str, float]:
 
     def fill(point: dict) -> str:
         def one(match: re.Match) -> str:
-            number = scale * value_of(study, point, match[1])
+            value = value_of(study, point, match[1])
+            if isinstance(value, str):
+                return value
+            number = scale * value
             first.append(number)
             return shown(number, match[2] or "")
         return PLACEHOLDER.sub(one, text)

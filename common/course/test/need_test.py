@@ -8,8 +8,9 @@ where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KN
 process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
 choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
 the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
-does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", too slow for a suite. Under "large" the rule may not draw whole pictures where crops decide. The first
-scene also tests --explain --json.
+does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", too slow for a suite, and writes all choices to
+build/needs/NN_name.auto.json, which a lesson quotes from docs/studies/tables. Under "large" the rule may not draw whole
+pictures where crops decide. The first scene also tests --explain --json.
 """
 
 import itertools
@@ -18,11 +19,12 @@ import os
 import statistics
 from pathlib import Path
 
+from charts.measured import here
 from charts.study import SceneEntry, study_of
 from shots.golden import compare
 from shots.rendering import render, run_program, text
 from test.results import table
-from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say
+from tree import BUILD, ROOT, Failure, chapter_program, run_on_chapter, say, write_atomically
 
 AIM = 1.15    # times the cost of the cheapest that would have done, in the median
 SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves
@@ -134,9 +136,25 @@ def command_line_row(chapter: str, needs: dict) -> dict:
             "text": f"draws {label(choice['method'], choice['knobs'])}"}
 
 
+def choices(chapter: str, measured: dict) -> dict:
+    """A point for each scene and budget, with the method chosen in words and the error of its whole picture."""
+    rows = rows_of_study(measured)
+    said = [(scene, choice) for scene, entry in measured["scenes"].items() for choice in entry["choices"]]
+    points = [{"scene": scene, "method": choice["choice"]["method"], "knobs": {"budget": choice["budget"]},
+               "choice": ", ".join([choice["choice"]["method"], *(f"{text(value)} {name}" for name, value in choice["choice"]["knobs"].items())]),
+               "error": {"flip_mean": row["worst"]}}
+              for (scene, choice), row in zip(said, rows)]
+    return {"chapter": chapter, "measured": here(chapter),
+            "command": f"LIGHTWALK_NEEDS=all python3 common/course test.need_test {chapter}",
+            **{key: measured[key] for key in ("device", "driver", "size")}, "points": points}
+
+
 def measured_rows(chapter: str, needs: dict) -> list[dict]:
     """A row for each choice, and the median's."""
-    rows = rows_of_study(measure(chapter, needs, crops=False))
+    measured = measure(chapter, needs, crops=False)
+    rows = rows_of_study(measured)
+    if os.environ.get("LIGHTWALK_NEEDS") == "all":
+        write_atomically(BUILD / "needs" / f"{chapter}.auto.json", json.dumps(choices(chapter, measured), indent=1) + "\n")
     if "large" in needs:
         large = rows_of_study(measure(chapter, {**needs, **needs["large"]}, crops=True))
         rows += [{**row, "case": row["case"] + ", large"} for row in large]
