@@ -24,8 +24,11 @@
 
 namespace lightwalk {
 
-SharedBytes::SharedBytes() : file_(memfd_create("lightwalk", MFD_CLOEXEC)) {
-    if (file_ < 0) throw Failure("shared memory: {}", std::strerror(errno));
+SharedBytes::SharedBytes() : file_(memfd_create("lightwalk", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
+    if (file_ >= 0 && fcntl(file_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL) == 0) return;
+    const std::string why = std::strerror(errno);
+    if (file_ >= 0) close(file_);
+    throw Failure("shared memory: {}", why);
 }
 
 SharedBytes::~SharedBytes() {
@@ -33,8 +36,16 @@ SharedBytes::~SharedBytes() {
     close(file_);
 }
 
-void SharedBytes::resize(size_t bytes) {
+void SharedBytes::grow(size_t bytes) {
+    if (bytes <= size_) return;
     if (ftruncate(file_, static_cast<off_t>(bytes)) != 0) throw Failure("shared memory: {}", std::strerror(errno));
+    size_ = bytes;
+}
+
+void SharedBytes::release(size_t first) {
+    if (first >= size_) return;
+    const int hole = FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE;
+    fallocate(file_, hole, static_cast<off_t>(first), static_cast<off_t>(size_ - first));  // else it stays in use
 }
 
 char* SharedBytes::reach(size_t bytes) {
@@ -165,7 +176,7 @@ GuardCopy::GuardCopy(const GuardLimits* limits, const std::function<std::string(
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw Failure("a socket: {}", std::strerror(errno));
-    if (limits) shared_.resize(size_ = limits->memory);
+    if (limits) shared_.grow(size_ = limits->memory);
     std::fflush(nullptr);  // or the copy would say it again
     copy_ = fork();
     socket_ = ends[copy_ == 0];
@@ -245,7 +256,7 @@ bool GuardCopy::request(GuardReader reader, const GuardLimits& limits, const Gua
     size_t bytes = 0;
     for (const std::string_view part : input) bytes += part.size();
     from_ = aligned(folder.size() + bytes);
-    shared_.resize(size_ = from_ + limits.memory);
+    shared_.grow(size_ = from_ + limits.memory);
     char* at = shared_.reach(folder.size() + bytes);
     at = std::copy(folder.begin(), folder.end(), at);
     for (const std::string_view part : input) at = std::copy(part.begin(), part.end(), at);
@@ -281,7 +292,7 @@ int GuardCopy::status() {
 }
 
 bool GuardCopy::tidy(GuardOutcome outcome) {
-    shared_.resize(size_t{64} << 20);
+    shared_.release(size_t{64} << 20);
     return outcome == GuardOutcome::result || outcome == GuardOutcome::input_error;
 }
 
