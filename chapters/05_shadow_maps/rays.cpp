@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "common/base/turn.h"
+
 namespace lightwalk {
 namespace {
 
@@ -75,7 +77,7 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
 
 void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     built_ = true;
-    std::vector<RayTriangle> triangles = ray_triangles(scene, time_s);
+    std::vector<RayTriangle> triangles = aside([&] { return ray_triangles(scene, time_s); });
     Masks masks(gpu);
     std::vector<RayCutout> with_holes;
     size_t next = 0;
@@ -90,7 +92,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
             with_holes.push_back({a.uv, b.uv, c.uv, color, opacity});
         });
     }
-    bvh_ = Bvh(std::move(triangles));
+    bvh_ = aside([&] { return Bvh(std::move(triangles)); });
     placed_ = scene.placed;
     set_offset();
     nodes_ = gpu.upload("ray nodes", bvh_.nodes());

@@ -2,6 +2,8 @@
 
 #include <unordered_map>
 
+#include "common/base/turn.h"
+
 namespace lightwalk {
 namespace {
 
@@ -54,7 +56,7 @@ Geodesic geodesic_sphere(uint32_t count) {
 
 void BeatSphere::prepare(Gpu& gpu, Scene&) {
     if (directions_) return;
-    const Geodesic sphere = geodesic_sphere(parts);
+    const Geodesic sphere = aside([] { return geodesic_sphere(parts); });
     directions_ = gpu.upload("sphere directions", sphere.directions);
     indices_ = gpu.upload("sphere indices", sphere.indices);
 }

@@ -9,6 +9,7 @@
 #include "common/base/files.h"
 #include "common/base/kept.h"
 #include "common/base/patience.h"
+#include "common/base/turn.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -74,12 +75,12 @@ void Finish::prepare(Gpu& gpu, Scene& scene) {
 
 Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     const Lathe lathe = read_lathe(file);
-    const LatheParts parts = turn_lathe(lathe);
+    const LatheParts parts = aside([&] { return turn_lathe(lathe); });
     const auto texels_wide = static_cast<uint32_t>(width.value);
     const glm::uvec2 size(texels_wide, texels_wide / 8);
     const size_t bytes = size_t{4} * size.x * size.y;
     Texels diffuse(bytes), specular(bytes), emissive(bytes), gloss(bytes);
-    for_each_texel(parts.quads, size, [&](size_t texel, const LatheQuad& quad, glm::vec2, glm::vec2 at) {
+    const auto paint = [&](size_t texel, const LatheQuad& quad, glm::vec2, glm::vec2 at) {
         const LathePanel& panel = parts.panels[quad.panel];
         const bool glows = quad.is_top && is_glowing(panel, at, 1.0f / static_cast<float>(lathe.columns));
         // Edges are worn: brighter, and smoother. Glowing parts receive no light.
@@ -88,7 +89,8 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
         put(specular, texel, glows ? glm::vec3(0) : panel.is_second ? lathe.second_specular : lathe.specular, code);
         put(emissive, texel, glows ? lathe.glow_color : glm::vec3(0), srgb_code);
         put(gloss, texel, glm::vec3(quad.is_top ? panel.gloss : 0.75f), code);
-    });
+    };
+    aside([&] { for_each_texel(parts.quads, size, paint); });
     const std::vector<std::byte> seen = occlusion(gpu, file, parts, size / 2u);
     Texels occluded(4 * seen.size());
     for (size_t i = 0; i < seen.size(); ++i)
@@ -122,13 +124,14 @@ std::vector<std::byte> Finish::bake(Gpu& gpu, const std::filesystem::path& file,
     scene.load(gpu, alone, [&](const std::filesystem::path&) { return lathe_model({}, parts); });
     rays_.build(gpu, scene);
     std::vector<glm::vec4> places(size_t{size.x} * size.y), normals(places.size());
-    for_each_texel(parts.quads, size, [&](size_t texel, const LatheQuad& quad, glm::vec2 share, glm::vec2) {
+    const auto place = [&](size_t texel, const LatheQuad& quad, glm::vec2 share, glm::vec2) {
         const auto mixed = [&](const glm::vec3(&of)[4]) {
             return glm::mix(glm::mix(of[0], of[1], share.y), glm::mix(of[3], of[2], share.y), share.x);
         };
         places[texel] = glm::vec4(mixed(quad.position), 1);
         normals[texel] = glm::vec4(glm::normalize(mixed(quad.normal)), 0);
-    });
+    };
+    aside([&] { for_each_texel(parts.quads, size, place); });
     const Buffer place_buffer = gpu.upload("places", places), normal_buffer = gpu.upload("normals", normals);
     const Buffer result(gpu.device, {.name = "occlusion", .bytes = 4 * places.size()});
     Patience patience("baking the occlusion of " + file.filename().string(), "rows");

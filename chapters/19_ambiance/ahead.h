@@ -16,7 +16,7 @@ namespace lightwalk {
 // [ahead]
 /// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
 /// That thread alone calls these functions.
-/// Large (10 functions, 11 members): the state of two threads.
+/// Large (11 functions, 11 members): the state of two threads.
 class Ahead {
   public:
     using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;
@@ -30,6 +30,7 @@ class Ahead {
     /// Parts that are ready. Rethrows what a maker threw.
     std::map<size_t, std::unique_ptr<FilmPart>> take();
 
+    bool has(size_t place) const { return made_.contains(place); }
     bool is_making(size_t place) const { return making_ == place; }
     bool is_busy() const { return making_ || !asked_.empty(); }
     void wait();  ///< for the part in the making, or the next one

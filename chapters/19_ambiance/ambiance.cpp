@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "19_ambiance/benchmark.h"
 #include "19_ambiance/level_file.h"
@@ -17,6 +18,7 @@ Ambiance::Ambiance() {
     method.alone = true;
     post.tone.change_default("off");  // the scenes have their own
     objects.in_use = [this] { return !reel.is_open(); };
+    reel.before_scenes = [this](Gpu& gpu) { make_effects(gpu); };
     commands = {
         {"levels", "FILE", "Write the levels of the music FILE beside it, for films, and exit",
          [](const std::string& file, const Options&, auto&) { return write_levels(file), 0; }},
@@ -106,6 +108,40 @@ void Ambiance::smooth_edges(Frame& frame, const Seen& seen) {
             pass.use(mix_).set("before", jagged_, nearest_clamp).set("picture", frame.hdr);
             pass.set("share", float(smoothed)).dispatch_threads(frame.size);
         });
+}
+
+// Effects that the film's tracks switch on, each drawn once: small, since pipelines hold for every size, and by an instance
+// of its own, since another thread draws meanwhile.
+void Ambiance::make_effects(Gpu& gpu) const {
+    constexpr glm::uvec2 size{64, 36};
+    Ambiance unseen;
+    const KnobList own = all_knobs(), others = unseen.all_knobs();
+    for (size_t i = 0; i < own.size(); ++i) others[i]->set(own[i]->text());
+    std::set<double> times_s;
+    for (const Track& track : reel.film().knobs)
+        for (size_t i = 0; i < track.times_s.size(); ++i) {
+            times_s.insert(track.times_s[i]);
+            if (i > 0) times_s.insert(0.5 * (track.times_s[i - 1] + track.times_s[i]));
+        }
+    Titles titles;
+    double title_s = 0;
+    for (const Title& title : reel.film().titles) title_s = 0.5 * (title.from_s + title.to_s);
+    Frame frame(gpu);
+    frame.root = &unseen;
+    for (const double at_s : times_s) {
+        for (const Track& track : reel.film().knobs)
+            if (!find_knob(own, track.name).pinned) find_knob(others, track.name).set(track.at(at_s));
+        unseen.begin_frame(gpu, size);
+        frame.begin(size, static_cast<float>(at_s));
+        Canvas canvas(frame.hdr, frame.depth);
+        canvas.color(frame);
+        canvas.depth(frame);
+        if (!unseen.antialias.method.is("taa")) unseen.smooth_edges(frame, {View(), frame.depth});
+        unseen.post.record(frame, frame.hdr);
+        titles.record(frame, frame.hdr, reel.film(), title_s);
+        encode_srgb(frame);
+        frame.end();
+    }
 }
 
 void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) { measure_paths(reel.film(), error); }

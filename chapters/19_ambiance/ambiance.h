@@ -41,6 +41,7 @@ struct Ambiance : ModelChapter {
 
   private:
     void smooth_edges(Frame& frame, const Seen& seen);
+    void make_effects(Gpu& gpu) const;
     Target jagged_{*this, {.name = "jagged", .kept = true}};
     Pipeline copy_ = compute({.shader = "19_ambiance/copy.comp"}), mix_ = compute({.shader = "19_ambiance/mix.comp"});
 };

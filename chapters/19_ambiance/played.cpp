@@ -8,10 +8,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
 #include "common/app/render.h"
 #include "common/base/patience.h"
 #include "common/base/statistics.h"
+#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 namespace {
@@ -63,6 +65,32 @@ json summary(const std::vector<PlayedFrame>& frames, const Wanted& wanted) {
             {"gpu_ms", mean(column(frames, &PlayedFrame::gpu_ms, wanted))}};
 }
 
+// The frames that took longest, in multiples of their scene's mean.
+json slowest(const std::vector<PlayedFrame>& frames, const std::vector<double>& scene_ms) {
+    constexpr size_t most = 60;
+    const auto share = [&](const PlayedFrame& one) {
+        return one.scene ? one.wall_ms / std::max(scene_ms.at(*one.scene), 1e-3) : 0.0;
+    };
+    std::vector<PlayedFrame> sorted(frames.begin() + 1, frames.end());
+    std::ranges::sort(sorted, [&](const PlayedFrame& a, const PlayedFrame& b) { return share(a) > share(b); });
+    json written = json::array();
+    for (size_t i = 0; i < std::min(most, sorted.size()); ++i) {
+        const PlayedFrame& one = sorted[i];
+        written.push_back({{"at_s", static_cast<double>(one.number) / a_second},
+                           {"means", share(one)},
+                           {"frame_ms", one.wall_ms},
+                           {"record_ms", one.record_ms},
+                           {"processor_ms", one.processor_ms},
+                           {"device_ms", one.device_ms},
+                           {"turn_ms", one.turn_ms},
+                           {"gpu_ms", one.gpu_ms},
+                           {"pipelines", one.pipelines},
+                           {"allocations", one.allocations},
+                           {"transfers", one.transfers}});
+    }
+    return written;
+}
+
 }  // namespace
 
 std::vector<int> played_numbers(const Timeline& film, std::optional<int> each_scene) {
@@ -82,42 +110,69 @@ std::vector<int> played_numbers(const Timeline& film, std::optional<int> each_sc
     return {numbers.begin(), numbers.end()};
 }
 
-std::vector<PlayedFrame> play(Chapter& chapter, Gpu& gpu, const Timeline& film, const Options& options) {
+Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
+    const Timeline& film = reel.film();
     const std::vector<int> numbers =
         played_numbers(film, options.frames_given ? std::optional(options.frames) : std::nullopt);
-    std::vector<PlayedFrame> frames;
-    std::vector<double> gpu_ms;  // of the recordings that have ended; a picture of several samples has several
-    std::vector<size_t> recorded;
+    Played played;
+    std::vector<double> gpu_ms, ended_ms;  // of recordings; a picture of several samples has several
+    std::vector<std::pair<size_t, size_t>> recordings;
     Frame frame(gpu);
     frame.fly(2);
     frame.on_ended = [&](const std::vector<PassTime>& times) {
         gpu_ms.push_back(0);
         for (const PassTime& time : times) gpu_ms.back() += time.gpu_ms;
+        ended_ms.push_back(gpu_work.ended_ms);
     };
-    Patience patience("playing", "frames");
-    double before_ms = started_ms();
-    for (const int number : numbers) {
-        const double time_s = static_cast<double>(number) / a_second;
-        const std::vector<Timeline::Shown> shown = film.shown(time_s);
-        PlayedFrame& one = frames.emplace_back();
-        one.number = number;
-        if (!shown.empty()) one.scene = shown.back().scene;
-        const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
-        Picture picture{options.size, static_cast<float>(time_s), options.seed, {}};
+    const auto draw = [&](int number) {
+        Picture picture{options.size, static_cast<float>(number) / a_second, options.seed, {}};
         picture.gathered = 0;  // as in a window, it goes on from the one before
         render(chapter, frame, picture);
-        recorded.push_back(frame.begun);
-        frames.back().processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID) - processor_ms;
-        if (frames.size() == 1) frame.finish();  // a viewer waits until it is seen
-        const double now_ms = clock_ms(CLOCK_BOOTTIME);
-        frames.back().wall_ms = now_ms - before_ms;
-        before_ms = now_ms;
-        patience.show(static_cast<int>(frames.size()), static_cast<int>(numbers.size()));
+    };
+    Patience patience("playing", "frames");
+    double first_ms = 0;
+    for (const int number : numbers) {
+        const double time_s = static_cast<double>(number) / a_second;
+        if (first_ms > 0) {
+            const double from_ms = clock_ms(CLOCK_BOOTTIME);
+            const auto is_early = [&] { return clock_ms(CLOCK_BOOTTIME) - first_ms < 1e3 * time_s; };
+            while (is_early() && !reel.is_ready(time_s))
+                aside([] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+            const double stood_ms = clock_ms(CLOCK_BOOTTIME) - from_ms;
+            played.stood_s += 1e-3 * stood_ms;
+            for (int again = 0; stood_ms > 1 && again < 4; ++again) draw(played.frames.back().number);
+        }
+        const std::vector<Timeline::Shown> shown = film.shown(time_s);
+        PlayedFrame& one = played.frames.emplace_back();
+        one.number = number;
+        if (!shown.empty()) one.scene = shown.back().scene;
+        const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID), from_ms = clock_ms(CLOCK_BOOTTIME),
+                     turn_ms = Turn::spent().waited_ms;
+        const GpuWork before = gpu_work;
+        const size_t first = frame.begun;
+        draw(number);
+        recordings.emplace_back(first, frame.begun);
+        one.processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID) - processor_ms;
+        one.record_ms = clock_ms(CLOCK_BOOTTIME) - from_ms;
+        one.device_ms = gpu_work.waited_ms - before.waited_ms;
+        one.turn_ms = Turn::spent().waited_ms - turn_ms;
+        one.pipelines = gpu_work.pipelines - before.pipelines;
+        one.allocations = gpu_work.allocations - before.allocations;
+        one.transfers = gpu_work.transfers - before.transfers;
+        if (played.frames.size() == 1) {
+            frame.finish();  // a viewer waits until it is seen
+            first_ms = clock_ms(CLOCK_BOOTTIME);
+            one.wall_ms = first_ms - started_ms();
+        }
+        patience.show(static_cast<int>(played.frames.size()), static_cast<int>(numbers.size()));
     }
     frame.finish();
-    for (size_t i = 0; i < frames.size(); ++i)
-        for (size_t j = i ? recorded[i - 1] : 0; j < recorded[i]; ++j) frames[i].gpu_ms += gpu_ms.at(j);
-    return frames;
+    for (size_t i = 0; i < recordings.size(); ++i) {
+        const auto [first, end] = recordings[i];
+        for (size_t j = first; j < end; ++j) played.frames[i].gpu_ms += gpu_ms.at(j);
+        if (i > 0) played.frames[i].wall_ms = ended_ms.at(end - 1) - ended_ms.at(first - 1);
+    }
+    return played;
 }
 
 // [figures]
@@ -127,22 +182,36 @@ json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames
     for (size_t i = 1; i < frames.size(); ++i)
         in_scene[i] = frames[i].scene == frames[i - 1].scene ? in_scene[i - 1] + 1 : 0;
     json scenes = json::array(), cuts = json::array();
+    std::vector<double> scene_ms;
     for (size_t place = 0; place < film.scenes.size(); ++place) {
         const FilmScene& scene = film.scenes[place];
-        const Wanted in_it = [&](size_t i) { return frames[i].scene == place; };
+        const Wanted in_it = [&](size_t i) { return i > 0 && frames[i].scene == place; };
         json figures = summary(frames, in_it);
-        const double mean_ms = figures.value("mean_ms", 0.0);
+        const double mean_ms = scene_ms.emplace_back(figures.value("mean_ms", 0.0));
         figures.update({{"name", scene.name}, {"kind", scene.kind}});
         scenes.push_back(figures);
         if (scene.from_s <= 0) continue;
-        const std::vector<double> after = column(frames, &PlayedFrame::wall_ms,
-                                                 Wanted([&](size_t i) { return in_it(i) && in_scene[i] < after_cut; }));
+        const Wanted at_cut = [&](size_t i) { return in_it(i) && in_scene[i] < after_cut; };
+        const Wanted steady = [&](size_t i) { return in_it(i) && in_scene[i] >= after_cut && in_scene[i] < a_second; };
+        const std::vector<double> after = column(frames, &PlayedFrame::wall_ms, at_cut),
+                                  later = column(frames, &PlayedFrame::wall_ms, steady);
         if (after.empty()) continue;
-        cuts.push_back({{"to", scene.name},
-                        {"at_s", scene.from_s},
-                        {"frames_ms", after},
-                        {"longest_ms", percentile(after, 1.0)},
-                        {"mean_ms", mean_ms}});
+        json cut{{"to", scene.name},
+                 {"at_s", scene.from_s},
+                 {"frames_ms", after},
+                 {"processor_ms", column(frames, &PlayedFrame::processor_ms, at_cut)},
+                 {"gpu_ms", column(frames, &PlayedFrame::gpu_ms, at_cut)},
+                 {"longest_ms", percentile(after, 1.0)},
+                 {"mean_ms", mean_ms},
+                 {"steady_ms", later.empty() ? mean_ms : median(later)}};
+        for (const auto& [name, count] : {std::pair{"pipelines", &PlayedFrame::pipelines},
+                                          {"allocations", &PlayedFrame::allocations},
+                                          {"transfers", &PlayedFrame::transfers}}) {
+            uint64_t sum = 0;
+            for (size_t i = 0; i < frames.size(); ++i) sum += at_cut(i) ? frames[i].*count : 0;
+            cut[name] = sum;
+        }
+        cuts.push_back(cut);
     }
     const Wanted any = [](size_t i) { return i > 0; };
     json all = summary(frames, any);
@@ -150,7 +219,7 @@ json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames
     all["first_second_longest_ms"] = percentile(
         column(frames, &PlayedFrame::wall_ms, Wanted([&](size_t i) { return i > 0 && frames[i].number < a_second; })),
         1.0);
-    return {{"in_order", all}, {"scenes", scenes}, {"cuts", cuts}};
+    return {{"in_order", all}, {"scenes", scenes}, {"cuts", cuts}, {"slowest", slowest(frames, scene_ms)}};
 }
 // [/figures]
 

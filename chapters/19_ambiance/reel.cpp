@@ -1,6 +1,10 @@
 #include "19_ambiance/reel.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "14_environment/sound_file.h"
 #include "19_ambiance/exercises.h"
@@ -9,6 +13,17 @@
 #include "common/base/exercise.h"
 
 namespace lightwalk {
+namespace {
+
+// The time of a step, as frames have it, may round to before it.
+constexpr double just_after_s = 1e-4;
+
+double seconds() {
+    static const auto first = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - first).count();
+}
+
+}  // namespace
 
 bool is_film_file(const std::filesystem::path& file) { return file.extension() == ".film"; }
 
@@ -87,21 +102,35 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
 // Draws it once with all of a film's effects on a scene, at all times at which it may need something new.
 std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
     auto part = std::make_unique<FilmPart>(film_.scenes.at(place), film_.music ? &music : nullptr);
+    Preparation preparation{.scene = place, .from_s = seconds(), .turns = {}};
+    const double waited_ms = std::exchange(Turn::spent(), {}).waited_ms;
+    Turn::begins("scene");
     part->load(gpu);
     part->draw_by(ways_[place]);
     for (const double at_s : plays ? film_.turns(place) : std::vector<double>{}) {
+        Turn::begins(fmt::format("picture at {:.1f} s", at_s));
         Frame unseen(gpu);
         part->begin_frame(gpu, size);
         unseen.begin(size, static_cast<float>(at_s));
-        part->record(unseen, at_s, {.black = 0.5f, .white = 0.5f});
+        part->record(unseen, at_s + just_after_s, {.black = 0.5f, .white = 0.5f});
         unseen.end();
+        double gpu_ms = 0;
+        for (const PassTime& time : unseen.times) gpu_ms += time.gpu_ms;
+        preparation.unseen_gpu_ms = std::max(preparation.unseen_gpu_ms, gpu_ms);
     }
+    preparation.to_s = seconds();
+    preparation.turns = Turn::spent();
+    Turn::spent().waited_ms += waited_ms;
+    if (plays) preparations.push_back(preparation);
     return part;
 }
 
 void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
     unseen_size_ = size;
-    ahead_ = std::make_unique<Ahead>([this, &gpu](size_t place) { return made(gpu, unseen_size_, place, true); });
+    ahead_ = std::make_unique<Ahead>([this, &gpu, is_first = true](size_t place) mutable {
+        if (std::exchange(is_first, false) && before_scenes) before_scenes(gpu);
+        return made(gpu, unseen_size_, place, true);
+    });
     titles_.prepare(gpu, film_);
     Frame unseen(gpu);  // fades between two scenes, and black
     begin_frame(gpu, size);
@@ -127,6 +156,13 @@ void Reel::need(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
         ahead_->ask({});  // not this one as well
     }
     if (!parts_.contains(place)) parts_[place] = made(gpu, size, place, plays);
+}
+
+bool Reel::is_ready(double time_s) const {
+    const std::vector<Timeline::Shown> shown = film_.shown(time_s);
+    return !ahead_ || std::ranges::all_of(shown, [&](const Timeline::Shown& one) {
+        return parts_.contains(one.scene) || ahead_->has(one.scene);
+    });
 }
 
 void Reel::wait_until_ready() {

@@ -16,7 +16,7 @@ bool is_film_file(const std::filesystem::path& file);
 
 // [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
-/// Large (29 functions, 21 members): the film, its scenes, and what is kept for them.
+/// Large (30 functions, 23 members): the film, its scenes, and what is kept for them.
 struct Reel : Module {
     Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
 
@@ -39,6 +39,9 @@ struct Reel : Module {
     /// loads the others that 19.warm requests and draws each once, unseen, so that its first visible picture finds its
     /// pipelines and targets made.
     void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
+
+    /// Whether the scenes on the screen at a time are loaded, or make_ready() makes them because no worker does.
+    bool is_ready(double time_s) const;
 
     /// Waits for all scenes that the worker was asked for.
     void wait_until_ready();
@@ -77,6 +80,18 @@ struct Reel : Module {
     bool take_cameras(const Timeline& edited);
 
     const std::map<size_t, std::unique_ptr<FilmPart>>& parts() const { return parts_; }
+
+    /// Called by the worker before its first scene.
+    std::function<void(Gpu&)> before_scenes;
+
+    /// How a scene was made ready for playing.
+    struct Preparation {
+        size_t scene = 0;
+        double from_s = 0, to_s = 0;  ///< since the program's first frame was begun
+        double unseen_gpu_ms = 0;     ///< of the longest unseen frame
+        Turn::Spent turns;
+    };
+    std::vector<Preparation> preparations;
     // [/reel]
 
     bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }

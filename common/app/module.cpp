@@ -7,6 +7,7 @@
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/turn.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -97,7 +98,11 @@ void Module::visit_used(Self& self, const Visit& visit) {
 }
 
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
-    visit_used(*this, [&](Module& module) { module.prepare(gpu, scene); });
+    visit_used(*this, [&](Module& module) {
+        Turn::begins(module.path());
+        aside([] {});  // others need not wait for all of them
+        module.prepare(gpu, scene);
+    });
 }
 
 bool Module::any_animated() const {

@@ -1,6 +1,7 @@
 // Turns of threads on what they share: one makes and records, the others compute meanwhile.
 #pragma once
 #include <atomic>
+#include <string>
 
 namespace lightwalk {
 
@@ -11,6 +12,15 @@ class Turn {
     static bool is_mine();
     static void take();  ///< waits behind all threads that asked before
     static void give();
+
+    /// This thread's time with the turn and without.
+    struct Spent {
+        double waited_ms = 0;    ///< until it had the turn
+        double longest_ms = 0;   ///< of its turns
+        std::string longest_in;  ///< the last activity begun in that turn
+    };
+    static Spent& spent();
+    static void begins(std::string activity);
 
     /// Held by those who start further threads: their own thread has the turn until the last of these goes.
     class Shared {

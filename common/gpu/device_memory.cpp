@@ -5,6 +5,7 @@
 #include "common/base/error.h"
 #include "common/base/turn.h"
 #include "common/gpu/device.h"
+#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 
@@ -24,6 +25,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
     const VkMemoryAllocateInfo allocate_info{
         .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
     VkDeviceMemory result = VK_NULL_HANDLE;
+    ++gpu_work.allocations;
     const VkResult made = aside([&] { return vkAllocateMemory(handle, &allocate_info, nullptr, &result); });
     if (made == VK_SUCCESS) set_name(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<uint64_t>(result), name);
     try {

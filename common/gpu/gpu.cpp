@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "common/gpu/device_wait.h"
+#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 
@@ -38,6 +39,7 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                                .commandPool = pool_,
                                                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                                .commandBufferCount = 1};
+    ++gpu_work.transfers;
     // Another thread's may run meanwhile.
     Owned<VkFence, vkDestroyFence> fence;
     const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};

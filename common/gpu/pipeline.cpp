@@ -4,6 +4,7 @@
 
 #include "common/base/exercise.h"
 #include "common/base/turn.h"
+#include "common/gpu/gpu_work.h"
 #include "common/gpu/hidden_blocks.h"
 #include "common/gpu/sealed.h"
 
@@ -225,6 +226,7 @@ void PipelineLibrary::clear() {
 
 std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, const TargetFormats& formats,
                                                       const std::vector<FlatShader>& flat) {
+    ++gpu_work.pipelines;
     CompiledStages stages = compile_stages(pipeline, flat);
 
     auto built = std::make_unique<BuiltPipeline>(device_.handle);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/gpu/gpu_work.h"
+
 namespace lightwalk {
 namespace {
 
@@ -111,6 +113,7 @@ void Recording::read_times() {
     for (size_t i = 0; i < passes.size(); ++i)
         times.push_back(
             {passes[i].name, passes[i].stage, static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * tick_ms});
+    gpu_work.ended_ms = static_cast<double>(stamps.back()) * tick_ms;
 }
 
 void Recording::deliver() {

@@ -2,11 +2,17 @@
 #include <cstring>
 
 #include "common/base/error.h"
+#include "common/base/turn.h"
 #include "common/gpu/barrier.h"
 #include "common/gpu/gpu.h"
 
 namespace lightwalk {
 namespace {
+
+// Large contents take longer than a frame.
+void fill(const Buffer& staging, size_t at, std::span<const std::byte> bytes) {
+    aside([&] { std::memcpy(staging.mapped + at, bytes.data(), bytes.size()); });
+}
 
 VkBufferImageCopy region(VkDeviceSize offset, const ImageView& view) {
     const glm::uvec3 size = view.size();
@@ -64,7 +70,7 @@ Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     Buffer buffer(device, {.name = name, .bytes = bytes.size()});
     if (!bytes.empty()) {
         Buffer staging(device, {.name = name + " staging", .bytes = bytes.size(), .host_visible = true});
-        std::memcpy(staging.mapped, bytes.data(), bytes.size());
+        fill(staging, 0, bytes);
         submit_now([&](VkCommandBuffer commands) {
             const VkBufferCopy region{.size = bytes.size()};
             barrier(commands, buffer, transfer_write);
@@ -82,7 +88,7 @@ void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     const ImageView whole(image);
     check_size(whole.mip(0), texels.size());
     Buffer staging(device, {.name = image.desc.name + " staging", .bytes = texels.size(), .host_visible = true});
-    std::memcpy(staging.mapped, texels.data(), texels.size());
+    fill(staging, 0, texels);
     uploaded_bytes += texels.size();
     submit_now([&](VkCommandBuffer commands) {
         barrier(commands, whole, transfer_write);
@@ -103,7 +109,7 @@ void Gpu::upload(Image& image, const std::vector<std::vector<std::byte>>& levels
     for (uint32_t m = 0; m < image.desc.mips; ++m) {
         const auto& level = levels.at(m);
         check_size(whole.mip(m), level.size());
-        std::memcpy(staging.mapped + at, level.data(), level.size());
+        fill(staging, at, level);
         offsets.push_back(at);
         at += level.size();
     }
