@@ -31,7 +31,7 @@ def copy_of_course(root: Path):
     for path in REAL.glob("chapters/*/"):  # a chapter need not have exercises in C++
         (root / "chapters" / path.name).mkdir(exist_ok=True)
     (root / "build").mkdir()
-    for name in ("chapters", "tests", "shader_cache", "docs"):
+    for name in ("chapters", "tests", "shader_cache", "docs", "compare"):
         (root / "build" / name).symlink_to(BUILD / name)
 
 

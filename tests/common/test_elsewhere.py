@@ -14,6 +14,7 @@ REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
 from cli import COMMANDS  # noqa: E402
 from test import run_tests  # noqa: E402
+from test.container import SYSTEMS  # noqa: E402
 from tree import chapters, lesson_pages  # noqa: E402
 
 try:
@@ -64,6 +65,14 @@ class Workflow(unittest.TestCase):
         self.assertEqual(uploaded["with"]["path"], written[0][-1])
         self.assertIn("actions/deploy-pages@", steps[-1]["uses"])
         self.assertEqual(said["permissions"], {"contents": "read", "pages": "write", "id-token": "write"})
+        self.assertIn(said["jobs"]["publish"]["container"]["image"], [f"debian:{system}" for system in SYSTEMS])
+
+    def test_an_action_has_one_version_in_all_workflows(self):
+        used = {}
+        for path in (REAL / ".github/workflows").glob("*.yml"):
+            for action, version in re.findall(r"uses: ([\w./-]+)@(\S+ # v\S+)$", path.read_text(), re.M):
+                self.assertEqual(used.setdefault(action, version), version, f"{path.name}: {action}")
+        self.assertGreater(len(used), 5)
 
     def test_the_container_does_what_the_readme_says(self):
         said = json.loads((REAL / ".devcontainer/devcontainer.json").read_text())

@@ -28,6 +28,14 @@ class Opening(unittest.TestCase):
             self.assertEqual((page.stat().st_mode & 0o777, options["start_new_session"]), (0o600, True))
             started.return_value.wait.assert_not_called()
 
+    def test_it_builds_the_programs_and_what_compares_their_pictures(self):
+        from live import serve
+        with mock.patch.object(serve, "listen", lambda _: (None, None)), mock.patch.object(serve, "build") as built, \
+                mock.patch.object(serve, "is_old", lambda _: False), mock.patch.object(Path, "is_file", lambda _: True), \
+                mock.patch.object(serve, "serve", mock.Mock()), mock.patch.object(serve.asyncio, "run"):
+            serve.run(mock.Mock(port=0, no_build=False), [])
+        built.assert_called_once_with(["programs", "compare"])
+
 
 class Words(Live):
     def test_bad_words_are_one_line(self):
@@ -318,6 +326,15 @@ class Charts(Live):
         self.assertEqual(json.loads(asked), request | {"set": {"method": "pcf", "lamp": "2", "bias": "0.5", "snap": "off"}})
         self.assertEqual(json.loads(asked_of_truth), request | {"set": {"lamp": "2", "rays": "on"}})
         self.assertEqual((heat, error["flip_mean"]), (b"hot", 0.5))
+
+    def test_an_error_that_cannot_be_made_is_said(self):
+        async def talk():
+            page = await self.server.socket()
+            await page.write_message(json.dumps({"do": "point", "chart": "01_obj.gpu", "number": 0}))
+            return {answer["place"]: answer["error"] for answer, _ in [await receive(page) for _ in range(3)]}
+        self.restore_afterwards(self.root / "build/compare")
+        (self.root / "build/compare").unlink()
+        self.assertEqual(self.server.run(talk), {"chart.0": "", "chart.1": "", "chart.2": "build/compare: No such file or directory; ./course serve builds it"})
 
     def test_what_is_no_point_is_refused(self):
         async def talk(chart, number):

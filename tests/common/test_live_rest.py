@@ -1,5 +1,5 @@
-"""A live page at rest and its charts, in a browser: a picture gathers sixteen samples and says so; a point of a chart says its
-figures; a verdict is in view, and leads to the next exercise; an error of the compiler is said once."""
+"""A live page at rest and its charts, in a browser: a picture gathers sixteen samples and says so; a point of a chart has its
+figures, picture, truth and error; a verdict is in view, and leads to the next exercise; an error of the compiler is said once."""
 
 import unittest
 
@@ -32,7 +32,7 @@ class Refining(LivePage):
 
 
 class Answering(LivePage):
-    def test_a_point_of_a_chart_says_its_figures(self):
+    def test_a_point_of_a_chart_has_figures_picture_truth_and_error(self):
         with Browser(1400, 1000, server=self.server.base) as browser:
             browser.open(self.server.address)
             self.opened(browser, "02_lambert_phong")
@@ -47,6 +47,11 @@ class Answering(LivePage):
                 browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=place[0], y=place[1])
                 browser.wait(f"!{chart}.querySelector('.live-words').hidden")
                 self.assertIn("quartiles", browser.evaluate(f"{chart}.querySelector('.live-words').textContent"))
+            browser.drag(tuple(place[:2]), tuple(place[:2]))
+            browser.wait("Boolean(document.querySelector('.live-errors'))")
+            for title in ("its picture", "the truth", "the error"):
+                browser.wait(f"document.querySelector('.live-errors img[alt=\"{title}\"]').naturalWidth === 480")
+            self.assertRegex(browser.evaluate("document.querySelector('.live-errors figure:last-child').textContent"), r"^the error: FLIP 0\.\d+")
             self.assertEqual(browser.complaints, [])
 
     def test_a_verdict_is_in_view_and_an_error_is_said_once(self):

@@ -10,11 +10,12 @@ from charts.points import can_draw, request_of
 from live import answers
 from live.answers import Refused
 from live.pages import Answer
-from tree import BUILD, ROOT
+from tree import BUILD, ROOT, Failure
 
 STUDIES = ROOT / "docs" / "studies"
 SIZE = [480, 270]
 DRAW_S = 120
+ERROR = "chart.2"  # the place of the third picture
 
 
 def study_of(chart: str) -> Path:
@@ -55,7 +56,7 @@ def requests_of(chart, number) -> tuple[str, dict, dict]:
 
 
 async def show(socket, chart, number):
-    """Sends a point's picture, its truth and the error between them, each to a place of the page."""
+    """Sends a point's picture, its truth and the error between them, each to a place of the page, or words where one cannot be made."""
     programs = socket.application.programs
     chapter, *requests = requests_of(chart, number)
     answered = [asyncio.get_running_loop().create_future() for _ in requests]
@@ -65,15 +66,27 @@ async def show(socket, chart, number):
             if not answered[i].done():
                 answered[i].set_result((answer, picture))
         programs.ask(chapter, (socket, f"chart.{i}"), request, deliver)
-    done = await asyncio.wait_for(asyncio.gather(*answered), 300)
-    if any(answer["code"] for answer, _ in done):
-        return
+    try:
+        done = await asyncio.gather(*answered)
+        if any(answer["code"] for answer, _ in done):
+            raise Failure("the error needs both pictures")
+        mean, heat = await compared(*(picture for _, picture in done))
+    except Failure as why:
+        socket.deliver(ERROR, number, {"code": 1, "error": str(why), "format": "png"}, b"")
+    else:
+        socket.deliver(ERROR, number, {"code": 0, "error": "", "format": "png", "flip_mean": mean}, heat)
+
+
+async def compared(picture: bytes, truth: bytes) -> tuple[float | None, bytes]:
+    """FLIP's mean, where it has one, and its map. Raises Failure."""
     with tempfile.TemporaryDirectory(prefix="lightwalk_error_") as folder:
         files = [Path(folder, name) for name in ("picture.png", "truth.png", "error.png")]
-        for file, (_, picture) in zip(files, done):
-            file.write_bytes(picture)
-        code, out = await answers.run([BUILD / "compare", files[1], files[0], "--json", "--heatmap", files[2]], lambda line: None, DRAW_S)
+        for file, data in zip(files, (picture, truth)):
+            file.write_bytes(data)
+        try:
+            code, out = await answers.run([BUILD / "compare", files[1], files[0], "--json", "--heatmap", files[2]], lambda line: None, DRAW_S)
+        except OSError as error:
+            raise Failure(f"build/compare: {error.strerror}; ./course serve builds it") from None
         if not files[2].is_file():
-            return
-        mean = json.loads(out)["flip"]["mean"] if code == 0 else None
-        socket.deliver("chart.2", number, {"code": 0, "error": "", "format": "png", "flip_mean": mean}, files[2].read_bytes())
+            raise Failure(f"compare ended with {code}")
+        return json.loads(out)["flip"]["mean"] if code == 0 else None, files[2].read_bytes()

@@ -49,7 +49,7 @@ def run(arguments, _rest) -> int:
     listening, where = listen(arguments)
     folder = BUILD / "docs"
     if not arguments.no_build:
-        build(["programs"])
+        build(["programs", "compare"])  # charts show the error of a point's picture
         if is_old(folder):
             say("writing the pages")
             docs.make(folder)

@@ -14,16 +14,21 @@ import tempfile
 from pathlib import Path
 
 from build.build import build
-from pages import docs, states
+from pages import docs, drawn_pictures, states
 from pages.page import POLICY
 from tree import BUILD, Failure, UsageError, chapters, say, warn, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
+CHAPTER = "19_ambiance"  # which draws the film
 MARK = ".lightwalk-site"  # in a folder that this command may replace
 WIDEST = 800
 MOST_BYTES = 60_000_000
-# The film's seconds that the start page shows, at 24 frames a second.
-FILM = ["--size", "640x360", "--fps", "24", "--frames_from", "1320", "--frames_to", "1464"]
+FILM = "assets/films/ambiance.film"
+# The film's seconds that the start page shows: valley, sea, chronosphere, harbour, Julia set, Saturn, head, car, knot, courtyard, clouds.
+BEST_S = [[48.5, 50.5], [57, 58.4], [70, 71.5], [124, 125.5], [90, 91.5], [26, 27.5], [109, 110.5], [153, 154.5], [141, 142.5],
+          [205, 206.5], [42, 43.5]]
+DRAWN_AS = ["--cut", "short", "--size", "640x360", "--fps", "24", "--samples", "1", "--codec", "h264"]
+ENCODED_AS = ["-an", "-c:v", "libx264", "-preset", "slow", "-crf", "29", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
 
 
 def write(folder: Path, film: bool = True) -> int:
@@ -38,25 +43,32 @@ def write(folder: Path, film: bool = True) -> int:
 
 
 def start_film() -> Path | None:
-    """The start page's film, written once for each version of chapter 19. None where it cannot be made, which is said."""
-    program = BUILD / "chapters" / "19_ambiance"
-    build(["19_ambiance"])
-    out = BUILD / "site" / "start.mp4"
-    if out.exists() and out.stat().st_mtime > program.stat().st_mtime:
+    """The start page's film, kept until its sources change. None where it cannot be made, which is said."""
+    build([CHAPTER])
+    cut = json.dumps(best_of(json.loads((docs.ROOT / FILM).read_text())))
+    key = hashlib.sha256(repr((drawn_pictures.version(CHAPTER), cut, DRAWN_AS, ENCODED_AS)).encode()).hexdigest()[:16]
+    out = drawn_pictures.KEPT / f"start.{key}.mp4"
+    if out.exists():
         return out
     if not shutil.which("ffmpeg"):
-        warn("the start page has no film, for there is no ffmpeg; the package is in common/course/packages/film")
+        warn("the start page shows a picture: its film needs ffmpeg, the package in common/course/packages/film")
         return None
+    warn("drawing the start page's film, which is kept; --no-film shows a picture instead")
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent) as folder:
-        drawn = Path(folder, "drawn.mp4")
+        film, drawn, made = (Path(folder, name) for name in ("start.film", "drawn.mp4", "made.mp4"))
+        film.write_text(cut)
         # The film's own command, as a person would type it: it knows the codecs.
-        for command in (["./course", "film", drawn, *FILM], ["ffmpeg", "-v", "error", "-i", drawn, "-an", "-c:v", "libx264", "-crf", "27",
-                                                             "-pix_fmt", "yuv420p", "-movflags", "+faststart", Path(folder, "start.mp4")]):
+        for command in (["./course", "film", drawn, "--scene", film, *DRAWN_AS], ["ffmpeg", "-v", "error", "-i", drawn, *ENCODED_AS, made]):
             if subprocess.run(command, cwd=docs.ROOT, stdout=subprocess.DEVNULL).returncode:
-                raise Failure(f"the start page's film could not be written: {command[0]} failed")
-        Path(folder, "start.mp4").replace(out)
+                raise Failure(f"the start page's film could not be written: {command[0]} failed; --no-film leaves it out")
+        made.replace(out)
     return out
+
+
+def best_of(film: dict) -> dict:
+    """The film, cut to its best seconds, without titles and sound."""
+    return {key: value for key, value in film.items() if not key.startswith("music")} | {"titles": [], "cuts": {"short": {"parts": BEST_S}}}
 
 
 # The search's index is larger than a page: it comes with the first look at the search's field.
@@ -145,10 +157,15 @@ def start_page(made: Path, page: str, clip: Path | None) -> str:
     page = re.sub(r'(<div class="hero"[^>]*>\s*<img [^>]*src=")([^"]+)"', lambda found: picture(found, (1200, 675), "hero"), page)
     if clip:
         shutil.copyfile(clip, made / "assets" / "start.mp4")
-        page = re.sub(r'(<div class="hero"[^>]*>\s*)<img [^>]*src="([^"]+)"[^>]*>', r'\1<video autoplay muted loop playsinline '
-                      r'preload="metadata" poster="\2" aria-label="Some seconds of the film that the course ends with">'
-                      r'<source src="assets/start.mp4" type="video/mp4"></video>', page, count=1)
+        page = with_film(page)
     return page
+
+
+def with_film(page: str) -> str:
+    """The film in the place of the start page's picture, which shows until it plays."""
+    return re.sub(r'(<div class="hero"[^>]*>\s*)<img [^>]*src="([^"]+)"[^>]*>', r'\1<video autoplay muted loop playsinline '
+                  r'preload="metadata" poster="\2" aria-label="Some seconds of the film that the course ends with">'
+                  r'<source src="assets/start.mp4" type="video/mp4"></video>', page, count=1)
 
 
 def scaled(path: Path, most: tuple[int, int]):
