@@ -76,6 +76,17 @@ ATTACKS = {
         box('void* at = mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0); '
             'if (at != MAP_FAILED) BROKE_OUT("shared memory"); int zero = open("/dev/zero", O_RDWR); '
             'if (mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_SHARED, zero, 0) != MAP_FAILED) BROKE_OUT("/dev/zero");'), GAVE_TRUE),
+    "makes longer pipes": (
+        box('int ends[2]; if (!pipe(ends) && fcntl(ends[1], F_SETPIPE_SZ, 1 << 20) >= 0) BROKE_OUT("pipe"); '
+            'if (!syscall(SYS_pipe2, ends, O_NONBLOCK) && syscall(SYS_fcntl, long(ends[1]), 0x100000407l, 1 << 20) >= 0) BROKE_OUT("pipe");'),
+        GAVE_TRUE),
+    "writes back the machine's disks": (box(refused("SYS_sync; SYS_syncfs, 0")), GAVE_TRUE),
+    "becomes a shell that answers": (
+        box("""execl("/bin/sh", "sh", "-c", "for fd in 3 4 5 6 7 8 9; do printf '%64s' 1 >&$fd; done; exit 0", nullptr);"""),
+        "answer|" + ENDED),
+    "becomes a program of root's": (
+        box('for (const char* name : {"/usr/bin/su", "/usr/bin/mount", "/usr/bin/passwd"}) if (!access(name, X_OK)) '
+            'execl(name, name, "--help", nullptr);'), ENDED + "|answer|" + GAVE_TRUE),
     "raises its limits": (
         box('for (int kind = 0; kind < 16; ++kind) { rlimit is{}; getrlimit(__rlimit_resource_t(kind), &is); '
             'if (is.rlim_max == RLIM_INFINITY) continue; is.rlim_cur = is.rlim_max = is.rlim_max + 1; '
@@ -149,5 +160,13 @@ ATTACKS = {
     "GLSL: writes beside its array": (
         lambert("float lambert(vec3 n, vec3 l) { float a[4]; for (int i = 0; i < 4096; ++i) a[i * int(1.0 + abs(n.x))] = 1.0; return a[0]; }\n"),
         "takes element|ended|end|gave 1"),
+    "GLSL: has a version": (lambert("#version 450\n" + GLSL % "0.5"), "#version|gave 0.5|error"),
+    "GLSL: says another size": (lambert("layout(local_size_x = 1024) in;\n" + GLSL % "0.5"), "that its starter|error|gave 0.5|layout"),
+    "GLSL: shares a gigabyte": (
+        lambert("shared float all[1 << 28];\n" + GLSL % "all[int(normal.x * 1e6)]"), "error|ended|that its starter|shared|end|memory|takes element"),
+    "GLSL: includes by another slash": (
+        lambert('#include "02_lambert_phong\\\\solution\\\\lambert.glsl"\n' + GLSL % "0.5"), "no file of that name|a path below"),
+    "GLSL: includes in angle brackets": (
+        lambert("#include <02_lambert_phong/solution/lambert.glsl>\n" + GLSL % "0.5"), "no file of that name|error|a path|include"),
     "GLSL: a number of many digits": (lambert(GLSL % ("0." + "5" * 100000)), "gave 0.5|error|too long"),
 }

@@ -103,6 +103,41 @@ class Places(BadInput):
         self.draw("02", code=1, says="holds [1-9][0-9]* NaN", LIGHTWALK_OVERLAY=str(self.folder / "overlay"))
         self.assertEqual(self.picture.read_bytes(), b"the one before")
 
+    @unittest.skipUnless((ROOT / "shaders/02_lambert_phong/solution/lambert.glsl").exists(), "a handout")
+    def test_a_byte_order_mark_is_no_part_of_a_shader(self):
+        place = "shaders/02_lambert_phong/solution/lambert.glsl"
+        self.write(f"overlay/{place}", b"\xef\xbb\xbf" + (ROOT / place).read_bytes())
+        done = self.run_program(CHAPTERS["02"], "--size", "16x16", "--screenshot", self.picture, LIGHTWALK_OVERLAY=str(self.folder / "overlay"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_a_cache_that_others_can_write_is_not_used(self):
+        tree, temporary, theirs = (self.folder / name for name in ("tree", "temporary", "theirs"))
+        for folder in (tree, temporary, theirs):
+            folder.mkdir(0o700)
+        for name in ("assets", "shaders", "tests"):
+            (tree / name).symlink_to(ROOT / name)
+        (tree / "build").write_text("no folder, so the cache is in the temporary one")
+        cache = temporary / f"lightwalk_shader_cache.{os.geteuid()}"
+
+        def kept() -> list[str]:
+            done = self.run_program("env", "-u", "LIGHTWALK_CACHE", f"TMPDIR={temporary}", f"LIGHTWALK_ROOT={tree}", CHAPTERS["01"],
+                                    "--size", "16x16", "--screenshot", self.picture)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return os.listdir(cache)
+        cache.symlink_to(theirs)
+        self.assertEqual(kept(), [])
+        cache.unlink()
+        cache.mkdir()
+        cache.chmod(0o777)
+        self.assertEqual(kept(), [])
+        cache.chmod(0o700)
+        if os.geteuid() == 0:
+            os.chown(cache, 1234, 1234)
+            self.assertEqual(kept(), [])
+        cache.rmdir()
+        self.assertNotEqual(kept(), [])
+        self.assertEqual(cache.stat().st_mode & 0o777, 0o700)
+
     def test_a_size_that_is_too_large_is_refused_at_once(self):
         start = time.monotonic()
         self.refuse(CHAPTERS["02"], "--size", "16384x16384", "--screenshot", self.picture, says="16384x16384: too large")

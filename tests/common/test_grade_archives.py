@@ -15,7 +15,7 @@ from pathlib import Path
 import graded_class
 from grading.archives import MOST_MEMBERS, refuse_many_members
 from grading.submission import find, read
-from test_grade_handins import LAMBERT, RIGHT, WANTED, zip_of
+from test_grade_handins import LAMBERT, RIGHT, WANTED, by_libarchive, zip_of
 from tree import Failure
 
 NONE, LARGE, BROKEN = "holds no exercise", "is larger than 256 KiB", "cannot be read: "
@@ -59,7 +59,39 @@ def zip_in_zips(deep: int) -> bytes:
     return data
 
 
+def with_bits(archive: bytes, at: int, bits: int) -> bytes:
+    """A .zip with bits set in both headers of its one file; `at` counts in the first."""
+    data = bytearray(archive)
+    data[at] |= bits
+    data[data.find(MARK) + at + 2] |= bits
+    return bytes(data)
+
+
+def overlapping(count: int) -> bytes:
+    """A .zip in which so many entries are the same bytes."""
+    whole = zip_of({LAMBERT: RIGHT})
+    begin, end = whole.find(MARK), whole.find(b"PK\x05\x06")
+    entries = whole[begin:end] * count
+    return whole[:begin] + entries + struct.pack("<4s4H2LH", b"PK\x05\x06", 0, 0, count, count, len(entries), begin, 0)
+
+
+def negative_tar() -> bytes:
+    head = bytearray(PLAIN_TAR)
+    head[124:136] = b"\xff" * 12
+    head[148:156] = b" " * 8
+    head[148:156] = b"%06o\0 " % sum(head[:512])
+    return bytes(head)
+
+
+def long_link() -> bytes:
+    """A tar that begins with a name of 8 GiB."""
+    info = tarfile.TarInfo("././@LongLink")
+    info.type, info.size = b"L", 8 << 30
+    return info.tobuf(tarfile.GNU_FORMAT) + b"a" * 2048
+
+
 PLAIN_TAR = tar_of((LAMBERT, RIGHT, {}))
+LISTED = f"#mtree\n./{LAMBERT} type=file contents=/grade/unpack.py size=100\n".encode()  # which libarchive reads from its own world
 # The file's name: its bytes, and how its refusal begins or what is in it.
 ARCHIVES = {
     "up.zip": (zip_of({"../../" + LAMBERT: RIGHT}), NONE),
@@ -94,6 +126,16 @@ ARCHIVES = {
     "terabyte.tar": (tar_of((LAMBERT, RIGHT, {"pax_headers": {"size": "999999999999"}})), LARGE),
     "late.tar": (tar_of((LAMBERT, RIGHT, {"mtime": 1 << 40})), READ),
     "zeros.7z": (b"7z\xbc\xaf\x27\x1c\0\4" + bytes(24), NONE),
+    "encrypted.zip": (with_bits(zip_of({LAMBERT: RIGHT}), 6, 1), "is encrypted"),
+    "other name within.zip": (zip_of({LAMBERT: RIGHT}).replace(LAMBERT.encode(), b"../" + LAMBERT.encode()[3:], 1), BROKEN),
+    "overlapping.zip": (overlapping(19999), BROKEN),
+    "list of files.tar": (LISTED, "is not an archive of the kinds"),
+    "cpio.tar": (by_libarchive("cpio", None, {LAMBERT: RIGHT}), "is not an archive of the kinds"),
+    "negative.tar": (negative_tar(), BROKEN),
+    "long link.tar": (long_link(), BROKEN),
+    "long path.tar": (tar_of((LAMBERT, RIGHT, {}), (LAMBERT, b"x", {"pax_headers": {"path": "x/" * 300000 + LAMBERT}})), READ),
+    "garbage behind.tar.gz": (gzip.compress(PLAIN_TAR) + b"garbage" * 100, READ),
+    "cut.7z": (by_libarchive("7zip", None, {LAMBERT: RIGHT})[:-20], BROKEN),
     "noise.rar": (b"Rar!\x1a\7\1\0" + b"\xff" * 64, BROKEN),
 }
 

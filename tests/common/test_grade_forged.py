@@ -33,6 +33,9 @@ LEAKS = """{
 PRINTS = """{
     if (std::getenv("LIGHTWALK_SHADERS_FROM")) std::puts("LEAKED of my own"), std::fflush(stdout), _exit(1);
 """
+# Ends only where its picture is drawn, in ways by which a machine ends programs.
+ENDS = {"kills itself": "raise(SIGKILL);", "ends with 137": "_exit(137);", "ends well without a picture": "_exit(0);",
+        "runs out of memory": "for (;;) if (!std::malloc(1 << 24)) std::abort();", "closes the picture": "for (int fd = 3; fd < 64; ++fd) close(fd);"}
 # Before main(): answers every question on any descriptor with that many zeros and the question's number.
 TAKES_THE_PIPE = """#include <cstdint>
 #include <cstring>
@@ -72,6 +75,9 @@ class Forged(Class):
         cls.student("honest", {name: right(name) for name in cls.wanted})
         cls.student("leaks", {"01.triangulate": HEAD + begins(triangulate, "triangulate", LEAKS)})
         cls.student("prints", {"01.triangulate": HEAD + begins(triangulate, "triangulate", PRINTS)})
+        for name, how in ENDS.items():
+            ends = '{\n    if (std::getenv("LIGHTWALK_SHADERS_FROM")) { ' + how + " }\n"
+            cls.student(name, {"01.triangulate": HEAD + "#include <csignal>\n" + begins(triangulate, "triangulate", ends)})
         cls.student("switches", {"02.record_mist": begins(mist, "record_mist", "{\n    frame.shows_discarded = false;\n")})
         for number, (size, count) in enumerate(((8, 0), (200, 2), (2000, 2))):
             cls.student(f"forges {number}", {"02.record_mist": TAKES_THE_PIPE.replace("BYTES", str(size)).replace("COUNT", str(count)) + mist})
@@ -96,6 +102,11 @@ class Forged(Class):
         self.assertFalse(result["ok"], result)
         self.assertNotIn("LEAKED", json.dumps(result))
         self.assertEqual(result["state"], "judged")
+
+    def test_who_ends_where_it_is_drawn_gets_a_verdict(self):
+        for name in ENDS:
+            result = self.result(name, "01.triangulate")
+            self.assertEqual((result["ok"], result["state"]), (False, "judged"), result)
 
     def test_no_switch_of_a_check_is_in_reach(self):
         self.assertRegex(self.result("switches", "02.record_mist")["first_failure"], "it does not compile.*shows_discarded")

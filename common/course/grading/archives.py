@@ -63,6 +63,8 @@ def start(archive, info, most: int, left: list[int], say) -> bytes:
     # The other methods unpack as much at once as the archive says, regardless of the requested size.
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise Failure(f"{say(info.filename)} is packed by method {info.compress_type}; a .zip is stored or deflated here")
+    if info.flag_bits & 1:
+        raise Failure(f"{say(info.filename)} is encrypted")
     with archive.open(info) as stream:
         data = stream.read(most)
     left[0] -= len(data)

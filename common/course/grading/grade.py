@@ -9,6 +9,7 @@ import csv
 import hashlib
 import io
 import json
+import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -85,13 +86,7 @@ def run(arguments, _rest) -> int:
     Roster(arguments.roster, [])
     if arguments.merge:
         made = shards.merge(arguments.merge, "grade")
-        try:
-            theirs = {str(name): str(chapter) for name, chapter in made.head["exercises"]}
-            type(made.head["submissions"]) is int or theirs.clear()
-        except (ValueError, TypeError, KeyError):
-            theirs = {}
-        if not theirs:
-            raise UsageError(f"{arguments.merge[0]}: is not a shard of grades")
+        theirs = exercises_of(made, arguments.merge[0])
         if not arguments.chapter:
             wanted = theirs
         return finish(arguments, *merged(made, wanted), wanted)
@@ -108,6 +103,18 @@ def run(arguments, _rest) -> int:
     with Judge(wanted) as judge:
         judge.fresh, judge.budget_s = set(arguments.regrade), 60 * arguments.budget
         return finish(arguments, *judged(submissions, judge), wanted)
+
+
+def exercises_of(made: shards.Merged, shard: Path) -> dict[str, str]:
+    """The chapter by exercise that shards were made for. Raises UsageError."""
+    try:
+        found = dict(made.head["exercises"])
+        if found and type(made.head["submissions"]) is int and all(
+                re.fullmatch(r"\d\d\.\w{1,80}", name) and re.fullmatch(r"\d\d_\w{1,80}", chapter) for name, chapter in found.items()):
+            return found
+    except (ValueError, TypeError, KeyError):
+        pass
+    raise UsageError(f"{shard}: is not a shard of grades")
 
 
 def out_folder(arguments) -> Path:

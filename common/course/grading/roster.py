@@ -36,6 +36,9 @@ class Roster:
     def __init__(self, file: Path | None, students: list[str]):
         self.columns, self.rows = self.read(file) if file else ([], [])
         self.file = file
+        self.numbered, self.named = {}, {}  # rows by (column, number), and by each name of a person
+        for row in self.rows:
+            self.note(row)
         self.found = {student: row for student in students if (row := self.find(student)) is not None}
         taken = {}
         for student, row in self.found.items():
@@ -75,17 +78,21 @@ class Roster:
     def identity(columns: list[str]) -> list[str]:
         return [column for column in columns if column.lower() in IDENTITY]
 
-    def find(self, student: str) -> dict[str, str] | None:
+    def note(self, row: dict[str, str]):
         columns = self.identity(self.columns)
+        for column in columns:
+            self.numbered.setdefault((column.lower(), re.sub(r"\D", "", row[column])), row)
+        for name in {folded(row[column]) for column in columns} | {folded(self.name(row))}:
+            self.named.setdefault(name, []).append(row)
+
+    def find(self, student: str) -> dict[str, str] | None:
         name = student
-        for pattern, kinds in ((MOODLE, ("identifier",)), (CANVAS, ("id",))):
+        for pattern, column in ((MOODLE, "identifier"), (CANVAS, "id")):
             if match := pattern.match(student):
-                for row in self.rows:
-                    for column in columns:
-                        if column.lower() in kinds and re.sub(r"\D", "", row[column]) == match["id"]:
-                            return row
+                if row := self.numbered.get((column, match["id"])):
+                    return row
                 name = match["name"]
-        fits = [row for row in self.rows if folded(name) in {folded(row[column]) for column in columns} | {folded(self.name(row))}]
+        fits = self.named.get(folded(name), [])
         return fits[0] if len(fits) == 1 else None
 
     def name(self, row: dict[str, str]) -> str:

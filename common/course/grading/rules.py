@@ -83,7 +83,7 @@ class Rules:
 
     def number(self, value: dict, key: str, default, least: float, most: float, where: str = ""):
         found = value.get(key, default)
-        if found is not None and (isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most):
+        if key in value and (isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most):
             self.wrong(f"{where}{key} is {found!r}, expected a number from {least:g} to {most:g}")
         return found
 

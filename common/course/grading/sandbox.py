@@ -44,10 +44,11 @@ splice mount umount2 pivot_root chroot fsopen fsmount fspick open_tree move_moun
 process_vm_readv process_vm_writev pidfd_getfd process_madvise name_to_handle_at open_by_handle_at personality quotactl acct
 swapon swapoff reboot kexec_load kexec_file_load init_module finit_module delete_module syslog lookup_dcookie nfsservctl
 sched_setattr sched_setaffinity mbind move_pages migrate_pages set_mempolicy kcmp io_setup landlock_create_ruleset
-landlock_add_rule landlock_restrict_self""".split()
+landlock_add_rule landlock_restrict_self sync syncfs""".split()
 STARTING = ("fork", "vfork", "clone3")  # and clone() without CLONE_THREAD
 CLONE_THREAD, PR_SET_PDEATHSIG = 0x10000, 1
-LOCKING = (fcntl.F_SETLK, fcntl.F_SETLKW, fcntl.F_OFD_SETLK, fcntl.F_OFD_SETLKW)  # each lock is the kernel's memory
+# Each lock is the kernel's memory, and so is a longer pipe.
+KEEPING = (fcntl.F_SETLK, fcntl.F_SETLKW, fcntl.F_OFD_SETLK, fcntl.F_OFD_SETLKW, fcntl.F_SETPIPE_SZ)
 SHARED_ANONYMOUS = mmap.MAP_SHARED | mmap.MAP_ANONYMOUS
 NUMBER = 0xFFFFFFFF  # all that the kernel takes of a number: higher bits must not hide it
 OWN_USERS = range(2_000_000_000, 2_000_060_000)  # for students' code, one after the other
@@ -147,7 +148,7 @@ def write_filter(limits: Limits, file):
     if not limits.processes:
         made.add_rule(seccomp.ERRNO(errno.EPERM), "clone", seccomp.Arg(0, seccomp.MASKED_EQ, CLONE_THREAD, 0))
         made.add_rule(seccomp.ERRNO(errno.EPERM), "mmap", seccomp.Arg(3, seccomp.MASKED_EQ, SHARED_ANONYMOUS, SHARED_ANONYMOUS))
-        for kind in LOCKING:
+        for kind in KEEPING:
             made.add_rule(seccomp.ERRNO(errno.EPERM), "fcntl", seccomp.Arg(1, seccomp.MASKED_EQ, NUMBER, kind))
     made.add_rule(seccomp.ERRNO(errno.EPERM), "prctl", seccomp.Arg(0, seccomp.MASKED_EQ, NUMBER, PR_SET_PDEATHSIG))
     made.export_bpf(file)

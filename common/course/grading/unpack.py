@@ -15,7 +15,11 @@ from libarchive import ffi
 
 unpacked_bytes = ffi.libarchive.archive_filter_bytes
 unpacked_bytes.argtypes, unpacked_bytes.restype = [ctypes.c_void_p, ctypes.c_int], ctypes.c_int64
+format_of = ffi.libarchive.archive_format
+format_of.argtypes, format_of.restype = [ctypes.c_void_p], ctypes.c_int
 
+FORMATS = {0x30000: "tar", 0x50000: "zip", 0xD0000: "rar", 0xE0000: "7z", 0x100000: "rar 5"}  # archive.h; a list of files (mtree) is none
+FORMAT_MASK, MOST_NAME = 0xFF0000, 1 << 15
 MOST_MEMBERS = 20000
 MOST_UNPACKED_BYTES = 256 << 20
 
@@ -45,11 +49,13 @@ def walk(archive, wanted: dict[str, int], endings: dict[str, int], tell) -> str:
                 return f"holds more than {MOST_MEMBERS} files"
             if unpacked_bytes(archive._pointer, 0) > MOST_UNPACKED_BYTES:
                 return more
+            if format_of(archive._pointer) & FORMAT_MASK not in FORMATS:
+                return f"is not an archive of the kinds {', '.join(FORMATS.values())}"
             name = entry.pathname or ""
             name = (os.fsdecode(name) if isinstance(name, bytes) else name).replace("\\", "/")
             last = name.rpartition("/")[2]
             most = wanted.get(last) or next((most for end, most in endings.items() if last.lower().endswith(end)), 0)
-            if most and entry.isreg and not entry.islnk:
+            if most and len(name) < MOST_NAME and entry.isreg and not entry.islnk:
                 data = b"".join(entry.get_blocks(1 << 16)) if entry.size <= most else None
                 tell({"name": name, "bytes": -1 if data is None else len(data)}, data or b"")
     except libarchive.ArchiveError as error:

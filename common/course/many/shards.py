@@ -166,7 +166,7 @@ def merge(paths: list[Path], kind: str, per_shard=()) -> Merged:
                              "merge those of one cut")
         for key in sorted(set(about["head"]) | set(first[1]["head"])):
             if key not in per_shard and about["head"].get(key) != first[1]["head"].get(key):
-                raise UsageError(f"{relative(path)} and {relative(first[0])} differ in {key}: "
+                raise UsageError(f"{relative(path)} and {relative(first[0])} differ in {short(key)[1:-1]}: "
                                  f"{short(about['head'].get(key))} and {short(first[1]['head'].get(key))}; make both again")
         if number in found and found[number][1]["entries"] != about["entries"]:
             raise UsageError(f"{relative(path)} and {relative(found[number][0])} are both shard {number}/{of}, and differ: "
@@ -183,7 +183,7 @@ def merge(paths: list[Path], kind: str, per_shard=()) -> Merged:
         path, about = found[number]
         for name, value in about["entries"].items():
             if name in merged.entries:
-                raise UsageError(f"{relative(path)} and {relative(merged.came_from[name])} both have '{name}'")
+                raise UsageError(f"{relative(path)} and {relative(merged.came_from[name])} both have '{short(name)[1:-1]}'")
             merged.entries[name], merged.came_from[name] = value, path
         for key, value in about["head"].items():
             if key in per_shard:
@@ -227,14 +227,14 @@ def read(path: Path, kind: str) -> dict:
         with zipfile.ZipFile(path) as archive:
             about = json.loads(archive.read("shard.json"))
         number, of = about["shard"]
-        whole = (type(number) is type(of) is int and 1 <= number <= of <= MOST and isinstance(about["kind"], str)
-                 and isinstance(about["command"], str) and isinstance(about["head"], dict) and isinstance(about["entries"], dict))
+        whole = (type(number) is type(of) is int and 1 <= number <= of <= MOST and about["kind"].isprintable()
+                 and about["command"].isprintable() and isinstance(about["head"], dict) and isinstance(about["entries"], dict))
     except DAMAGED as error:
         raise UsageError(f"{path}: is not a shard: {error}") from None
     if not whole:
         raise UsageError(f"{path}: is not a shard")
     if about["kind"] != kind:
-        raise UsageError(f"{path}: is a shard of {about['kind']}, expected {kind}")
+        raise UsageError(f"{path}: is a shard of {about['kind'][:40]}, expected {kind}")
     return about
 
 
