@@ -115,12 +115,15 @@ std::vector<float> Knob<T>::numbers() const {
 template <class T>
 nlohmann::json Knob<T>::describe() const {
     using C = Components<T>;
+    const auto number = [](double component) {
+        return std::is_same_v<T, int> ? nlohmann::json(static_cast<int>(component)) : nlohmann::json(component);
+    };
     nlohmann::json defaults = nlohmann::json::array();
-    for (int i = 0; i < C::count; ++i) defaults.push_back(C::get(default_value, i));
+    for (int i = 0; i < C::count; ++i) defaults.push_back(number(C::get(default_value, i)));
     return {{"name", path()},
             {"type", kind<T>},
             {"default", C::count == 1 ? defaults[0] : defaults},
-            {"range", {C::get(range.lower, 0), C::get(range.upper, 0)}},
+            {"range", {number(C::get(range.lower, 0)), number(C::get(range.upper, 0))}},
             {"unit", unit},
             {"help", help}};
 }

@@ -34,6 +34,8 @@ TEST_CASE("a number keeps to its range and kind") {
     CHECK_THROWS_AS(count.set("1.5"), InputError);
     count.set("64");
     CHECK(count.text() == "64");
+    CHECK(count.describe()["default"].dump() == "4");
+    CHECK(count.describe()["range"].dump() == "[1,64]");
 
     Knob<glm::vec3> color{root, "color", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "a colour"};
     color.set("0.25,0.5,1");
