@@ -5,9 +5,9 @@
 // [noise_derivative]
 // Returns (height, its derivative by f.x, its derivative by f.y). The height is that of
 // 11.quintic_noise, with s(t) = 6 t^5 - 15 t^4 + 10 t^3. The derivatives are exact, not
-// differences. Read each of the four numbers at the corners once: a at (0, 0), b at (1,
-// 0), c at (0, 1), d at (1, 1). It helps to write the height as a + (b - a)
-// s(f.x) + (c - a) s(f.y) + (a - b - c + d) s(f.x) s(f.y).
+// differences. The four numbers at the corners are enough for all three: a at (0, 0), b at
+// (1, 0), c at (0, 1), d at (1, 1). It helps to write the height as a + (b - a) s(f.x)
+// + (c - a) s(f.y) + (a - b - c + d) s(f.x) s(f.y).
 // [/noise_derivative]
 vec3 noise_derivative(ivec2 cell, vec2 f) {
     return vec3(lattice(cell), 0.0, 0.0);
