@@ -22,7 +22,9 @@ class Array {
     Array() = default;
     Array(Array&& other) noexcept { *this = std::move(other); }
     Array& operator=(Array&& other) noexcept {
-        std::swap(data_, other.data_), std::swap(size_, other.size_), std::swap(capacity_, other.capacity_);
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
         return *this;
     }
     ~Array() { std::free(data_); }
@@ -44,7 +46,10 @@ class Array {
         return data_ + size_;
     }
     void added(size_t count) { size_ += count; }
-    void push_back(const T& value) { *room(1) = value, ++size_; }
+    void push_back(const T& value) {
+        *room(1) = value;
+        ++size_;
+    }
     void clear() { size_ = 0; }
     /// The new elements are not set.
     void resize(size_t count) {
@@ -55,7 +60,8 @@ class Array {
         if (count <= capacity_) return;
         void* moved = std::realloc(data_, count * sizeof(T));
         if (!moved) throw std::bad_alloc();
-        data_ = static_cast<T*>(moved), capacity_ = count;
+        data_ = static_cast<T*>(moved);
+        capacity_ = count;
         // Large pages where the system offers them: first touch costs a fault for 2 MiB instead of 4 KiB.
         constexpr uintptr_t large = uintptr_t{2} << 20;
         const uintptr_t begin = (reinterpret_cast<uintptr_t>(moved) + large - 1) & ~(large - 1);

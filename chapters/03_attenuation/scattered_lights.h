@@ -36,7 +36,10 @@ struct ScatteredLights : Module {
     explicit ScatteredLights(Module& owner);
     Knob<int> count;
 
-    void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded, where_ = loaded.bounds; }
+    void prepare(Gpu&, Scene& loaded) override {
+        scene_ = &loaded;
+        where_ = loaded.bounds;
+    }
     const LightList& all(unsigned seed, std::optional<float> moved_at_s = {}) {
         return lights_.from(scene_->lights(), where_, count, seed, moved_at_s);
     }

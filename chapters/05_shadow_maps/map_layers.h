@@ -43,7 +43,10 @@ class MapLayers {
     /// Invalidates all layers.
     void forget() { layers_.assign(layers_.size(), {}); }
     /// Nor are the layers.
-    void clear() { layers_.clear(), of_view_.clear(); }
+    void clear() {
+        layers_.clear();
+        of_view_.clear();
+    }
 
     size_t size() const { return layers_.size(); }
     Layer& operator[](uint32_t layer) { return layers_[layer]; }

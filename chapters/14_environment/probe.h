@@ -36,7 +36,10 @@ struct SceneProbe : Module {
 
     void record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings);
     void record(Frame& frame, const Scene& scene, ImageLight& light, World& world);
-    void prepare(Gpu&, Scene&) override { made_.forget(), next_face_ = 0; }
+    void prepare(Gpu&, Scene&) override {
+        made_.forget();
+        next_face_ = 0;
+    }
 
     int drawn_faces = 0;                               ///< of the last frame
     const Image& last_face() const { return color_; }  ///< mirrored from left to right

@@ -36,8 +36,15 @@ struct EditorWindow : Playground, WindowTool {
     void draw_toolbar();
     void draw_lights_toolbar();
     void draw_dock(float width_px, float scale);
-    void show_files(bool shown) { browser_.close(), browser_.shown = shown, steps_.shown = false; }
-    void show_steps(bool shown) { browser_.close(), steps_.shown = shown; }
+    void show_files(bool shown) {
+        browser_.close();
+        browser_.shown = shown;
+        steps_.shown = false;
+    }
+    void show_steps(bool shown) {
+        browser_.close();
+        steps_.shown = shown;
+    }
     void carry_on_previews();
     void scatter_lights();
     void add_light(Light::Kind kind);

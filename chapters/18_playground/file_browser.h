@@ -43,7 +43,10 @@ class FileBrowser {
     /// Shows the images that `take` gets one of; `what` is it for.
     using Take = std::function<void(const std::filesystem::path&)>;
     void pick_image(const std::string& what, const Take& take);
-    void close() { shown = false, take_image_ = nullptr; }
+    void close() {
+        shown = false;
+        take_image_ = nullptr;
+    }
 
     /// The file that the mouse has dragged here and dropped in this frame.
     std::optional<std::filesystem::path> dropped() const;

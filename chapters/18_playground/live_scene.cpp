@@ -54,13 +54,19 @@ void LiveScene::leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& obje
         if (object.model.empty() || object.hidden) continue;
         try {
             scene.models().load(gpu, find_asset(object.model), loader);
-        } catch (const InputError& e) { note(e), object.model.clear(); }
+        } catch (const InputError& e) {
+            note(e);
+            object.model.clear();
+        }
         std::erase_if(object.material.maps, [&](const auto& map) {
             std::set<std::string> warned;
             try {
                 load_maps(scene.images(gpu), {}, {.maps = {map}}, warned);
                 return false;
-            } catch (const InputError& e) { return note(e), true; }
+            } catch (const InputError& e) {
+                note(e);
+                return true;
+            }
         });
     }
 }

@@ -31,7 +31,10 @@ struct Playground : ModelChapter {
 
     Playground();
     std::string default_scene() const override { return "scenes/workbench.json"; }
-    void prepare(Gpu&, Scene&) override { editor.loaded(*this), updates_ = true; }
+    void prepare(Gpu&, Scene&) override {
+        editor.loaded(*this);
+        updates_ = true;
+    }
     void frame(Frame& frame) override;
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override;
     std::vector<std::string> status() const override;

@@ -21,7 +21,10 @@ Ambiance::Ambiance() {
     reel.before_scenes = [this](Gpu& gpu) { make_effects(gpu); };
     commands = {
         {"levels", "FILE", "Write the levels of the music FILE beside it, for films, and exit",
-         [](const std::string& file, const Options&, auto&) { return write_levels(file), 0; }},
+         [](const std::string& file, const Options&, auto&) {
+             write_levels(file);
+             return 0;
+         }},
         {"film", "FILE", "Write the film to FILE (.mp4, .mkv, .raw), and exit",
          [this](const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu) {
              return out.write(*this, reel, file, options, gpu);

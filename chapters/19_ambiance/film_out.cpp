@@ -74,7 +74,10 @@ class Unfinished {
     std::filesystem::path file;
 
   private:
-    static void remove() { unlink(file_to_remove), rmdir(folder_to_remove); }
+    static void remove() {
+        unlink(file_to_remove);
+        rmdir(folder_to_remove);
+    }
     static void end(int number) {
         remove();
         _exit(128 + number);

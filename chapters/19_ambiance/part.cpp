@@ -19,7 +19,10 @@ class OwnFrame {
         : frame_(frame),
           time_before_(std::exchange(frame.time_s, static_cast<float>(time_s))),
           root_before_(std::exchange(frame.root, &part)) {}
-    ~OwnFrame() { frame_.time_s = time_before_, frame_.root = root_before_; }
+    ~OwnFrame() {
+        frame_.time_s = time_before_;
+        frame_.root = root_before_;
+    }
     OwnFrame(const OwnFrame&) = delete;
 
   private:

@@ -24,7 +24,10 @@ struct Table {
     std::map<std::string, unsigned> versions;  ///< of each state, since a shader was edited
     unsigned known_versions = 0;
     std::optional<unsigned> version;  ///< of the state
-    void changed() { state.clear(), version.reset(); }
+    void changed() {
+        state.clear();
+        version.reset();
+    }
 };
 
 // A function-local static, because toggles in other files declare themselves before main().
@@ -142,7 +145,10 @@ unsigned Exercises::version() {
     return known->second;
 }
 
-void Exercises::shaders_were_edited() { table().versions.clear(), table().version.reset(); }
+void Exercises::shaders_were_edited() {
+    table().versions.clear();
+    table().version.reset();
+}
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

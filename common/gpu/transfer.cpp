@@ -53,7 +53,7 @@ void make_rows(VkCommandBuffer commands, Image& image, uint32_t level, uint32_t 
     const uint32_t in = from.size().y, out = to.size().y;
     for (int end = 0; end < 2; ++end) {
         const uint32_t row = end == 0 ? first : first + rows;
-        half.srcOffsets[end].y = static_cast<int32_t>(row * in / out),
+        half.srcOffsets[end].y = static_cast<int32_t>(row * in / out);
         half.dstOffsets[end].y = static_cast<int32_t>(row);
     }
     vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,

@@ -124,7 +124,10 @@ void pass_short_keys() {
     }
 }
 
-void note_keys_were_read() { changed_keys.clear(), was_typed = false; }
+void note_keys_were_read() {
+    changed_keys.clear();
+    was_typed = false;
+}
 bool short_keys_wait() { return !waiting.empty(); }
 #endif
 

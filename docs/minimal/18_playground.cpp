@@ -34,11 +34,13 @@ struct Editor {
     }
     void undo() {
         for (const Change& c : done.back().changes) put(c.id, c.before);
-        undone.push_back(done.back()), done.pop_back();
+        undone.push_back(done.back());
+        done.pop_back();
     }
     void redo() {
         for (const Change& c : undone.back().changes) put(c.id, c.after);
-        done.push_back(undone.back()), undone.pop_back();
+        done.push_back(undone.back());
+        undone.pop_back();
     }
 };
 

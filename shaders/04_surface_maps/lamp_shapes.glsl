@@ -136,7 +136,8 @@ Reflected reflect_by_samples(Surface surface, LampShape s) {
         vec3 to_light = to_point * inversesqrt(max(away, 1e-12));
         float weight = s.weight * area / (pi * float(count)) * abs(dot(facing, to_light)) / max(away, 1e-12);
         Reflected one = reflect_light(surface, to_light);
-        sum.diffuse += weight * one.diffuse, sum.specular += weight * one.specular;
+        sum.diffuse += weight * one.diffuse;
+        sum.specular += weight * one.specular;
     }
     return sum;
 }

@@ -173,7 +173,8 @@ Substance substance_at(Coordinates at, MaterialData material, vec3 base) {
     float roughness = overridden(orm.g, material.roughness), metalness = overridden(orm.b, material.metalness);
 #if MAPS_METALLIC_ROUGHNESS
     vec2 factors = read(metallic_roughness_map, placed(11u, at)).gb;
-    roughness *= factors.x, metalness *= factors.y;
+    roughness *= factors.x;
+    metalness *= factors.y;
 #endif
 #if MAPS_METALLIC_ROUGHNESS
     if (material.roughness < 0.0) s.mixed.shininess = mix_orm(base, factors.x, 0.0).shininess;

@@ -55,17 +55,31 @@ bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord)
         uint number = numbers[i] = indices[seen.first_index + 3u * id.y + uint(i)];
         set_varyings(vertices[number], tangents[number], instances[item]);
         corners[i] = world_to_clip(view_projection, world_position);
-        positions[i] = world_position, normals[i] = world_normal, tangent_vectors[i] = world_tangent;
-        metres[i] = metres_per_uv, uvs[i] = uv, hands[i] = handedness, cosines[i] = cos_uv;
+        positions[i] = world_position;
+        normals[i] = world_normal;
+        tangent_vectors[i] = world_tangent;
+        metres[i] = metres_per_uv;
+        uvs[i] = uv;
+        hands[i] = handedness;
+        cosines[i] = cos_uv;
     }
     Shares s = shares_at(corners, pixel, size);
-    world_position = positions * s.here, change_across = positions * s.across, change_down = positions * s.down;
-    uv = uvs * s.here, uv_across = uvs * s.across, uv_down = uvs * s.down;
-    world_normal = normals * s.here, world_tangent = tangent_vectors * s.here, metres_per_uv = metres * s.here;
-    handedness = dot(hands, s.here), cos_uv = dot(cosines, s.here);
+    world_position = positions * s.here;
+    change_across = positions * s.across;
+    change_down = positions * s.down;
+    uv = uvs * s.here;
+    uv_across = uvs * s.across;
+    uv_down = uvs * s.down;
+    world_normal = normals * s.here;
+    world_tangent = tangent_vectors * s.here;
+    metres_per_uv = metres * s.here;
+    handedness = dot(hands, s.here);
+    cos_uv = dot(cosines, s.here);
 #if MAPS_SECOND_UVS
-    set_rare_varyings(numbers, s.across), second_uv_across = second_uv;
-    set_rare_varyings(numbers, s.down), second_uv_down = second_uv;
+    set_rare_varyings(numbers, s.across);
+    second_uv_across = second_uv;
+    set_rare_varyings(numbers, s.down);
+    second_uv_down = second_uv;
 #endif
     set_rare_varyings(numbers, s.here);
     vec4 clip = world_to_clip(view_projection, world_position);

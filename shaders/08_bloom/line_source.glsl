@@ -5,7 +5,11 @@ const int most_kept = 2048;      // radius is at most (most_kept - threads) / 2
 // lie in different banks.
 shared float line[3][most_kept];
 
-void keep_texel(int slot, vec3 value) { line[0][slot] = value.r, line[1][slot] = value.g, line[2][slot] = value.b; }
+void keep_texel(int slot, vec3 value) {
+    line[0][slot] = value.r;
+    line[1][slot] = value.g;
+    line[2][slot] = value.b;
+}
 vec3 kept_texel(int slot) { return vec3(line[0][slot], line[1][slot], line[2][slot]); }
 
 // The i-th texel of this workgroup's line, in front of it and behind it too: slow, from the image.

@@ -40,7 +40,8 @@ float depth_to_sun(vec3 at, float height, float up_sun, float share) {
     for (int i = 0; i < sun_steps; ++i) {
         float middle = t + 0.5 * part;
         sum += part * cloud_density(at + middle * to_sun, height + middle * up_sun, part, share, 4);
-        t += part, part *= 2.1;
+        t += part;
+        part *= 2.1;
     }
     return clouds.extinction * sum;
 }
@@ -90,7 +91,8 @@ void main() {
         float high = clamp((place.height - clouds.base_m) / (clouds.top_m - clouds.base_m), 0.0, 1.0);
         float left = exp(-clouds.extinction * dense * part), weight = through * (1.0 - left);
         light += weight * scattered_here(place, high, depth_to_sun(at, place.height, place.sun, share), path.cos_angle);
-        weighted += weight * middle, weights += weight;
+        weighted += weight * middle;
+        weights += weight;
         through *= left;
     }
     if (weights <= 0.0) return;

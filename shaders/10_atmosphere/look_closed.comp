@@ -26,7 +26,8 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
         vec3 arriving = exp(-depth_between(path.height, path.slope, place.height, slope, against));
         arriving *= sun_transmittance(place) * part;
         vec3 there = density_at(place.height);
-        molecules += there.x * arriving, dust += there.y * arriving;
+        molecules += there.x * arriving;
+        dust += there.y * arriving;
     }
     Place end = place_at(path, path.way);
     float slope = clamp((r * path.slope + path.way) / (air.radius + end.height), -1.0, 1.0);

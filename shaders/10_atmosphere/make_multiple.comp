@@ -50,10 +50,14 @@ void main() {
         once += exp(-depth) * air.ground / 3.14159265 * max(end.sun, 0.0) * sunlight_at(end);
         passed_on += exp(-depth) * air.ground;
     }
-    second[own] = once / 64.0, share[own] = passed_on / 64.0;
+    second[own] = once / 64.0;
+    share[own] = passed_on / 64.0;
     for (int half_of = 32; half_of > 0; half_of /= 2) {
         barrier();
-        if (own < half_of) second[own] += second[own + half_of], share[own] += share[own + half_of];
+        if (own < half_of) {
+            second[own] += second[own + half_of];
+            share[own] += share[own + half_of];
+        }
     }
     if (own == 0) imageStore(result, texel, vec4(second[0] / (1.0 - min(share[0], 0.98)), 1.0));
 }

@@ -12,8 +12,10 @@ vec2 wave_slope(vec2 at, float pixel_m, float steep, out float rest) {
         float keep = smoothstep(2.0, 8.0, length_m / pixel_m), share = 1.0 / sqrt(length_m);  // long waves are flatter
         vec2 along = vec2(cos(angle), sin(angle));
         slope += keep * share * cos(6.2831853 * fract(dot(at, along) / length_m) + 1.7 * float(i)) * along;
-        shown += keep * keep * share * share, all += share * share;
-        length_m *= 1.6, angle += 2.39996;
+        shown += keep * keep * share * share;
+        all += share * share;
+        length_m *= 1.6;
+        angle += 2.39996;
     }
     rest = steep * sqrt(1.0 - 0.8 * shown / all);
     return slope * steep * sqrt(1.6 / all);

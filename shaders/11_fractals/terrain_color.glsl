@@ -61,7 +61,10 @@ float edge_noise(vec2 place, float octaves) {
     float sum = 0.0, amplitude = 1.0;
     for (int k = 0; k < 9 && float(k) < octaves; ++k) {
         settle(cell, offset);
-        if (k >= 5) sum += amplitude * min(octaves - float(k), 1.0) * quintic_noise(cell, offset), amplitude *= 0.6;
+        if (k >= 5) {
+            sum += amplitude * min(octaves - float(k), 1.0) * quintic_noise(cell, offset);
+            amplitude *= 0.6;
+        }
         next_octave(cell, offset);
     }
     return sum;

@@ -12,7 +12,10 @@ void main() {
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
             ivec2 other = clamp(texel + ivec2(x, y), ivec2(0), size - 1);
-            if (x * x + y * y < least && texelFetch(position, other, 0).w > 0.0) least = x * x + y * y, nearest = other;
+            if (x * x + y * y < least && texelFetch(position, other, 0).w > 0.0) {
+                least = x * x + y * y;
+                nearest = other;
+            }
         }
     imageStore(wide_position, texel, texelFetch(position, nearest, 0));
     imageStore(wide_normal, texel, texelFetch(normal, nearest, 0));

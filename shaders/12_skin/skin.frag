@@ -137,7 +137,8 @@ void main() {
     vec4 light, after;
     shade_skin(color, light, after);
 #if DIFFUSE == BY_SCREEN
-    light_out = light, after_out = after;
+    light_out = light;
+    after_out = after;
 #endif
 }
 #endif

@@ -6,7 +6,11 @@ const int kept_side = tile_side + 2;    // with those around it
 // A float each, L, a and b apart: neighbours then lie in different banks. 4 KiB.
 shared float kept[3][kept_side * kept_side];
 
-void keep_lab(int slot, vec3 lab) { kept[0][slot] = lab.x, kept[1][slot] = lab.y, kept[2][slot] = lab.z; }
+void keep_lab(int slot, vec3 lab) {
+    kept[0][slot] = lab.x;
+    kept[1][slot] = lab.y;
+    kept[2][slot] = lab.z;
+}
 vec3 kept_lab(int slot) { return vec3(kept[0][slot], kept[1][slot], kept[2][slot]); }
 
 // Slow: a read of the picture and three powers. Outside of the picture it is the nearest pixel inside.

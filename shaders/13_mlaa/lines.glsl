@@ -31,7 +31,12 @@ void go_beyond_border(inout EdgeLine l, inout ivec2 turns) {
     int hidden = other.back + other.ahead - (l.back + l.ahead);
     if (hidden < -1) return;  // longer than the one before it: no straight silhouette
     hidden = max(hidden, 0);
-    if (leaves_back) l.back += hidden, turns.x = -turn;
-    else l.ahead += hidden, turns.y = -turn;
+    if (leaves_back) {
+        l.back += hidden;
+        turns.x = -turn;
+    } else {
+        l.ahead += hidden;
+        turns.y = -turn;
+    }
 }
 // [/beyond_border]

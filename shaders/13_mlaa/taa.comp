@@ -96,7 +96,9 @@ bool same_as_before(ivec2 pixel, float mean, float lowest, float highest) {
         for (int x = -1; x <= 1; ++x) {
             ivec2 beside = clamp(pixel + ivec2(x, y), ivec2(0), textureSize(picture, 0) - 1);
             float one = to_ycocg(texelFetch(history, beside, 0).rgb).x;
-            before += one / 9.0, lowest = min(lowest, one), highest = max(highest, one);
+            before += one / 9.0;
+            lowest = min(lowest, one);
+            highest = max(highest, one);
         }
     return abs(mean - before) <= 0.25 * (highest - lowest) + 0.005;
 }
@@ -109,13 +111,16 @@ vec3 limit(vec3 old, ivec2 pixel, bool rests) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             vec3 one = tile_light[slot_beside(ivec2(x, y))];
-            lowest = min(lowest, one), highest = max(highest, one);
-            sum += one, squares += one * one;
+            lowest = min(lowest, one);
+            highest = max(highest, one);
+            sum += one;
+            squares += one * one;
         }
 #if TAA_CLIPPING == TAA_CLIPPING_DEVIATION
     if (rests && same_as_before(pixel, sum.x / 9.0, lowest.x, highest.x)) return old;
     vec3 mean = sum / 9.0, reach = taa_step.gamma * sqrt(max(squares / 9.0 - mean * mean, 0.0));
-    lowest = max(lowest, mean - reach), highest = min(highest, mean + reach);
+    lowest = max(lowest, mean - reach);
+    highest = min(highest, mean + reach);
 #endif
     return clip_history(old, lowest, highest);
 #endif
@@ -151,7 +156,8 @@ void main() {
             moves = speed >= still;
             float weight = 1.0, old_weight = count;
 #if TAA_WEIGHTS == TAA_WEIGHTS_TONE
-            weight /= 1.0 + fresh.x, old_weight /= 1.0 + old.x;
+            weight /= 1.0 + fresh.x;
+            old_weight /= 1.0 + old.x;
 #endif
             mixed = (weight * fresh + old_weight * old) / (weight + old_weight);
         }

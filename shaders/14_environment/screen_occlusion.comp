@@ -86,7 +86,8 @@ void main() {
         float tilt = atan(dot(projected, along), dot(projected, to_eye));
         float after = acos(clamp(horizon_of(pixel, here, to_eye, direction, reach, noise.y), -1.0, 1.0));
         float before = -acos(clamp(horizon_of(pixel, here, to_eye, -direction, reach, noise.y), -1.0, 1.0));
-        before = max(before, tilt - 0.5 * pi), after = min(after, tilt + 0.5 * pi);
+        before = max(before, tilt - 0.5 * pi);
+        after = min(after, tilt + 0.5 * pi);
         visible += share * slice_integral(before, after, tilt);
         float middle = 0.5 * (before + after);
         bent += share * (cos(middle) * to_eye + sin(middle) * along);

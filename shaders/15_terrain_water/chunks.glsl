@@ -25,7 +25,8 @@ void chunk_box(Chunk chunk, out vec3 low, out vec3 high) {
     float side = land_map.spacing_m * float(CHUNK_CELLS << chunk.level);
     vec2 corner = land_map.corner + side * vec2(chunk.x, chunk.z);
     vec2 heights = texelFetch(land_bounds, ivec2(chunk.x, chunk.z), chunk.level + CHUNK_LEVELS).rg;
-    low = vec3(corner.x, heights.x, corner.y), high = vec3(corner.x + side, heights.y, corner.y + side);
+    low = vec3(corner.x, heights.x, corner.y);
+    high = vec3(corner.x + side, heights.y, corner.y + side);
 }
 
 // [given]

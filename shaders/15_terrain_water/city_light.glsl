@@ -8,7 +8,9 @@ layout(scalar) uniform CityLightBlock { vec2 city_light; };  // radiance of a li
 
 float random_of(uvec3 v) {
     v = v * 1664525u + 1013904223u;
-    v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
     v ^= v >> 16u;
     v.x += v.y * v.z;
     return float(v.x >> 8u) / 16777216.0;

@@ -24,7 +24,10 @@ void main() {
         float depth = listed[next - 1u].depth;
         if (count == most_sorted && depth <= depths[most_sorted - 1]) continue;
         int to = count < most_sorted ? count++ : most_sorted - 1;
-        for (; to > 0 && depths[to - 1] < depth; --to) depths[to] = depths[to - 1], places[to] = places[to - 1];
+        for (; to > 0 && depths[to - 1] < depth; --to) {
+            depths[to] = depths[to - 1];
+            places[to] = places[to - 1];
+        }
         depths[to] = depth;
         places[to] = next - 1u;
     }

@@ -17,7 +17,10 @@ Facet facet_at(vec2 at_rest, vec3 to_eye, bool below) {
     if (below) normal = -normal;
     // A facet that is turned away shows its neighbour's front.
     float cosine = dot(normal, to_eye);
-    if (cosine < 0.02) normal = normalize(normal + (0.02 - cosine) * to_eye), cosine = 0.02;
+    if (cosine < 0.02) {
+        normal = normalize(normal + (0.02 - cosine) * to_eye);
+        cosine = 0.02;
+    }
     return Facet(normal, cosine, p.hidden + 2.0 * water_now.roughness * water_now.roughness, spacing, p.slopes);
 }
 

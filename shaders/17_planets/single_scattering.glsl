@@ -23,7 +23,7 @@ float scattered_through(float depth, float mu0, float mu) {
 // [more]
 // Light scattered more often, as an addition to the phase function, the same in all directions. Fitted at one pair of
 // directions; over Saturn's rings and four pairs it is off by -7 to +6% on the lit side, -75 to +113% on the other
-// (tests/17_planets/test_laws.cpp, [17.rings_fit]).
+// (tests/17_planets/test_ring_light.cpp, [17.rings_fit]).
 float scattered_more(float depth, float albedo, bool lit) {
     return albedo * albedo * (lit ? 1.2 * (1.0 - exp(-2.0 * depth)) : 1.46 * (exp(0.92 * min(depth, 3.0)) - 1.0));
 }

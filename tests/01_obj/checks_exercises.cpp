@@ -113,7 +113,8 @@ CHECK_EXERCISE("01.transform",
                    with(identity3, {0, 0, 1, 1, 3, -1, 4, 0}, {1, 0, 0})};
     for (int i = 0; i < 500; ++i) {
         Row row = random_matrix(random, 16);
-        row[3] = row[7] = row[11] = 0, row[15] = 1;  // a model matrix is affine
+        row[3] = row[7] = row[11] = 0;  // a model matrix is affine
+        row[15] = 1;
         append(row, random.direction());
         place.inputs.push_back(row);
         row = random_matrix(random, 16);

@@ -100,7 +100,8 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
         comb.push_back({2.0f * static_cast<float>(i), 0.0f, 0.0f});
         comb.push_back({2.0f * static_cast<float>(i) + 1.0f, i == 19 ? 0.0f : 8.0f, 0.0f});
     }
-    comb.push_back({40.0f, 10.0f, 0.0f}), comb.push_back({-1.0f, 10.0f, 0.0f});
+    comb.push_back({40.0f, 10.0f, 0.0f});
+    comb.push_back({-1.0f, 10.0f, 0.0f});
     covers("a comb", comb, dent);
     // The dent at every corner in turn: starting a fan at corner 0 must not be luck.
     const Polygon arrow = {{0, 0, 0}, {2, -1, 0}, {0, 2, 0}, {-2, -1, 0}};

@@ -93,9 +93,11 @@ TEST_CASE("floats: a million random ones and the points half-way between neighbo
     // Half-way in the reach of the fast reader: odd multiples of half a unit between 2^23 and 2^24, and tenths of them.
     for (int i = 0; i < 20000; ++i) {
         const double x = 8388608.0 + static_cast<double>(random() % 8388608) + 0.5;
-        check_number(print("%.*f", 1, x)), check_number(print("%.*f", 8, x / 1024.0)),
-            check_number(print("%.*f", 14, x / 16777216.0));
-        check_number(print("%.*f", 1, x + 0.1)), check_number(print("%.*f", 1, x - 0.1));
+        check_number(print("%.*f", 1, x));
+        check_number(print("%.*f", 8, x / 1024.0));
+        check_number(print("%.*f", 14, x / 16777216.0));
+        check_number(print("%.*f", 1, x + 0.1));
+        check_number(print("%.*f", 1, x - 0.1));
     }
 }
 

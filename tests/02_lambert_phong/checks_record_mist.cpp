@@ -46,7 +46,8 @@ MistFrame seen_of(MistStage& stage, const RecordedFrame& recorded) {
         std::memcpy(&texel, &texels[8 * (8 * 16 + x)], 8);
         return glm::vec3(glm::unpackHalf4x16(texel));
     };
-    seen.left = at(3), seen.right = at(12);
+    seen.left = at(3);
+    seen.right = at(12);
     return seen;
 }
 

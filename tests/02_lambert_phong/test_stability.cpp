@@ -86,7 +86,7 @@ TEST_CASE("no highlight leaks where the light is behind the surface, though the 
     CHECK(evaluate("phong", row(above, below, eye, 8)) == 0);
 }
 
-TEST_CASE("a broad Phong highlight ends in a seam: it jumps where the light goes below the horizon") {
+TEST_CASE("a broad Phong highlight ends in a seam: it jumps where the light goes below the horizon", "[02.seam]") {
     const glm::dvec3 eye = glm::normalize(glm::dvec3(1, 0.3, 0));
     const auto at = [&](double angle) { return row(above, {-std::cos(angle), std::sin(angle), 0}, eye, 1); };
     const double jump = evaluate("phong", at(1e-4)) - evaluate("phong", at(-1e-4));

@@ -22,7 +22,10 @@ struct Tile {
     std::pair<float, float> range() const {
         float farthest = 1, nearest = 0;
         for (const float depth : depths)
-            if (depth > 0) farthest = std::min(farthest, depth), nearest = std::max(nearest, depth);
+            if (depth > 0) {
+                farthest = std::min(farthest, depth);
+                nearest = std::max(nearest, depth);
+            }
         return {farthest, nearest};
     }
     uint32_t mask(uint32_t m) const {
@@ -47,7 +50,8 @@ std::vector<Tile> tiles() {
         return all;
     };
     std::vector<float> last(256, 0.5f);
-    last[254] = 0.25f, last[255] = 0.75f;
+    last[254] = 0.25f;
+    last[255] = 0.75f;
     std::vector<bool> only_last(1025);
     only_last[1024] = true;
     return {{"256 pixels of background, no light", std::vector<float>(256, 0.0f), {}},
@@ -106,8 +110,10 @@ void judge(Check& check, const std::string& wrong_words, const char* hint, const
     uint32_t count[3] = {}, order = 0, local = 0;
     for (uint32_t o = 0; o < workgroup_orders; ++o)
         for (uint32_t l = 0; l < workgroup_size; ++l)
-            if (const Saw one = saw(o, l); count[static_cast<int>(one)]++ == 0 && one == Saw::wrong)
-                order = o, local = l;
+            if (const Saw one = saw(o, l); count[static_cast<int>(one)]++ == 0 && one == Saw::wrong) {
+                order = o;
+                local = l;
+            }
     const bool some = count[static_cast<int>(Saw::right)] > 0;
     const std::string who = "; so saw invocation " + std::to_string(local) +
                             (order ? ", when they ran in another order" : "") +

@@ -70,13 +70,15 @@ TEST_CASE("equal inner and outer angles are a hard edge, not a division by 0") {
     CHECK(cone(0.5, 0.9, 0.8, 1) == 0);  // a power of 0
 }
 
-TEST_CASE("softness 1 gives 57 percent of full light a fifth into the edge, where a linear edge gives 20") {
+TEST_CASE("softness 1 gives 57 percent of full light a fifth into the edge, where a linear edge gives 20",
+          "[03.softness]") {
     CHECK(cone(0.82, 0.9, 0.8, 0) == Approx(0.2).margin(2e-5));
     CHECK(cone(0.82, 0.9, 0.8, 1) == Approx(std::pow(0.2, 0.35)).margin(5e-5));
     CHECK(std::pow(0.2, 0.35) == Approx(0.57).margin(0.005));
 }
 
-TEST_CASE("an infinite falloff is culled far away: an intensity of 100 down to 1/256 at 160 m") {
+TEST_CASE("an infinite falloff is culled far away: an intensity of 100 down to 1/256 at 160 m",
+          "[03.infinite_falloff]") {
     LightData light = pack({.kind = Light::Kind::point, .color = glm::vec3(0.2f, 1.0f, 0.5f), .intensity = 100});
     CHECK(influence_radius(light, 1.0f / 256) == Approx(160));
     CHECK(influence_radius(light, 0) == light.range);
@@ -102,7 +104,7 @@ TEST_CASE("a sum of floats depends on its order: lists that are not in the light
     CHECK(sum(0, 1) != sum(999, -1));
 }
 
-TEST_CASE("a cone meets a ball: cones of every angle, balls all around, also behind the apex") {
+TEST_CASE("a cone meets a ball: cones of every angle, balls all around, also behind the apex", "[03.cone_meets_ball]") {
     Probe probe{.include = "03_attenuation/cell.glsl",
                 .signature = "bool cone_reaches_ball(vec3 center, float radius, vec3 axis, float cos_outer)"};
     std::vector<double> misses;

@@ -77,7 +77,10 @@ CHECK_EXERCISE("04.blend_detail", "add (0, 0, 1) to the base, negate x and y of 
         probe.inputs.push_back(row);
     };
     add(flat, flat);
-    for (int i = 0; i < 200; ++i) add(flat, upward(random, 0)), add(upward(random, 0), flat);
+    for (int i = 0; i < 200; ++i) {
+        add(flat, upward(random, 0));
+        add(upward(random, 0), flat);
+    }
     for (int i = 0; i < 1000; ++i) add(upward(random, 0), upward(random, 0));
     const Table results = check.probe(probe);
     check.property(

@@ -51,7 +51,8 @@ TEST_CASE(
         for (size_t k = 0; k < 2; ++k) CHECK(moved[i][k] == Approx(expected[i][k]).margin(1e-7));
 }
 
-TEST_CASE("the limited shift shows no place twice; divided by z a swell of slope 1/2 does from tan(angle) = 2 on") {
+TEST_CASE("the limited shift shows no place twice; divided by z a swell of slope 1/2 does from tan(angle) = 2 on",
+          "[04.limited_shift]") {
     for (const double angle : {30.0, 60.0, 70.0, 85.0}) CHECK(seen_twice(angle, false) == 0);
     CHECK(seen_twice(60, true) == 0);
     CHECK(seen_twice(70, true) > 50);

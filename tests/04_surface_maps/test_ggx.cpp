@@ -34,7 +34,10 @@ Row reflected(const glm::dvec3& n, const glm::dvec3& v, double alpha, const glm:
 
 Row row_of(const glm::dvec3& n, const glm::dvec3& v, double alpha, const glm::dvec3& f0, const glm::dvec3& l) {
     Row row;
-    append(row, l), append(row, f0), append(row, n), append(row, v);
+    append(row, l);
+    append(row, f0);
+    append(row, n);
+    append(row, v);
     row.push_back(2 / (alpha * alpha) - 2);
     return row;
 }

@@ -40,7 +40,8 @@ void main() {
     vec3 diffuse = vec3(0.0), specular = vec3(0.0);
     if (furnace == 0) {
         Lit all = light_surface(surface, surface.normal, vec3(0.0), 0u, vec4(0.0));
-        diffuse = all.diffuse, specular = all.specular;
+        diffuse = all.diffuse;
+        specular = all.specular;
     }
     // Lamps of radiance 1 from everywhere, dense about the mirrored direction.
     vec3 mirrored = reflect(-surface.to_eye, surface.normal), side = vec3(0.0, 1.0, 0.0), up = cross(mirrored, side);
@@ -51,7 +52,8 @@ void main() {
             float turn = 2.0 * pi * (float(t) + 0.5) / float(turns);
             vec3 to_light = cos(angle) * mirrored + sin(angle) * (cos(turn) * side + sin(turn) * up);
             Reflected one = reflect_light(surface, to_light);
-            diffuse += ring * one.diffuse, specular += ring * one.specular;
+            diffuse += ring * one.diffuse;
+            specular += ring * one.specular;
         }
     }
     lit[i] = rows[i].body * diffuse + specular_factor(rows[i].f0) * specular;

@@ -52,7 +52,8 @@ Level random_level(unsigned side, Random& random) {
 
 }  // namespace
 
-TEST_CASE("a spike one texel wide is skipped by layers that are further apart: three rays of four at 85 degrees") {
+TEST_CASE("a spike one texel wide is skipped by layers that are further apart: three rays of four at 85 degrees",
+          "[04.spike]") {
     // The ray is above the spike for 1/256 of 0.57 m: for less than one layer in 146.
     CHECK(missed_spikes(32, 85) == Approx(1 - 32 / 146.3).margin(0.03));
     CHECK(missed_spikes(64, 85) == Approx(1 - 64 / 146.3).margin(0.03));
@@ -114,7 +115,7 @@ TEST_CASE("where the texture is mirrored a shared vertex gets two frames") {
     CHECK(frame_mesh(mesh_of(framed.vertices, framed.indices)).vertices.size() == 6);  // once is enough
 }
 
-TEST_CASE("where the texture is sheared a ray moves along u and v as the surface's own map says") {
+TEST_CASE("where the texture is sheared a ray moves along u and v as the surface's own map says", "[04.sheared]") {
     Random random;
     std::vector<double> missed, missed_without;
     for (int i = 0; i < 500; ++i) {
@@ -266,7 +267,7 @@ TEST_CASE("the smallest levels of a cutout are as covered as so many texels can 
     }
 }
 
-TEST_CASE("a map that is off or missing is not in the shader") {
+TEST_CASE("a map that is off or missing is not in the shader", "[04.map_off]") {
     const Pipeline pipeline =
         graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     struct Owner : Module {

@@ -255,7 +255,10 @@ CHECK_EXERCISE("05.cascade_split", "the weighted mean of two lists: equal steps,
     };
     for (const float lambda : {0.0f, 1.0f, 0.5f, 0.25f})
         for (int count = 1; count <= 4; ++count)
-            for (int i = 0; i <= count; ++i) call(0.1f, 100.0f, i, count, lambda), call(0.07f, 50.3f, i, count, lambda);
+            for (int i = 0; i <= count; ++i) {
+                call(0.1f, 100.0f, i, count, lambda);
+                call(0.07f, 50.3f, i, count, lambda);
+            }
     Random random;
     for (int n = 0; n < 300; ++n) {
         const float near_m = static_cast<float>(random.logarithmic(0.01, 1));

@@ -39,7 +39,11 @@ inline std::vector<RayTriangle> triangles_of(const char* model) {
 
 inline Bounds bounds_of(const std::vector<RayTriangle>& triangles) {
     Bounds bounds;
-    for (const RayTriangle& t : triangles) bounds.add(t.a), bounds.add(t.b), bounds.add(t.c);
+    for (const RayTriangle& t : triangles) {
+        bounds.add(t.a);
+        bounds.add(t.b);
+        bounds.add(t.c);
+    }
     return bounds;
 }
 

@@ -56,7 +56,8 @@ void main() {
     /// A frame that records the shadows of another view alone, from a camera moved by `by` (metres).
     void record_view(uint32_t id, glm::vec3 by) {
         Camera moved = camera;
-        moved.position += by, moved.target += by;
+        moved.position += by;
+        moved.target += by;
         Frame frame(gpu);
         chapter.begin_frame(gpu, {4, 4});
         frame.begin({4, 4}, 0);

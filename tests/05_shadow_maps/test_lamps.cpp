@@ -77,7 +77,8 @@ Errors penumbra_errors(int samples, bool sun) {
             queries.back().radius = static_cast<float>(radius);
             const double at = double(queries.back().origin.x);
             if (sun) {
-                queries.back().to_middle = {0, 1, 0}, queries.back().most = on_and_on;
+                queries.back().to_middle = {0, 1, 0};
+                queries.back().most = on_and_on;
                 expected.push_back(truth::disc_beyond(-at / (edge_m * radius)));
             } else {
                 queries.back().to_middle = {-at, lamp_m, 0};
@@ -90,7 +91,8 @@ Errors penumbra_errors(int samples, bool sun) {
     Errors errors;
     for (size_t i = 0; i < got.size(); ++i) {
         const double error = double(got[i]) - expected[i];
-        errors.rms += error * error, errors.mean += error;
+        errors.rms += error * error;
+        errors.mean += error;
         errors.largest = std::max(errors.largest, std::fabs(error));
     }
     errors.rms = std::sqrt(errors.rms / double(got.size()));

@@ -31,7 +31,8 @@ Row half_and_half(double a, double b) {
 
 }  // namespace
 
-TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of the light through where there is none") {
+TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of the light through where there is none",
+          "[05.occluders]") {
     const Row moments = half_and_half(0, 0.9);
     const float vsm =
         ask("vsm", "float chebyshev(vec2 moments, float depth, float least)", {moments[0], moments[1], 1, 1e-7});
@@ -45,7 +46,10 @@ TEST_CASE("two occluders, at 0 and 0.9, above a receiver at 1: VSM lets 40% of t
         Row row(4, 0.0);
         for (const double depth : {0.0, 0.9}) {
             const double p = std::exp(exponent * (2 * depth - 1)), n = -std::exp(-negative * (2 * depth - 1));
-            row[0] += 0.5 * p, row[1] += 0.5 * n, row[2] += 0.5 * p * p, row[3] += 0.5 * n * n;
+            row[0] += 0.5 * p;
+            row[1] += 0.5 * n;
+            row[2] += 0.5 * p * p;
+            row[3] += 0.5 * n * n;
         }
         row.insert(row.end(), {1.0, exponent, negative, 1e-7});
         return ask("evsm",
@@ -95,7 +99,7 @@ TEST_CASE("an even occluder has no variance: the least one says how much light i
     }
 }
 
-TEST_CASE("three occluders are more than four moments tell apart: MSM leaks, too") {
+TEST_CASE("three occluders are more than four moments tell apart: MSM leaks, too", "[05.occluders]") {
     Row row;
     for (int power = 1; power <= 4; ++power)
         row.push_back((std::pow(0.0, power) + std::pow(0.45, power) + std::pow(0.9, power)) / 3);
@@ -129,7 +133,7 @@ TEST_CASE("exponents at their caps fit their formats, those above do not and are
     CHECK(moments("fp16", 80) == moments("fp16", 5.54));
 }
 
-TEST_CASE("the variance of a plane is noise: 2e-4 in halves, 5e-8 in floats") {
+TEST_CASE("the variance of a plane is noise: 2e-4 in halves, 5e-8 in floats", "[05.plane_variance]") {
     const auto noise = [](const char* format) {
         // Two planes, so that the near one is at 0.1 and the far one at 0.9 of the depth between.
         ShadowScene test({object_at(quad_file, {0, 0, 0}), object_at(quad_file, {0, 0, 1}, glm::vec3(0.01f))},
@@ -143,11 +147,15 @@ TEST_CASE("the variance of a plane is noise: 2e-4 in halves, 5e-8 in floats") {
         for (size_t at = 0; at < bytes.size(); at += texel) {
             glm::vec4 m;
             uint64_t halves = 0;
-            if (texel == 8) std::memcpy(&halves, &bytes[at], 8), m = glm::unpackHalf4x16(halves);
+            if (texel == 8) {
+                std::memcpy(&halves, &bytes[at], 8);
+                m = glm::unpackHalf4x16(halves);
+            }
             if (texel == 16) std::memcpy(&m, &bytes[at], 16);
             if (m.x > 0.999f || m.x < 0.5f) continue;
             const double variance = double(m.y) - double(m.x) * double(m.x);
-            squares += variance * variance, ++count;
+            squares += variance * variance;
+            ++count;
         }
         return std::sqrt(squares / count);
     };
@@ -159,8 +167,8 @@ TEST_CASE("the variance of a plane is noise: 2e-4 in halves, 5e-8 in floats") {
     CHECK(floats > 0);
 }
 
-TEST_CASE(
-    "without its bias MSM divides noise by noise; with it a plane is lit; halves need thousands of times as much") {
+TEST_CASE("without its bias MSM divides noise by noise; with it a plane is lit; halves need thousands of times as much",
+          "[05.moment_bias]") {
     const auto worst = [](const char* format, const char* bias) {
         ShadowScene test({object_at(quad_file, {0, 0, 0}), object_at(quad_file, {0, 0, 1}, glm::vec3(0.01f))},
                          {sun_at(30)});

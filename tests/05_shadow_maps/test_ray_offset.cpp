@@ -70,7 +70,8 @@ TEST_CASE("a flat surface does not shadow itself, wherever it is and from wherev
         const glm::vec3 at = (i % 3 == 0 ? 0.0f : i % 3 == 1 ? 10.0f : 100.0f) * random.direction();
         const Seen seen = look(turn, at, i % 2 ? 0.2f : 5.0f);
         largest = std::max(largest, seen.largest_power);
-        pixels += seen.pixels, self_hits += seen.self_hits;
+        pixels += seen.pixels;
+        self_hits += seen.self_hits;
     }
     WARN(pixels << " pixels; rays of all are free from 2^" << largest << " of the farthest coordinate on");
     CHECK(pixels > 50000);

@@ -81,7 +81,10 @@ TEST_CASE("rays find through the hierarchy what they find by asking every triang
         INFO(model);
         CHECK(count_differences(hits, all) == 0);
         size_t found = 0, any_differs = 0;
-        for (const TestHit& hit : hits) found += hit.found, any_differs += hit.any != hit.found;
+        for (const TestHit& hit : hits) {
+            found += hit.found;
+            any_differs += hit.any != hit.found;
+        }
         CHECK(found > rays.size() / 4);
         CHECK(found < rays.size());
         CHECK(any_differs == 0);
@@ -93,7 +96,10 @@ TEST_CASE("rays hit what they hit in double precision") {
     const auto triangles = triangles_of("models/teapot.obj");
     const Bvh bvh(triangles);
     auto rays = random_rays(bounds_of(triangles), 3000, 2);
-    for (size_t i = 0; i < rays.size(); i += 3) rays[i].least = 0.2f, rays[i].most = 0.9f;
+    for (size_t i = 0; i < rays.size(); i += 3) {
+        rays[i].least = 0.2f;
+        rays[i].most = 0.9f;
+    }
     const auto hits = trace(gpu, bvh, rays);
     std::map<std::string, size_t> wrong;
     for (size_t i = 0; i < rays.size(); ++i) ++wrong[wrong_hit(bvh.triangles(), rays[i], hits[i])];

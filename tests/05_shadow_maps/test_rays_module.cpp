@@ -123,7 +123,9 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
                                                          {0.0f, 0.3f, 0.5f, 2.0f},
                                                          {0.1f, -0.2f, 0.5f, 1.5f},
                                                          {0.0f, 0.0f, 0.2f, 3.0f}}) {
-        test.maps.wobble.value = wobble, test.maps.scroll.value = scroll, test.maps.cutoff.value = cutoff;
+        test.maps.wobble.value = wobble;
+        test.maps.scroll.value = scroll;
+        test.maps.cutoff.value = cutoff;
         test.time_s = time_s;
         const auto points = test.blocked_points();
         size_t wrong = 0, sure = 0;
@@ -139,7 +141,8 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
         CHECK(sure > 50000);
         CHECK(wrong == 0);
     }
-    test.maps.cutoff.value = 0.5f, test.maps.diffuse.set("off");
+    test.maps.cutoff.value = 0.5f;
+    test.maps.diffuse.set("off");
     CHECK(test.blocked() == 1);
     test.maps.diffuse.set("on");
     test.rays.cutouts.set("off");

@@ -212,7 +212,8 @@ TEST_CASE("the module finds the scene's planet and ring, one without the other, 
         return scene;
     };
     SceneObject ball = object_at(ball_file, {1, 2, 3}, glm::vec3(2.0f)), ring = object_at(quad_file, {1, 2, 3});
-    ball.name = "planet", ring.name = "ring";
+    ball.name = "planet";
+    ring.name = "ring";
     ring.rotation_deg = {0, 0, 90};
     NoChapter chapter;
     SphereShadow shadow(chapter, "sphere_shadow");

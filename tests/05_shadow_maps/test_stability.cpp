@@ -19,7 +19,10 @@ struct Tilted {
         const glm::vec3 n = -std::cos(angle) * light.direction + std::sin(angle) * std::sqrt(0.5f) * (right + up);
         plane.rotation_deg = glm::degrees(glm::vec3(-std::asin(n.y), std::atan2(n.x, n.z), 0.0f));
         const glm::mat4 turn = local_transform(plane);
-        for (TestPoint& p : points) p.position = turn * glm::vec4(p.position, 1), p.facing = n;
+        for (TestPoint& p : points) {
+            p.position = turn * glm::vec4(p.position, 1);
+            p.facing = n;
+        }
     }
 };
 
@@ -41,7 +44,8 @@ double texel_of(const ShadowScene& test, const Light& light) {
 
 }  // namespace
 
-TEST_CASE("acne: the constant bias that a plane needs is half a texel's diagonal times the tangent") {
+TEST_CASE("acne: the constant bias that a plane needs is half a texel's diagonal times the tangent",
+          "[05.constant_bias]") {
     // 0.71, 1.22, 2.64, 8.1 and 40.5 texels.
     for (const double degrees : {45.0, 60.0, 75.0, 85.0, 89.0}) {
         const Tilted tilted(degrees);
@@ -85,7 +89,7 @@ TEST_CASE("acne: slope bias, normal offset and receiver plane are enough at ever
     }
 }
 
-TEST_CASE("acne: at 89.5 degrees the slope's limit is reached, and the bias falls short") {
+TEST_CASE("acne: at 89.5 degrees the slope's limit is reached, and the bias falls short", "[05.slope_limit]") {
     const Tilted tilted(89.5);
     ShadowScene test({tilted.plane}, {tilted.light});
     test.set({{"cascades", "1"}, {"distance_m", "1000"}, {"resolution", "256"}, {"slope", "1.02"}});
@@ -95,7 +99,7 @@ TEST_CASE("acne: at 89.5 degrees the slope's limit is reached, and the bias fall
     CHECK(dark < 0.4);
 }
 
-TEST_CASE("peter-panning: a bias lifts the shadow off its caster by as much") {
+TEST_CASE("peter-panning: a bias lifts the shadow off its caster by as much", "[05.peter_panning]") {
     // A sheet 2 cm above the plane.
     for (const double bias : {0.01, 0.03}) {
         ShadowScene test({object_at(quad_file, {0, 0, 0}), object_at(quad_file, {0, 0, 0.02f}, {0.5f, 0.5f, 1})},
@@ -160,7 +164,7 @@ TEST_CASE("no caster: no map, and all is lit") {
     CHECK(beside.shadow.views == 0);
 }
 
-TEST_CASE("a caster of one texel is always found, one of half a texel every other time") {
+TEST_CASE("a caster of one texel is always found, one of half a texel every other time", "[05.thin_caster]") {
     const auto found = [](float texels) {
         int seen = 0;
         for (int i = 0; i < 40; ++i) {

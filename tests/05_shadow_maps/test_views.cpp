@@ -22,7 +22,8 @@ double changes(bool snap) {
     const float texel = light_views(sun_at(50, 30), 10, test.scene.bounds, test.camera, options).front().data.texel;
     double changed = 0;
     for (int step = 0; step < 20; ++step) {
-        test.camera.position.x += 0.1f * texel, test.camera.target.x += 0.1f * texel;
+        test.camera.position.x += 0.1f * texel;
+        test.camera.target.x += 0.1f * texel;
         const std::vector<float> now = test.visibility(points);
         for (size_t i = 0; i < now.size(); ++i) changed += now[i] != before[i];
         before = now;
@@ -32,7 +33,8 @@ double changes(bool snap) {
 
 }  // namespace
 
-TEST_CASE("a camera that moves by tenths of a texel changes no shadow where cascades are snapped to texels") {
+TEST_CASE("a camera that moves by tenths of a texel changes no shadow where cascades are snapped to texels",
+          "[05.snapped]") {
     const double snapped = changes(true), loose = changes(false);
     INFO("of 20,000 points " << snapped << " a step with, " << loose << " without");
     CHECK(snapped <= 2);  // points at the edge between two cascades
@@ -78,7 +80,7 @@ TEST_CASE("cascades hold all that the camera sees as far as they reach, and a sm
 }
 
 // [cube_edges]
-TEST_CASE("a point light's shadow goes across a cube's twelve edges without a seam") {
+TEST_CASE("a point light's shadow goes across a cube's twelve edges without a seam", "[05.cube_edges]") {
     // A ball on the path through each edge, and a shell of points behind it: rays decide which are in shadow.
     for (const char* method : {"hard", "pcf", "pcss", "vsm", "evsm", "msm"}) {
         std::vector<SceneObject> objects;
@@ -87,7 +89,8 @@ TEST_CASE("a point light's shadow goes across a cube's twelve edges without a se
             for (const float a : {-1.0f, 1.0f})
                 for (const float b : {-1.0f, 1.0f}) {
                     glm::vec3 way(0.0f);
-                    way[(axis + 1) % 3] = a, way[(axis + 2) % 3] = b;
+                    way[(axis + 1) % 3] = a;
+                    way[(axis + 2) % 3] = b;
                     balls.push_back(glm::normalize(way));
                     objects.push_back(object_at(ball_file, balls.back(), glm::vec3(0.2f)));
                 }
@@ -214,11 +217,13 @@ TEST_CASE("a caster is left out of a cascade only where all that its shadow may 
         REQUIRE(seen.size() == 3);
         Bounds box;
         const glm::vec3 middle = 12.0f * random.direction() * float(random.uniform(0, 1));
-        box.add(middle), box.add(middle + 3.0f * random.direction() * float(random.uniform(0, 1)));
+        box.add(middle);
+        box.add(middle + 3.0f * random.direction() * float(random.uniform(0, 1)));
         for (size_t finer = 0; finer < 2; ++finer) {
             const LightView& coarse = seen[finer + 1];
             const bool holds = holds_shadow_of(seen[finer], box, coarse.data.texel);
-            left_out += holds, ++of;
+            left_out += holds;
+            ++of;
             if (!holds) continue;
             for (int corner = 0; corner < 8; ++corner) {
                 const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
@@ -267,7 +272,8 @@ TEST_CASE("where casters move on and on, those that stand still are drawn once, 
         redrawn.shadow.keep.set("off");
         std::vector<float> last;
         const auto compare = [&](float time_s) {
-            animate(kept.scene, time_s), animate(redrawn.scene, time_s);
+            animate(kept.scene, time_s);
+            animate(redrawn.scene, time_s);
             const std::vector<float> found = kept.visibility(square(2000, 0.9f));
             CHECK(found == redrawn.visibility(square(2000, 0.9f)));
             CHECK(std::exchange(last, found) != found);  // the mover's shadow is seen

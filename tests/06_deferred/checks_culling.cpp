@@ -17,10 +17,15 @@ glm::dmat4 camera_matrix(Random& random) {
     const double focal = random.uniform(0.8, 3), aspect = random.uniform(0.5, 2), n = random.uniform(0.05, 0.5),
                  f = 500;
     glm::dmat4 projection(0.0), move(1.0);
-    projection[0][0] = focal / aspect, projection[1][1] = -focal;
-    projection[2][2] = n / (f - n), projection[2][3] = -1, projection[3][2] = n * f / (f - n);
+    projection[0][0] = focal / aspect;
+    projection[1][1] = -focal;
+    projection[2][2] = n / (f - n);
+    projection[2][3] = -1;
+    projection[3][2] = n * f / (f - n);
     const double turn = random.uniform(0, 6.28);
-    move[0][0] = move[2][2] = std::cos(turn), move[0][2] = std::sin(turn), move[2][0] = -std::sin(turn);
+    move[0][0] = move[2][2] = std::cos(turn);
+    move[0][2] = std::sin(turn);
+    move[2][0] = -std::sin(turn);
     return projection * move;
 }
 
@@ -50,7 +55,9 @@ CHECK_EXERCISE("06.box_is_out",
         }};
     const auto add = [&](glm::dvec3 center, glm::dvec3 half, glm::dvec3 normal, double w) {
         Row row;
-        append(row, center), append(row, half), append(row, normal);
+        append(row, center);
+        append(row, half);
+        append(row, normal);
         row.push_back(w);
         for (double& x : row) x = double(float(x));
         probe.inputs.push_back(row);
@@ -92,8 +99,17 @@ CHECK_EXERCISE("06.pyramid_level", "how many texels from low >> k to high >> k, 
     const auto add = [&](int x, int y, int right, int bottom) {
         probe.inputs.push_back({double(x), double(y), double(right), double(bottom)});
     };
-    add(0, 0, 0, 0), add(5, 5, 6, 5), add(7, 0, 9, 0), add(6, 0, 9, 0), add(0, 6, 0, 9), add(3, 0, 4, 0);
-    add(0, 0, 3, 0), add(1, 0, 4, 0), add(0, 0, 65535, 65535), add(32767, 0, 32768, 0), add(0, 100, 1919, 100);
+    add(0, 0, 0, 0);
+    add(5, 5, 6, 5);
+    add(7, 0, 9, 0);
+    add(6, 0, 9, 0);
+    add(0, 6, 0, 9);
+    add(3, 0, 4, 0);
+    add(0, 0, 3, 0);
+    add(1, 0, 4, 0);
+    add(0, 0, 65535, 65535);
+    add(32767, 0, 32768, 0);
+    add(0, 100, 1919, 100);
     Random random(47);
     for (int i = 0; i < 3000; ++i) {
         const int x = int(random.uniform(0, 4000)), y = int(random.uniform(0, 2200));

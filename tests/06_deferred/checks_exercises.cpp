@@ -112,7 +112,10 @@ CHECK_EXERCISE(
             const double middle = (std::floor(random.uniform(-most, most)) + 0.5) / most;
             probe.inputs.push_back({middle * 0.99999, middle * 0.99999, double(bits), -1});
         }
-        for (Row& row : probe.inputs) row[0] = double(float(row[0])), row[1] = double(float(row[1]));
+        for (Row& row : probe.inputs) {
+            row[0] = double(float(row[0]));
+            row[1] = double(float(row[1]));
+        }
         const Table results = check.probe(probe);
         if (check.failed) return;
         for (size_t i = 0; i < results.size(); ++i) {
@@ -149,7 +152,10 @@ CHECK_EXERCISE("06.position_from_depth", "map the pixel's centre to -1 ... 1, mu
             return glm::distance(vector3(as, 0), vector3(got, 0)) < 1e-3 * (1 + glm::length(vector3(as, 0)));
         };
     };
-    const auto corner = wrong_by([](Row& r) { r[0] -= 0.5, r[1] -= 0.5; });
+    const auto corner = wrong_by([](Row& r) {
+        r[0] -= 0.5;
+        r[1] -= 0.5;
+    });
     const auto flipped = wrong_by([](Row& r) { r[1] = r[4] - 1 - r[1]; });
     const auto doubled = wrong_by([](Row& r) { r[2] = 2 * r[2] - 1; });
     probe.hint = [=](auto in, auto got) -> std::string {
@@ -163,8 +169,11 @@ CHECK_EXERCISE("06.position_from_depth", "map the pixel's centre to -1 ... 1, mu
         // Looking along -z from anywhere, near 0.1 m and far 1000 m.
         const double focal = random.uniform(0.8, 3), aspect = random.uniform(0.5, 2), n = 0.1, f = 1000;
         glm::dmat4 projection(0.0), move(1.0);
-        projection[0][0] = focal / aspect, projection[1][1] = -focal;
-        projection[2][2] = n / (f - n), projection[2][3] = -1, projection[3][2] = n * f / (f - n);
+        projection[0][0] = focal / aspect;
+        projection[1][1] = -focal;
+        projection[2][2] = n / (f - n);
+        projection[2][3] = -1;
+        projection[3][2] = n * f / (f - n);
         move[3] = glm::dvec4(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5), 1);
         const glm::dmat4 inverse = glm::inverse(projection * move);
         const double distance = random.logarithmic(0.2, 60), width = 64 + i % 300, height = 48 + i % 200;
@@ -201,7 +210,8 @@ CHECK_EXERCISE("06.cull_back_face", "the sign of dot(cross(b - a, c - a), a), re
     const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         for (const double mirrored : {0.0, 1.0}) {
             Row row = row_of(a);
-            append(row, b), append(row, c);
+            append(row, b);
+            append(row, c);
             row.push_back(mirrored);
             probe.inputs.push_back(row);
         }

@@ -59,8 +59,10 @@ struct OnCulling : OnModules {
 
     static View look(glm::vec3 from, glm::vec3 to, glm::uvec2 size = {64, 36}, float near_m = 0.1f) {
         Camera camera;
-        camera.position = from, camera.target = to;
-        camera.near_m = near_m, camera.far_m = 500;
+        camera.position = from;
+        camera.target = to;
+        camera.near_m = near_m;
+        camera.far_m = 500;
         return view_of(camera, size, {.whole = size});
     }
 };
@@ -89,7 +91,10 @@ TEST_CASE_METHOD(OnCulling, "no pixel of 200 cameras in a town loses its object"
         const float s = float(k), time_s = 0.05f * s;
         glm::vec3 from(1.5f * std::sin(0.7f * s), 1.7f, 30.0f - 0.25f * s);
         glm::vec3 to = from + glm::vec3(std::sin(0.1f * s), 0.2f * std::sin(0.3f * s), -std::cos(0.1f * s));
-        if (k % 20 >= 15) from = {40.0f * std::sin(s), 3.0f + 0.1f * s, 40.0f * std::cos(s)}, to = {0, 2, 0};  // cuts
+        if (k % 20 >= 15) {
+            from = {40.0f * std::sin(s), 3.0f + 0.1f * s, 40.0f * std::cos(s)};  // cuts
+            to = {0, 2, 0};
+        }
         if (k % 20 == 14) from.x = 6.0f;  // the near plane cuts a wall
         const glm::uvec2 size = k < 150 ? glm::uvec2(63, 37) : glm::uvec2(50, 31);
         const View view = look(from, to, size, k % 3 ? 0.1f : 1.0f);
@@ -128,7 +133,8 @@ TEST_CASE_METHOD(OnCulling, "walls beside the camera, boxes larger than the pict
         }
     }
     const View ahead = look({0, 0, 5}, {0, 0, 0}, {33, 17});
-    seen("occlusion", ahead), seen("occlusion", ahead);
+    seen("occlusion", ahead);
+    seen("occlusion", ahead);
     CHECK(culling.drawn() == 4);
     CHECK(culling.tested() == 6);
     seen("frustum_gpu", ahead);
@@ -139,7 +145,9 @@ TEST_CASE_METHOD(OnCulling, "walls beside the camera, boxes larger than the pict
 
 TEST_CASE("planes of a view without a far plane leave out nothing far away", "[06.culled]") {
     glm::mat4 endless(0.0f);  // reversed depth: near / distance
-    endless[0][0] = endless[1][1] = 1.0f, endless[2][3] = -1.0f, endless[3][2] = 0.1f;
+    endless[0][0] = endless[1][1] = 1.0f;
+    endless[2][3] = -1.0f;
+    endless[3][2] = 0.1f;
     for (const glm::vec4& plane : view_planes(endless, 0.0f)) CHECK(glm::dot(plane, glm::vec4(0, 0, -1e6f, 1)) >= 0.0f);
     CHECK(glm::dot(view_planes(endless, 0.0f)[5], glm::vec4(0, 0, -0.09f, 1)) < 0.0f);  // nearer than the near plane
 }

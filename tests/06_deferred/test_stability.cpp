@@ -66,7 +66,7 @@ double as_16_bits(double x) { return std::round(x * 65535) / 65535; }
 
 }  // namespace
 
-TEST_CASE("what normals lose in each encoding, over the whole sphere") {
+TEST_CASE("what normals lose in each encoding, over the whole sphere", "[06.normal_error]") {
     const auto octahedral = [](int bits) {
         return [bits](glm::dvec3 n) { return truth::decode_normal(truth::quantised(truth::encode_normal(n), bits)); };
     };
@@ -139,7 +139,7 @@ TEST_CASE("normals along the axes, at the poles and at -z come back exactly, on 
     }
 }
 
-TEST_CASE("what depth buffers know of z, from 0.1 m to 1000 m") {
+TEST_CASE("what depth buffers know of z, from 0.1 m to 1000 m", "[06.depth_error]") {
     struct Known {
         const char* name;
         double found[3], most[3];  // relative, at 10, 100 and 500 m
@@ -172,7 +172,9 @@ TEST_CASE("positions from depth are exact to a millionth of the distance, and to
         const Camera camera{.position = {away_m, 2, 0}, .target = {away_m, 2, -1}, .near_m = 0.1f, .far_m = 1000};
         glm::dmat4 projection(0.0), move(1.0);
         const double f = 1 / std::tan(0.4);
-        projection[0][0] = f, projection[1][1] = -f, projection[2][2] = near_m / (far_m - near_m),
+        projection[0][0] = f;
+        projection[1][1] = -f;
+        projection[2][2] = near_m / (far_m - near_m);
         projection[2][3] = -1;
         projection[3][2] = near_m * far_m / (far_m - near_m);
         move[3] = glm::dvec4(-glm::dvec3(camera.position), 1);
@@ -189,7 +191,8 @@ TEST_CASE("positions from depth are exact to a millionth of the distance, and to
     }
 }
 
-TEST_CASE("the sign of the area on the screen is wrong where a corner is behind the eye, and n.p never is") {
+TEST_CASE("the sign of the area on the screen is wrong where a corner is behind the eye, and n.p never is",
+          "[06.back_faces]") {
     Random random;
     int behind = 0, wrong = 0;
     for (int i = 0; i < 20000; ++i) {

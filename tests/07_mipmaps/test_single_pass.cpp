@@ -3,7 +3,8 @@
 
 using namespace lightwalk;
 
-TEST_CASE_METHOD(OnChain, "a single pass by shuffles makes what one through shared memory does, at any size") {
+TEST_CASE_METHOD(OnChain, "a single pass by shuffles makes what one through shared memory does, at any size",
+                 "[07.shuffles]") {
     for (const glm::uvec2 size : odd_sizes) {
         const Image noisy = image(size, one_float, noise, 2);
         for (uint32_t layer = 0; layer < 2; ++layer) {
@@ -46,7 +47,7 @@ TEST_CASE_METHOD(OnChain, "many tiles are finished by a second dispatch, which r
     }
 }
 
-TEST_CASE_METHOD(OnChain, "counters of finished workgroups are cleared before they come again") {
+TEST_CASE_METHOD(OnChain, "counters of finished workgroups are cleared before they come again", "[07.counters]") {
     // 300 layers use 600 of 4096 counters each time.
     const Image noisy = image({128, 70}, one_float, noise, 300);
     fill(noisy, "box");

@@ -55,14 +55,14 @@ TEST_CASE_METHOD(OnChain, "sizes that fit no tile and no power of two: every met
     }
 }
 
-TEST_CASE_METHOD(OnChain, "beyond 64x64 tiles a single pass takes several, and is right") {
+TEST_CASE_METHOD(OnChain, "beyond 64x64 tiles a single pass takes several, and is right", "[07.large]") {
     const Image wide = image({8192, 3}, one_float, [](uint32_t, uint32_t x, uint32_t) { return glm::dvec4(x); });
     fill(wide, "single_pass");
     CHECK(last(wide).r == Approx(4095.5).epsilon(1e-5));
     for (const double error : errors(wide)) CHECK(error < 0.01);
 }
 
-TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
+TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128", "[07.checker]") {
     const auto checker = [](uint32_t, uint32_t x, uint32_t y) { return glm::dvec4(glm::dvec3((x + y) % 2), 1); };
     const Image codes = image({64, 64}, srgb8, checker);
     for (const std::string& method : filters) {
@@ -76,7 +76,7 @@ TEST_CASE_METHOD(OnChain, "a checker of black and white is 188 and not 128") {
     CHECK(255 * level(codes, 1).at(9, 9).r == Approx(127.5).margin(0.51));
 }
 
-TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone") {
+TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone", "[07.ramp]") {
     const auto ramp_of = [&](uint32_t width) {
         return image({width, 1}, one_float,
                      [=](uint32_t, uint32_t x, uint32_t) { return glm::dvec4((x + 0.5) / width); });
@@ -148,7 +148,8 @@ TEST_CASE_METHOD(OnChain,
     CHECK(worst["single_pass"] < 0.004);
 }
 
-TEST_CASE_METHOD(OnChain, "a counter that holds any number, as a broken run leaves it, does no harm") {
+TEST_CASE_METHOD(OnChain, "a counter that holds any number, as a broken run leaves it, does no harm",
+                 "[07.any_counter]") {
     // No run resets its counter: each of these starts with the previous one's.
     for (const glm::uvec2 size : {glm::uvec2{256, 192}, {130, 257}, {256, 192}, {512, 64}, {256, 256}}) {
         const Image noisy = image(size, one_float, noise, 2);
@@ -188,7 +189,7 @@ TEST_CASE_METHOD(OnChain, "opposite normals cancel: a direction all the same, an
     }
 }
 
-TEST_CASE_METHOD(OnChain, "NaN and infinity in one texel stay in the texels that cover it") {
+TEST_CASE_METHOD(OnChain, "NaN and infinity in one texel stay in the texels that cover it", "[07.not_finite]") {
     for (const double bad : {double(NAN), double(INFINITY)}) {
         const glm::uvec2 size{65, 48};
         const glm::uvec2 where{40, 21};
@@ -282,7 +283,7 @@ TEST_CASE_METHOD(OnChain, "coverage of noise, whose means reach the cutoff nowhe
     }
 }
 
-TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean") {
+TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean", "[07.mean_roughness]") {
     const Image orm =
         image({4, 4}, half4, [](uint32_t, uint32_t x, uint32_t) { return glm::dvec4(1, x % 2 ? 1 : 0, 0.5, 1); });
     fill(orm, "single_pass", Content::roughness);

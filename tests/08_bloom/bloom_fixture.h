@@ -52,7 +52,9 @@ inline double variance(const ImageRgb& picture) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const double w = double(picture.at(x, y).g);
-            weight += w, mean += w * x, square += w * x * x;
+            weight += w;
+            mean += w * x;
+            square += w * x * x;
         }
     return square / weight - (mean / weight) * (mean / weight);
 }

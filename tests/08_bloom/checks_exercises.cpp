@@ -119,7 +119,8 @@ CHECK_EXERCISE("08.combine",
     for (int i = 0; i < 500; ++i) {
         Row row;
         for (int c = 0; c < 6; ++c) row.push_back(random.uniform(0, 8));
-        row.push_back(random.uniform(0, 1)), row.push_back(i % 2);
+        row.push_back(random.uniform(0, 1));
+        row.push_back(i % 2);
         probe.inputs.push_back(row);
     }
     check.probe(probe);
@@ -198,7 +199,8 @@ CHECK_EXERCISE(
                 if (at < 0 || k >= weights.size() || (f > 0 && k + 1 >= weights.size()))
                     return fmt::format("{}: tap {} stands at {}, which reads beyond the last pixel {}", what, i, at,
                                        weights.size() - 1);
-                given[k] += (1 - f) * double(taps[i].y), given[k + 1] += f * double(taps[i].y);
+                given[k] += (1 - f) * double(taps[i].y);
+                given[k + 1] += f * double(taps[i].y);
             }
             for (size_t d = 0; d < weights.size(); ++d)
                 if (std::fabs(given[d] - double(weights[d])) > 2e-6)

@@ -33,7 +33,9 @@ CHECK_EXERCISE(
             const double weight = results[i][1];
             // Where the texel's middle lies, from the impulse's, in texels of the level above.
             const glm::dvec2 way = 2.0 * glm::dvec2(probe.inputs[i][0], probe.inputs[i][1]) + 0.5 - glm::dvec2(impulse);
-            sum += weight, mean += weight * way, square += weight * way * way;
+            sum += weight;
+            mean += weight * way;
+            square += weight * way * way;
             least = std::min(least, weight);
         }
         const std::string which =

@@ -15,7 +15,7 @@ constexpr int first_size = 88, last_size = 127;
 }  // namespace
 
 // A mirrored picture keeps one half of the halo of a lamp at its border, twice: light is lost or made as the halves differ.
-TEST_CASE_METHOD(OnBloom, "a lamp in the middle: its halo leans to neither side", "[figures][08.halo]") {
+TEST_CASE_METHOD(OnBloom, "a lamp in the middle: its halo leans to neither side", "[figures][08.halo][08.lamp]") {
     for (const std::string& method : over_levels) {
         double most = 0;
         for (int x = 60; x < 68; ++x) {
@@ -32,7 +32,7 @@ TEST_CASE_METHOD(OnBloom, "a lamp in the middle: its halo leans to neither side"
 }
 
 TEST_CASE_METHOD(OnBloom, "a lamp in the last column, row or corner, at 40 sizes: as the truth, its light once",
-                 "[figures][08.border]") {
+                 "[figures][08.border][08.lamp]") {
     for (const std::string border : {"mirror", "clamp", "black"}) {
         bloom.border.set(border);
         struct Worst {
@@ -65,7 +65,7 @@ TEST_CASE_METHOD(OnBloom, "a lamp in the last column, row or corner, at 40 sizes
 
 TEST_CASE_METHOD(OnBloom,
                  "a lamp in the middle of a mirrored picture: its light is there once, at odd sizes and wide blurs",
-                 "[figures][08.light]") {
+                 "[figures][08.light][08.lamp]") {
     bloom.border.set("mirror");
     for (const std::string& method : over_levels)
         for (const glm::uvec2 size :
@@ -75,7 +75,8 @@ TEST_CASE_METHOD(OnBloom,
                 for (int i = 0; i < 8; ++i) {
                     const ImageRgb found =
                         spread_of(method, sigma, size, spot_at(int(size.x) / 2 - i, int(size.y) / 2 + i, 20000));
-                    least = std::min(least, sum(found) / 20000), most = std::max(most, sum(found) / 20000);
+                    least = std::min(least, sum(found) / 20000);
+                    most = std::max(most, sum(found) / 20000);
                 }
                 fmt::print("light kept, {:12} {}x{} sigma {}: {:.3f} to {:.3f}\n", method, size.x, size.y, sigma, least,
                            most);

@@ -30,7 +30,9 @@ Flicker flicker(OnBloom& on, const std::string& method, float sigma) {
             found.pixels[p] -= exact.pixels[p];
         }
         ratio /= weight;
-        brightest = std::max(brightest, ratio), darkest = std::min(darkest, ratio), mean += ratio / 20;
+        brightest = std::max(brightest, ratio);
+        darkest = std::min(darkest, ratio);
+        mean += ratio / 20;
         differences.push_back(found);
     }
     for (size_t p = 0; p < differences[0].pixels.size(); ++p) {
@@ -46,7 +48,8 @@ Flicker flicker(OnBloom& on, const std::string& method, float sigma) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnBloom, "point-spread error of every method, and its standard deviation", "[figures]") {
+TEST_CASE_METHOD(OnBloom, "point-spread error of every method, and its standard deviation",
+                 "[figures][08.point_spread]") {
     for (const float sigma : {0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f}) {
         const auto side = static_cast<uint32_t>(64 + 8 * sigma);
         const glm::uvec2 size{side, side};
@@ -91,7 +94,8 @@ TEST_CASE_METHOD(OnBloom,
     CHECK(box.l2 > 0.02);
 }
 
-TEST_CASE("what truncation loses: 8.9, 2.5, 0.54 and 0.013 percent in a square; more in a disc", "[figures]") {
+TEST_CASE("what truncation loses: 8.9, 2.5, 0.54 and 0.013 percent in a square; more in a disc",
+          "[figures][08.truncation]") {
     for (const auto& [t, square] : {std::pair{2.0, 0.089}, {2.5, 0.0247}, {3.0, 0.0054}, {4.0, 0.000127}}) {
         fmt::print("cut at {} sigma: a square loses {:.3f}%, a disc {:.3f}%\n", t, 100 * truth::lost_outside_square(t),
                    100 * truth::lost_outside_disc(t));

@@ -56,7 +56,8 @@ TEST_CASE_METHOD(OnBloom, "methods that read each neighbour are one picture, for
         }
 }
 
-TEST_CASE_METHOD(OnBloom, "infinity, NaN and what is above 65504 stay finite, and reach no farther than light does") {
+TEST_CASE_METHOD(OnBloom, "infinity, NaN and what is above 65504 stay finite, and reach no farther than light does",
+                 "[08.not_finite]") {
     const float inf = std::numeric_limits<float>::infinity();
     for (const float bad : {inf, -inf, std::nanf(""), 65504.0f, 70000.0f})
         for (const std::string& method : blurs)
@@ -93,7 +94,8 @@ TEST_CASE_METHOD(OnBloom, "sigma from 0.1 to 200 pixels: finite, and no light is
             }
 }
 
-TEST_CASE_METHOD(OnBloom, "below 0.3 pixels a Gaussian falls between the pixels: its blur is less than was asked for") {
+TEST_CASE_METHOD(OnBloom, "below 0.3 pixels a Gaussian falls between the pixels: its blur is less than was asked for",
+                 "[08.narrow]") {
     CHECK(variance(spread_of("separable", 0.2f, {16, 16}, spot_at(8, 8))) < 0.1 * 0.2 * 0.2);
     CHECK(variance(spread_of("separable", 0.3f, {16, 16}, spot_at(8, 8))) == Approx(0.3 * 0.3).epsilon(0.95));
     CHECK(variance(spread_of("separable", 0.8f, {16, 16}, spot_at(8, 8))) == Approx(0.8 * 0.8).epsilon(0.02));
@@ -121,7 +123,7 @@ TEST_CASE_METHOD(OnBloom, "energy is kept within 1 percent away from the border;
     }
 }
 
-TEST_CASE_METHOD(OnBloom, "Karis's weights lose two thirds of a bright pixel's light") {
+TEST_CASE_METHOD(OnBloom, "Karis's weights lose two thirds of a bright pixel's light", "[08.karis]") {
     const auto spot = spot_at(32, 32);
     CHECK(sum(spread_of("pyramid", 8, {64, 64}, spot)) == Approx(1000).epsilon(0.01));
     bloom.karis.value = true;
@@ -144,7 +146,7 @@ TEST_CASE_METHOD(OnBloom, "a sum of Gaussians: a pyramid adds up those that it s
     CHECK(relative_l2(spread_of("pyramid", 16, {160, 160}, spot), exact) > 0.5);
 }
 
-TEST_CASE_METHOD(OnBloom, "pictures of 1x1, 2x3, 1x40 and a strip of 8K: an even light stays even") {
+TEST_CASE_METHOD(OnBloom, "pictures of 1x1, 2x3, 1x40 and a strip of 8K: an even light stays even", "[08.sizes]") {
     for (const glm::uvec2 size : {glm::uvec2{1, 1}, {2, 3}, {1, 40}, {7680, 2}, {3, 4320}})
         for (const std::string& method : blurs) {
             const float sigma = method == "window" ? 2.0f : 20.0f;
@@ -158,7 +160,8 @@ TEST_CASE_METHOD(OnBloom, "pictures of 1x1, 2x3, 1x40 and a strip of 8K: an even
         }
 }
 
-TEST_CASE_METHOD(OnBloom, "nothing above the threshold: no blur runs, and the picture is what it was") {
+TEST_CASE_METHOD(OnBloom, "nothing above the threshold: no blur runs, and the picture is what it was",
+                 "[08.nothing_bright]") {
     bloom.cut.set("soft");
     for (const std::string method : {"pyramid", "shared", "exact"}) {
         const ImageRgb lit = spread_of(method, 4, {40, 30}, spot_at(20, 15));
@@ -204,7 +207,8 @@ TEST_CASE_METHOD(OnBloom, "added light is added, mixed light is moved; alpha sta
     CHECK(sum(picture()) == Approx(1000).epsilon(0.001));
 }
 
-TEST_CASE("the plans: chained variances add up to what was asked for, and steps stay within their images") {
+TEST_CASE("the plans: chained variances add up to what was asked for, and steps stay within their images",
+          "[08.plans]") {
     for (const std::string& method : blurs)
         for (double sigma = 0; sigma <= (method == "window" ? 20 : 200); sigma = sigma * 1.3 + 0.1)
             for (const bool sum : {false, true}) {

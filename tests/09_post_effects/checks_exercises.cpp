@@ -97,7 +97,8 @@ CHECK_EXERCISE("09.contrast_saturation",
     for (int i = 0; i < 200; ++i) {
         Row row = color(random, 3);
         row.push_back(random.uniform(0.05, 4));
-        power.inputs.push_back(row), line.inputs.push_back(row);
+        power.inputs.push_back(row);
+        line.inputs.push_back(row);
     }
     check.probe(power);
     check.probe(line);

@@ -15,7 +15,11 @@ namespace {
 // How much of one row of numbers is known from another: 0 for noise, 1 for the same.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0, squares_a = 0, squares_b = 0;
-    for (size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i], squares_a += a[i] * a[i], squares_b += b[i] * b[i];
+    for (size_t i = 0; i < a.size(); ++i) {
+        sum += a[i] * b[i];
+        squares_a += a[i] * a[i];
+        squares_b += b[i] * b[i];
+    }
     return squares_a * squares_b > 0 ? sum / std::sqrt(squares_a * squares_b) : 1;
 }
 
@@ -113,7 +117,10 @@ CHECK_EXERCISE("09.film_grain", "A hash of three integers: multiply, exclusive o
         const std::vector<double> here = look(700, 300, frame);
         if (here.empty()) return;
         double mean = 0, square = 0;
-        for (const double n : here) mean += n / all, square += n * n / all;
+        for (const double n : here) {
+            mean += n / all;
+            square += n * n / all;
+        }
         check.expect(std::fabs(mean) < 0.06,
                      fmt::format("{}: the mean over 48 by 48 pixels is {:.3f}, expected 0", when, mean),
                      "from -1 to 1: twice the number from 0 to 1, minus 1");
@@ -186,7 +193,8 @@ CHECK_EXERCISE("09.bayer_dither", "The lowest bits of x and y weigh most, becaus
                             i % side, i / side, bits, results[size_t(i)][0], all),
                 "each threshold once: then their mean is a half, and no shade is lost");
             if (!right) return;
-            taken[size_t(whole)] = 1, ranks[size_t(i)] = int(whole);
+            taken[size_t(whole)] = 1;
+            ranks[size_t(i)] = int(whole);
         }
         for (size_t i = size_t(all); i < results.size(); ++i) {
             const double here = results[i][0], first = results[i % size_t(all)][0];
@@ -217,10 +225,16 @@ CHECK_EXERCISE("09.bayer_dither", "The lowest bits of x and y weigh most, becaus
                 const int rank = bayer_rank(x, y);
                 if (rank == ranks[size_t(i)])
                     ++alike;
-                else if (first < 0)
-                    first = i, rank_there = rank;
+                else if (first < 0) {
+                    first = i;
+                    rank_there = rank;
+                }
             }
-            if (alike > most_alike) most_alike = alike, wrong = first, expected = rank_there;
+            if (alike > most_alike) {
+                most_alike = alike;
+                wrong = first;
+                expected = rank_there;
+            }
         }
         check.expect(
             most_alike == all,

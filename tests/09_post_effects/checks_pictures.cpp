@@ -127,7 +127,10 @@ void count(Check& check, const std::string& what, const std::vector<uint32_t>& g
     for (uint32_t group = 0; group < most_groups; ++group) {
         std::set<uint32_t> seen;
         for (uint32_t i = 0; i < 256; ++i)
-            if (const uint32_t word = given[256 * group + i]; word < 256) ++expected[word], seen.insert(word);
+            if (const uint32_t word = given[256 * group + i]; word < 256) {
+                ++expected[word];
+                seen.insert(word);
+            }
         for (const uint32_t bin : seen) ++expected[256 + bin];
     }
     for (uint32_t bin = 0; bin < 256; ++bin) {

@@ -21,7 +21,11 @@ struct OnLens : OnModules {
     Camera camera{.position = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_rad = 0.7f, .near_m = 0.1f, .far_m = 100};
     glm::uvec2 size{160, 90};
 
-    OnLens() { dof.focus_m.value = 2, dof.f_number.value = 0.2f, dof.most.value = 0.3f; }
+    OnLens() {
+        dof.focus_m.value = 2;
+        dof.f_number.value = 0.2f;
+        dof.most.value = 0.3f;
+    }
 
     double depth_at(double z) const {
         const double near = double(camera.near_m), far = double(camera.far_m);
@@ -147,7 +151,8 @@ TEST_CASE_METHOD(OnLens, "a far point of light becomes a disc of the formula's w
     for (int y = 0; y < 240; ++y)
         for (int x = 0; x < 240; ++x) {
             const double w = double(found.at(x, y).g);
-            light += w, square += w * (std::pow(x - 119.5, 2) + std::pow(y - 119.5, 2));
+            light += w;
+            square += w * (std::pow(x - 119.5, 2) + std::pow(y - 119.5, 2));
         }
     const double disc = std::sqrt(8 * square / light);  // the mean square distance in a disc of diameter d is d² / 8
     const double wanted = disc_px(50);

@@ -30,8 +30,11 @@ void switch_on(KnobBase& effect) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnPost, "fused and one pass each are the same to the last bit: each effect alone, each pair, all") {
-    post.stops.value = 0.7f, post.gamma_by.value = 1.3f, post.white_k.value = 5200;
+TEST_CASE_METHOD(OnPost, "fused and one pass each are the same to the last bit: each effect alone, each pair, all",
+                 "[09.fused]") {
+    post.stops.value = 0.7f;
+    post.gamma_by.value = 1.3f;
+    post.white_k.value = 5200;
     const auto same = [&](const std::string& what) {
         post.method.set("fused");
         const ImageRgb fused = shown({70, 9}, motley, 3.5f);
@@ -52,15 +55,20 @@ TEST_CASE_METHOD(OnPost, "fused and one pass each are the same to the last bit: 
     }
     for (KnobBase* effect : all) switch_on(*effect);
     same("all");
-    post.exposure.set("automatic"), post.tone.set("agx"), post.grain.set("texture"), post.dither.set("blue_noise");
+    post.exposure.set("automatic");
+    post.tone.set("agx");
+    post.grain.set("texture");
+    post.dither.set("blue_noise");
     same("all, in other ways");
 }
 
-TEST_CASE_METHOD(OnPost, "with half floats between the passes the pictures differ, and how far", "[figures]") {
+TEST_CASE_METHOD(OnPost, "with half floats between the passes the pictures differ, and how far",
+                 "[figures][09.half_floats]") {
     for (KnobBase* effect : post.effects()) switch_on(*effect);
     post.dither.set("off");
     const ImageRgb fused = shown({70, 40}, motley);
-    post.method.set("pass_each"), post.store.set("half");
+    post.method.set("pass_each");
+    post.store.set("half");
     const double off = largest_difference(shown({70, 40}, motley), fused);
     fmt::print("16 effects, half floats between them: at most {:.4f} away\n", off);
     CHECK(off > 0);
@@ -76,9 +84,11 @@ TEST_CASE_METHOD(OnPost, "passes: one for all that need their pixel alone, one f
         return names;
     };
     CHECK(passes().empty());
-    post.vignette.set("on"), post.tone.set("agx");
+    post.vignette.set("on");
+    post.tone.set("agx");
     CHECK(passes() == std::vector<std::string>{"post"});
-    post.sharpen.set("on"), post.aberration.set("on");
+    post.sharpen.set("on");
+    post.aberration.set("on");
     CHECK(passes() == std::vector<std::string>{"post.aberration", "post.sharpen", "post"});
     post.method.set("pass_each");
     CHECK(passes() == std::vector<std::string>{"post.aberration", "post.sharpen", "post.tone", "post.vignette"});
@@ -102,47 +112,66 @@ TEST_CASE_METHOD(OnPost, "off and neutral change nothing; each effect is its clo
         switch_off();
     };
     using glm::dvec3;
-    post.exposure.set("fixed"), post.stops.value = 0;
+    post.exposure.set("fixed");
+    post.stops.value = 0;
     compare("exposure of 0 stops", [](dvec3 c) { return c; });
-    post.exposure.set("fixed"), post.stops.value = -1.5f;
+    post.exposure.set("fixed");
+    post.stops.value = -1.5f;
     compare("exposure", [](dvec3 c) { return c * std::exp2(-1.5); });
-    post.white_balance.set("on"), post.white_k.value = 6504;
+    post.white_balance.set("on");
+    post.white_k.value = 6504;
     compare("white balance of daylight", [](dvec3 c) { return c; });
-    post.contrast.set("on"), post.contrast_by.value = 1;
+    post.contrast.set("on");
+    post.contrast_by.value = 1;
     compare("contrast of 1", [](dvec3 c) { return c; });
-    post.contrast.set("on"), post.contrast_by.value = 1.7f;
+    post.contrast.set("on");
+    post.contrast_by.value = 1.7f;
     compare("contrast", [](dvec3 c) { return truth::contrast(c, double(1.7f)); });
-    post.saturation.set("on"), post.saturation_by.value = 0.3f;
+    post.saturation.set("on");
+    post.saturation_by.value = 0.3f;
     compare("saturation", [](dvec3 c) { return truth::saturate_color(c, double(0.3f)); });
-    post.brightness.set("on"), post.brightness_by.value = -0.5f;
+    post.brightness.set("on");
+    post.brightness_by.value = -0.5f;
     compare("brightness", [](dvec3 c) { return glm::max(c - 0.5, dvec3(0)); });
-    post.greyscale.set("on"), post.greyscale_by.value = 1;
+    post.greyscale.set("on");
+    post.greyscale_by.value = 1;
     compare("greyscale", [](dvec3 c) { return dvec3(truth::luminance_of(c)); });
-    post.invert.set("on"), post.invert_by.value = 1;
+    post.invert.set("on");
+    post.invert_by.value = 1;
     compare("invert", [](dvec3 c) { return 1.0 - glm::clamp(c, 0.0, 1.0); });
-    post.fade.set("on"), post.fade_by.value = 1, post.fade_color.value = {0.5f, 0.25f, 1};
+    post.fade.set("on");
+    post.fade_by.value = 1;
+    post.fade_color.value = {0.5f, 0.25f, 1};
     compare("fade to a colour", [](dvec3) { return dvec3(0.5, 0.25, 1); });
-    post.gamma.set("on"), post.gamma_by.value = 2.2f;
+    post.gamma.set("on");
+    post.gamma_by.value = 2.2f;
     compare("gamma", [](dvec3 c) { return truth::apply_gamma(c, double(2.2f)); });
-    post.scanlines.set("on"), post.scan_strength.value = 0;
+    post.scanlines.set("on");
+    post.scan_strength.value = 0;
     compare("scanlines of no strength", [](dvec3 c) { return c; });
-    post.vignette.set("on"), post.vignette_strength.value = 0;
+    post.vignette.set("on");
+    post.vignette_strength.value = 0;
     compare("a vignette of no strength", [](dvec3 c) { return c; });
-    post.sharpen.set("on"), post.sharpen_by.value = 0;
+    post.sharpen.set("on");
+    post.sharpen_by.value = 0;
     compare("a kernel of no strength", [](dvec3 c) { return c; });
-    post.aberration.set("on"), post.aberration_shift.value = glm::vec3(0);
+    post.aberration.set("on");
+    post.aberration_shift.value = glm::vec3(0);
     compare(
         "an aberration of no shift", [](dvec3 c) { return c; }, 3);  // filters weigh with 8 bits
-    post.radial_blur.set("on"), post.blur_by.value = 0;
+    post.radial_blur.set("on");
+    post.blur_by.value = 0;
     compare(
         "a radial blur of no way", [](dvec3 c) { return c; }, 3);  // filters weigh with 8 bits
 }
 
-TEST_CASE_METHOD(OnPost, "the middle of the picture: no direction, no NaN, and it stays") {
-    post.vignette.set("on"), post.aberration.set("on");
+TEST_CASE_METHOD(OnPost, "the middle of the picture: no direction, no NaN, and it stays", "[09.middle]") {
+    post.vignette.set("on");
+    post.aberration.set("on");
     for (const float power : {0.0f, 0.1f, 8.0f})
         for (const float shift : {-0.2f, 0.2f}) {
-            post.vignette_power.value = power, post.aberration_shift.value = glm::vec3(shift);
+            post.vignette_power.value = power;
+            post.aberration_shift.value = glm::vec3(shift);
             const ImageRgb found = shown({5, 5}, [](int x, int y) { return x == 2 && y == 2 ? 1.0f : 0.0f; });
             CHECK(is_finite(found));
             CHECK(double(found.at(2, 2).g) == Approx(power == 0 ? 0.5 : 1).epsilon(0.01));
@@ -179,11 +208,14 @@ TEST_CASE_METHOD(OnPost, "gamma of 0 and below: the picture as it was; a power o
     CHECK(mean(shown({4, 4}, all_of(glm::vec3(0)))) == glm::dvec3(0));
 }
 
-TEST_CASE_METHOD(OnPost, "Hill's curve is below 0 for black: unclamped a power of it is NaN; here it is 0") {
+TEST_CASE_METHOD(OnPost, "Hill's curve is below 0 for black: unclamped a power of it is NaN; here it is 0",
+                 "[09.hill]") {
     const double black = truth::hill(glm::dvec3(0), false).g;
     CHECK(black == Approx(-3.8e-4).epsilon(0.01));
     CHECK(std::isnan(std::pow(black, 1 / 2.2)));
-    post.tone.set("hill"), post.gamma.set("on"), post.gamma_by.value = 2.2f;
+    post.tone.set("hill");
+    post.gamma.set("on");
+    post.gamma_by.value = 2.2f;
     const ImageRgb found = shown({4, 4}, all_of(glm::vec3(0)));
     CHECK(is_finite(found));
     CHECK(mean(found) == glm::dvec3(0));
@@ -213,8 +245,9 @@ TEST_CASE_METHOD(OnPost, "infinity, NaN and 65504: finite with every curve, and 
 }
 
 TEST_CASE_METHOD(OnPost, "grain at a time of a million seconds is as good as at the first; of a sine it is not",
-                 "[figures]") {
-    post.grain.set("white"), post.grain_by.value = 0.25f;
+                 "[figures][09.late_grain]") {
+    post.grain.set("white");
+    post.grain_by.value = 0.25f;
     const auto spread = [&](const ImageRgb& picture) {
         const double middle = mean(picture).g;
         double square = 0;
@@ -240,7 +273,7 @@ TEST_CASE_METHOD(OnPost, "grain at a time of a million seconds is as good as at 
 
 TEST_CASE_METHOD(OnPost,
                  "dither: the mean is what was asked for, and a gradient of less than a code in 8 pixels has no bands",
-                 "[figures]") {
+                 "[figures][09.dither_mean]") {
     // From code 100 to 104 over 64 pixels: less than one code in 8.
     const auto slope = [](int x, int) { return float(truth::decode_srgb((100.0 + 4.0 * x / 64) / 255)); };
     for (const std::string& kind : post.dither.options) {
@@ -255,7 +288,8 @@ TEST_CASE_METHOD(OnPost,
                     codes += (kind == "off" ? std::round(code) : code) / 512;
                     wanted += (100.0 + 4.0 * (x + i) / 64) / 512;
                 }
-            worst = std::max(worst, std::fabs(codes - wanted)), sum += (codes - wanted) / 8;
+            worst = std::max(worst, std::fabs(codes - wanted));
+            sum += (codes - wanted) / 8;
         }
         fmt::print("dither {:10}: the mean of 8 columns is {:.3f} codes off, of all {:+.3f}\n", kind, worst, sum);
         if (kind == "off") {
@@ -293,14 +327,17 @@ TEST_CASE("blue noise: each threshold once, and its points keep apart") {
     std::vector<std::pair<int, int>> lowest, random;
     std::mt19937 engine(3);
     for (int i = 0; i < 1024; ++i)
-        if (tile[size_t(i)] < 0.1f)
-            lowest.emplace_back(i % 32, i / 32), random.emplace_back(engine() % 32, engine() % 32);
+        if (tile[size_t(i)] < 0.1f) {
+            lowest.emplace_back(i % 32, i / 32);
+            random.emplace_back(engine() % 32, engine() % 32);
+        }
     CHECK(apart(lowest) > 2.4);
     CHECK(apart(random) < 1.9);
 }
 
 TEST_CASE_METHOD(OnPost,
-                 "automatic exposure: middle grey in one frame; a flash is followed in the stated time, not faster") {
+                 "automatic exposure: middle grey in one frame; a flash is followed in the stated time, not faster",
+                 "[09.exposure]") {
     post.exposure.set("automatic");
     post.automatic.adapt_s.value = 0.5f;
     const auto exposed = [&](float light, float time_s) {

@@ -63,7 +63,8 @@ TEST_CASE("curves at equal middle grey against the reference, in codes", "[figur
                 const glm::dvec3 found = truth::tone(curve, gain * light), exact = truth::reference_tone(light);
                 for (int c = 0; c < 3; ++c) {
                     const double off = std::fabs(code(found[c]) - code(exact[c]));
-                    sum += off / (8 * 73 * 3), most = std::max(most, off);
+                    sum += off / (8 * 73 * 3);
+                    most = std::max(most, off);
                     if (y == 0) grey = std::max(grey, off);
                 }
             }
@@ -84,7 +85,10 @@ TEST_CASE("Narkowicz's fit of grey, at the exposure at which it fits best", "[fi
         for (double x = 0; x < 8; x += 0.02)
             most = std::max(
                 most, std::fabs(std::min(truth::narkowicz(gain * x), 1.0) - truth::reference_tone(glm::dvec3(x)).g));
-        if (most < least) least = most, at = gain;
+        if (most < least) {
+            least = most;
+            at = gain;
+        }
     }
     fmt::print("narkowicz at {:.3f} of the light: at most {:.4f} from the reference's greys, in linear light\n", at,
                least);

@@ -19,7 +19,9 @@ struct OnAtmosphere : OnModules {
     }
 
     void look(glm::vec3 from, glm::vec3 to, glm::vec3 up = {0, 1, 0}) {
-        camera.position = from, camera.target = to, camera.up = up;
+        camera.position = from;
+        camera.target = to;
+        camera.up = up;
     }
 
     /// Of the air before black, or before a ground of that light.
@@ -52,7 +54,9 @@ inline Off relative_error(const ImageRgb& found, const ImageRgb& right, double l
         for (int c = 0; c < 3; ++c) {
             const double b = double(right.pixels[i][c]), e = std::fabs(double(found.pixels[i][c]) - b) / b;
             if (b < least * brightest) continue;
-            off.most = std::max(off.most, e), off.mean += e, ++count;
+            off.most = std::max(off.most, e);
+            off.mean += e;
+            ++count;
         }
     off.mean /= double(std::max<size_t>(count, 1));
     return off;

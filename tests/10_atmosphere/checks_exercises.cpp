@@ -132,7 +132,8 @@ CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts be
                         glm::dvec3 through;
                         const glm::dvec3 light = truth::in_scatter(air, path, phase, int(in[0]), 24, &through);
                         Row row;
-                        append(row, light), append(row, through);
+                        append(row, light);
+                        append(row, through);
                         return row;
                     },
                 .bound = {.absolute = 1e-5, .relative = 2e-3},
@@ -173,7 +174,8 @@ CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts be
             depth += taken;
         }
         Row row;
-        append(row, light), append(row, glm::exp(-depth));
+        append(row, light);
+        append(row, glm::exp(-depth));
         return row;
     };
     probe.hint = [](auto, auto) { return "scattered_before arrives from all sides: no phase function belongs to it."; };

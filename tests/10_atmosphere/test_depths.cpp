@@ -29,10 +29,12 @@ double horizon(double height, double radius) { return -std::sqrt(height * (2 * r
 }  // namespace
 
 TEST_CASE("sunlight by a formula: within 0.5% of the depth, from the ground to 60 km, down to the horizon",
-          "[figures]") {
+          "[figures][10.sunlight]") {
     Air low = earth_air(), high = earth_air();
-    low.layer_center = 8000, low.layer_width = 12000;     // into the ground
-    high.layer_center = 90000, high.layer_width = 20000;  // and out of the air
+    low.layer_center = 8000;  // into the ground
+    low.layer_width = 12000;
+    high.layer_center = 90000;  // and out of the air
+    high.layer_width = 20000;
     for (const Air& air : {earth_air(), low, high}) {
         Table inputs;
         for (const double height :

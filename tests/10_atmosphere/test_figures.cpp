@@ -49,7 +49,8 @@ TEST_CASE_METHOD(OnAtmosphere,
     }
 }
 
-TEST_CASE_METHOD(OnAtmosphere, "the standard error of random walks falls with the root of their number", "[figures]") {
+TEST_CASE_METHOD(OnAtmosphere, "the standard error of random walks falls with the root of their number",
+                 "[figures][10.standard_error]") {
     atmosphere.orders.set("multiple");
     size = {16, 12};
     look({0, 2, 0}, {0, 1002, -1000});
@@ -60,8 +61,8 @@ TEST_CASE_METHOD(OnAtmosphere, "the standard error of random walks falls with th
         double square = 0, said = 0;
         for (size_t i = 0; i < right.pixels.size(); ++i) {
             const glm::dvec3 a(found.pixels[i]), b(right.pixels[i]);
-            square += std::pow((a.r + a.g + a.b) / (b.r + b.g + b.b) - 1, 2),
-                said += std::pow(double(doubts.pixels[i].r), 2);
+            square += std::pow((a.r + a.g + a.b) / (b.r + b.g + b.b) - 1, 2);
+            said += std::pow(double(doubts.pixels[i].r), 2);
         }
         const double n = double(right.pixels.size());
         fmt::print("{} walks: a pixel's standard error is {:.2f}%, that of all pixels about the tables {:.2f}%\n",
@@ -115,7 +116,8 @@ TEST_CASE_METHOD(OnAtmosphere,
     atmosphere.sun_elevation_deg.value = 4;
     const ImageRgb right = picture("truth");
     const auto off = [&](const std::string& method, int steps, int light) {
-        atmosphere.steps.value = steps, atmosphere.light_steps.value = light;
+        atmosphere.steps.value = steps;
+        atmosphere.light_steps.value = light;
         const double found = relative_error(picture(method), right).mean;
         atmosphere.steps.value = 16;
         fmt::print("sunset, {:10} {:2} places on the path, {:2} towards the sun: light is off by {:.2f}%\n", method,
@@ -131,7 +133,8 @@ TEST_CASE_METHOD(OnAtmosphere,
     CHECK(off("tables", 16, 8) < 0.01);
 }
 
-TEST_CASE_METHOD(OnAtmosphere, "tables are made once, and again when the air changes, not when the sun moves") {
+TEST_CASE_METHOD(OnAtmosphere, "tables are made once, and again when the air changes, not when the sun moves",
+                 "[10.kept_tables]") {
     picture("tables");
     CHECK(atmosphere.tables_made == 1);
     CHECK(atmosphere.skies_made == 1);

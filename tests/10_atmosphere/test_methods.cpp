@@ -98,7 +98,8 @@ TEST_CASE("Preetham's sky is what his tables say, at its zenith and all around, 
 TEST_CASE_METHOD(OnAtmosphere,
                  "fog on a picture: as the formula says, down to its base and up without an end; none is none") {
     HeightFog fog{owner, "fog"};
-    fog.density.value = 0.02f, fog.falloff.value = 0.05f;
+    fog.density.value = 0.02f;
+    fog.falloff.value = 0.05f;
     fog.color.value = fog.sun_color.value = glm::vec3(0);
     size = {4, 4};
     const auto through = [&](glm::vec3 from, glm::vec3 to) {

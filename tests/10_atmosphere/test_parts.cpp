@@ -14,7 +14,7 @@ double sum(glm::dvec3 c) { return c.r + c.g + c.b; }
 }  // namespace
 
 TEST_CASE_METHOD(OnAtmosphere, "more places on the way keep the truth's light, and the march's, from 10 km",
-                 "[figures]") {
+                 "[figures][10.more_places]") {
     size = {4, 4};
     camera.fov_y_rad = 0.002f;
     atmosphere.sun_elevation_deg.value = 12;
@@ -30,7 +30,8 @@ TEST_CASE_METHOD(OnAtmosphere, "more places on the way keep the truth's light, a
         const glm::dvec3 right = truth::in_scatter(
             air, {1e4f, float(direction.y), float(sun.y), float(glm::dot(direction, sun)), float(way)}, dust, 4096, 96);
         const auto off = [&](const std::string& method, int steps, int light_steps) {
-            atmosphere.steps.value = steps, atmosphere.light_steps.value = light_steps;
+            atmosphere.steps.value = steps;
+            atmosphere.light_steps.value = light_steps;
             const glm::dvec3 found = mean(picture(method));
             double most = 0;
             for (int c = 0; c < 3; ++c) most = std::max(most, std::fabs(found[c] / right[c] - 1));
@@ -74,7 +75,8 @@ TEST_CASE_METHOD(OnAtmosphere,
     for (const PathPart& part : parts) {
         CHECK(part.first_walk == (part.end_walk > 0 ? walks : 0));
         CHECK(part.first_place == (part.end_place > 0 ? places : 0));
-        walks += part.end_walk - part.first_walk, places += part.end_place - part.first_place;
+        walks += part.end_walk - part.first_walk;
+        places += part.end_place - part.first_place;
         CHECK((part.end_place - part.first_place) * 50 <= 65535);
         CHECK(part.begins == (&part == &parts.front()));
         CHECK(part.ends == (&part == &parts.back()));

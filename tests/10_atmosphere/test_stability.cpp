@@ -34,7 +34,8 @@ Probe of_air(const std::string& include, const std::string& signature, Table inp
 }  // namespace
 
 TEST_CASE(
-    "a float at a planet's radius: heights along a ray are right to a centimetre, the plain root is half a metre off") {
+    "a float at a planet's radius: heights along a ray are right to a centimetre, the plain root is half a metre off",
+    "[10.heights]") {
     Table inputs;
     Random random;
     for (int i = 0; i < 300; ++i)
@@ -54,7 +55,7 @@ TEST_CASE(
     CHECK(plain > 0.4);
 }
 
-TEST_CASE("the horizon: from 0 m exactly level, from 2 m 5,044 m away") {
+TEST_CASE("the horizon: from 0 m exactly level, from 2 m 5,044 m away", "[10.horizon]") {
     const auto distance = [](double height, double slope) {
         return ask(of_air("10_atmosphere/view_path.glsl", "float distance_to_ground(Path path)",
                           {{height, slope, 0.5, 0.5, 0}}))[0];
@@ -92,8 +93,8 @@ TEST_CASE("paths are clipped to the air: at its edge, outside, and with the plan
     CHECK(way(2, 0.0, 1e12).x == Approx(std::sqrt(edge * (2 * earth + edge))).epsilon(1e-3));
 }
 
-TEST_CASE(
-    "the device's truth is that of double precision: 512 and 2048 places, from the ground, aloft, and from space") {
+TEST_CASE("the device's truth is that of double precision: 512 and 2048 places, from the ground, aloft, and from space",
+          "[10.device_truth]") {
     const Air air = earth_air();
     const auto phase = [&](double c) { return truth::phase_cornette_shanks(c, double(air.mie_g)); };
     Table inputs;
@@ -177,7 +178,8 @@ TEST_CASE_METHOD(OnAtmosphere,
     CHECK(all == Approx(double(atmosphere.air().sun.g)).epsilon(0.01));
 }
 
-TEST_CASE_METHOD(OnAtmosphere, "the sky's table: no band at the horizon, and nothing of the ground in it") {
+TEST_CASE_METHOD(OnAtmosphere, "the sky's table: no band at the horizon, and nothing of the ground in it",
+                 "[10.sky_table]") {
     size = {24, 60};
     for (const float height : {2.0f, 3000.0f, 30000.0f}) {
         const float dip = std::sqrt(height * (2 * float(earth) + height)) / float(earth);
@@ -214,7 +216,7 @@ TEST_CASE_METHOD(OnAtmosphere, "an air without heights is none: 0 scale heights 
 
 TEST_CASE(
     "O'Neil's fit away from the shell that it was made for: a third to five sixths of the horizon's air is missing",
-    "[figures]") {
+    "[figures][10.oneil]") {
     struct Case {
         const char* name;
         double radius, scale, zenith, middle, horizon;
@@ -243,7 +245,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Preetham's formula: below a turbidity of 1.203 infinite, dark at the zenith; the shader's never") {
+TEST_CASE("Preetham's formula: below a turbidity of 1.203 infinite, dark at the zenith; the shader's never",
+          "[10.preetham]") {
     const auto b = [](double t) { return -0.3554 * t + 0.4275; };
     CHECK(b(1.2) > 0);  // exp(B / cos) grows without end towards the horizon
     CHECK(b(1.21) < 0);
@@ -257,12 +260,14 @@ TEST_CASE("Preetham's formula: below a turbidity of 1.203 infinite, dark at the 
     Random random;
     for (int i = 0; i < 400; ++i) {
         Row row;
-        append(row, random.direction()), append(row, random.direction());
+        append(row, random.direction());
+        append(row, random.direction());
         row.push_back(random.uniform(0, 20));
         inputs.push_back(row);
     }
-    inputs.push_back({0, 1, 0, 0, 1, 0, 1}), inputs.push_back({0, 0, 1, 0, 0, 1, 1}),
-        inputs.push_back({1, 0, 0, 0, -1, 0, 12});
+    inputs.push_back({0, 1, 0, 0, 1, 0, 1});
+    inputs.push_back({0, 0, 1, 0, 0, 1, 1});
+    inputs.push_back({1, 0, 0, 0, -1, 0, 12});
     const Table found = run_probe(validated_device(),
                                   of_air("10_atmosphere/preetham.glsl",
                                          "vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity)", inputs),
@@ -287,7 +292,8 @@ TEST_CASE("fog's (1 - exp(-x)) / x as it stands: 1e-5, 1.3%, all of it; and 88.7
         CHECK(found[i] == Approx(truth::fog_depth(1, 1, inputs[i][2], double(float(inputs[i][3])), 400)).epsilon(5e-5));
 }
 
-TEST_CASE("phase functions: each adds up to 1, and dust's have the mean cosine that was asked for") {
+TEST_CASE("phase functions: each adds up to 1, and dust's have the mean cosine that was asked for",
+          "[10.phase_functions]") {
     for (const double wanted : {-0.5, 0.0, 0.3, 0.76, 0.9}) {
         const double g = double(cornette_shanks_g(float(wanted)));
         const auto cornette = [&](double c) { return truth::phase_cornette_shanks(c, g); };

@@ -7,7 +7,7 @@
 using namespace lightwalk;
 
 TEST_CASE_METHOD(OnAtmosphere, "tables over heights, suns and directions: within 5% of random walks in each channel",
-                 "[figures]") {
+                 "[figures][10.tables]") {
     size = {12, 8};
     camera.fov_y_rad = 1.0f;
     const auto around = [&](const std::string& method, float height) {

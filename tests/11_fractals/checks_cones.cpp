@@ -24,7 +24,8 @@ ConesSeen seen_of(glm::ivec2 size, const std::vector<RecordedFrame>& recorded) {
     ConesStage stage(size);
     std::tie(seen.error, seen.passes) = replay_twice(stage, recorded);
     if (!seen.error.empty()) return seen;
-    seen.starts = stage.texels_of(stage.starts), seen.found = stage.texels_of(stage.found);
+    seen.starts = stage.texels_of(stage.starts);
+    seen.found = stage.texels_of(stage.found);
     seen.validation = stage.validation;
     return seen;
 }

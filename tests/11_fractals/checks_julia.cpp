@@ -42,7 +42,9 @@ struct Balls {
     Walk walk(double t, double end, double epsilon, double slope, int most) const {
         Walk walk{.t = t, .distance = 0, .steps = 0, .ended = 2, .doubt = 1};
         while (walk.steps < most && walk.ended == 2) {
-            walk.t = t, walk.distance = distance_at(t), ++walk.steps;
+            walk.t = t;
+            walk.distance = distance_at(t);
+            ++walk.steps;
             const double above = walk.distance - epsilon - slope * t, beyond = t + walk.distance - end;
             walk.doubt = std::min({walk.doubt, std::fabs(above), above > 0 ? std::fabs(beyond) : 1});
             walk.ended = above <= 0 ? 1 : beyond >= 0 ? 0 : 2;
@@ -97,15 +99,24 @@ CHECK_EXERCISE(
     const auto add = [&](glm::dvec4 z, glm::dvec4 c, int iterations, double escape) {
         Row row = row_of(z);
         for (const double x : row_of(c)) row.push_back(x);
-        row.push_back(iterations), row.push_back(escape);
+        row.push_back(iterations);
+        row.push_back(escape);
         probe.inputs.push_back(row);
     };
     const glm::dvec4 two(-2, 0, 0, 0), dust(float(0.4), float(0.2), 0, 0), none(0);
-    add({0, 0, 0, 0}, none, 10, 8), add({0, 0, 0, 0}, dust, 40, 8), add({0, 0, 0, 0}, {5, 0, 0, 0}, 10, 4);
-    add({2, 0, 0, 0}, two, 200, 8), add({-2, 0, 0, 0}, two, 40, 4), add({0.5, 0, 0, 0}, none, 40, 8);
-    add({0.5, 0.5, 0, 0}, none, 3, 8), add({9, 0, 0, 0}, none, 40, 8), add({0, 3, 0, 0}, none, 1, 2);
-    add({1.5, 0, 0, 0}, none, 1, 2), add({1.5, 0, 0, 0}, none, 1, 4), add({1.5, 0, 0, 0}, none, 1, 8),
-        add({0, 0, 0, 1.25}, none, 60, 64);
+    add({0, 0, 0, 0}, none, 10, 8);
+    add({0, 0, 0, 0}, dust, 40, 8);
+    add({0, 0, 0, 0}, {5, 0, 0, 0}, 10, 4);
+    add({2, 0, 0, 0}, two, 200, 8);
+    add({-2, 0, 0, 0}, two, 40, 4);
+    add({0.5, 0, 0, 0}, none, 40, 8);
+    add({0.5, 0.5, 0, 0}, none, 3, 8);
+    add({9, 0, 0, 0}, none, 40, 8);
+    add({0, 3, 0, 0}, none, 1, 2);
+    add({1.5, 0, 0, 0}, none, 1, 2);
+    add({1.5, 0, 0, 0}, none, 1, 4);
+    add({1.5, 0, 0, 0}, none, 1, 8);
+    add({0, 0, 0, 1.25}, none, 60, 64);
     probe.bound = {.absolute = 1e-6, .relative = 2e-4};
     Random random;
     for (int i = 0; i < 600; ++i) {
@@ -114,7 +125,10 @@ CHECK_EXERCISE(
         const glm::dvec4 z(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 1));
         // Where floats and doubles leave the loop in different turns, or lose the orbit, there is no one answer.
         const double near = truth::julia_distance(z, c, 30, 4);
-        if (near > 0.02) add(z, c, 30, 4), add(z, c, 30, 16);
+        if (near > 0.02) {
+            add(z, c, 30, 4);
+            add(z, c, 30, 16);
+        }
     }
     // Rounding may move the turn of the escape: then both values are near each other, but not equal.
     std::erase_if(probe.inputs, [](const Row& row) {

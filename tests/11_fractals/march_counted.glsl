@@ -19,7 +19,10 @@ float distance_at(float t) {
     float distance = march_ball_distance(t), here = march_before_t + march_before;
     if (march_leapt) march_astray = max(march_astray, abs(t - here));
     march_leapt = march_asked > 0 && march_before + distance < t - march_before_t - 1e-4;
-    if (!march_leapt) march_before = distance, march_before_t = t;
+    if (!march_leapt) {
+        march_before = distance;
+        march_before_t = t;
+    }
     ++march_asked;
     return distance;
 }

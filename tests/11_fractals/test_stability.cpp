@@ -49,10 +49,12 @@ Overstep overstep(const Cloud& cloud, glm::dvec4 c, double escape, int points) {
         const double way = cloud.distance(at);  // to a point of the set, if not to the nearest
         if (way < 10 * cloud.spacing) continue;
         ++tried;
-        found.share += bound > way, found.mean += bound / way;
+        found.share += bound > way;
+        found.mean += bound / way;
         found.worst = std::max(found.worst, bound / way);
     }
-    found.share /= tried, found.mean /= tried;
+    found.share /= tried;
+    found.mean /= tried;
     return found;
 }
 
@@ -62,7 +64,7 @@ const glm::dvec4 dust{0.285, 0.01, 0, 0};
 }  // namespace
 
 TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on it does not for connected sets",
-          "[figures]") {
+          "[figures][11.bound]") {
     double worst_at_2 = 0, worst_share = 0;
     for (const glm::dvec4& c : connected) {
         const Cloud cloud(c, 0.025, 200);
@@ -74,7 +76,8 @@ TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on 
                 c.x, c.y, escape, 100 * found.share, found.worst, found.mean);
             INFO(c.x << " " << escape);
             if (escape == 2) {
-                worst_at_2 = std::max(worst_at_2, found.worst), worst_share = std::max(worst_share, found.share);
+                worst_at_2 = std::max(worst_at_2, found.worst);
+                worst_share = std::max(worst_share, found.share);
             } else {
                 CHECK(found.worst < 0.95);
                 CHECK(found.worst > 0.5);  // nor is it a bound that anybody could double
@@ -85,7 +88,7 @@ TEST_CASE("the distance bound: at an escape radius of 2 it oversteps, from 4 on 
     CHECK(worst_share > 0.004);
 }
 
-TEST_CASE("the distance bound of a set that falls to dust oversteps at any escape radius", "[figures]") {
+TEST_CASE("the distance bound of a set that falls to dust oversteps at any escape radius", "[figures][11.bound]") {
     const Cloud cloud(dust, 0.0125, 60);  // points that have not escaped after 60 iterations: those around the dust
     for (const double escape : {2.0, 8.0, 64.0}) {
         double worst = 0;
@@ -155,7 +158,9 @@ TEST_CASE_METHOD(OnJulia, "every method's rays end where double precision says, 
             if ((one.z != 0) != (right[k] >= 0)) {
                 ++wrong;
             } else if (right[k] >= 0) {
-                ++hits, mean += std::fabs(double(one.x) - right[k]), early = std::max(early, double(one.x) - right[k]);
+                ++hits;
+                mean += std::fabs(double(one.x) - right[k]);
+                early = std::max(early, double(one.x) - right[k]);
             }
         }
         fmt::print("{:8}: depth is off by {:.5f} m, {} of {} rays misjudged, none later than by {:.5f} m\n", method,
@@ -163,7 +168,9 @@ TEST_CASE_METHOD(OnJulia, "every method's rays end where double precision says, 
         CHECK(wrong < 0.16 * double(right.size()));
         return std::pair{mean / hits, early};
     };
-    julia.epsilon_m.value = 2e-4f, julia.step_m.value = 0.01f, julia.most_steps.value = 1024;
+    julia.epsilon_m.value = 2e-4f;
+    julia.step_m.value = 0.01f;
+    julia.most_steps.value = 1024;
     const auto [exact, late_exact] = off("exact");
     const auto [distance, late_distance] = off("distance");
     const auto [relaxed, late_relaxed] = off("relaxed");
@@ -179,7 +186,9 @@ TEST_CASE_METHOD(OnJulia, "every method's rays end where double precision says, 
 }
 
 TEST_CASE_METHOD(OnJulia, "steps: relaxed needs fewer than distance, cone the fewest, fixed five times as many") {
-    julia.epsilon_m.value = 0.004f, julia.step_m.value = 0.02f, julia.footprint.value = 0.25f;
+    julia.epsilon_m.value = 0.004f;
+    julia.step_m.value = 0.02f;
+    julia.footprint.value = 0.25f;
     const auto steps = [&](const char* method) {
         julia.method.set(method);
         draw();
@@ -193,7 +202,8 @@ TEST_CASE_METHOD(OnJulia, "steps: relaxed needs fewer than distance, cone the fe
     CHECK(cone < 0.9 * distance);
 }
 
-TEST_CASE_METHOD(OnJulia, "relaxation: some saves distances, twice the distance saves none", "[figures]") {
+TEST_CASE_METHOD(OnJulia, "relaxation: some saves distances, twice the distance saves none",
+                 "[figures][11.relaxation]") {
     julia.method.set("relaxed");
     julia.epsilon_m.value = 1e-3f;
     std::vector<double> steps;
@@ -207,9 +217,10 @@ TEST_CASE_METHOD(OnJulia, "relaxation: some saves distances, twice the distance 
     CHECK(*std::min_element(steps.begin(), steps.end()) < steps[5]);
 }
 
-TEST_CASE_METHOD(OnJulia, "rays along an edge creep: they are stopped, counted, and seen as white") {
+TEST_CASE_METHOD(OnJulia, "rays along an edge creep: they are stopped, counted, and seen as white", "[11.edge_rays]") {
     julia.method.set("distance");
-    julia.epsilon_m.value = 1e-5f, julia.most_steps.value = 40;
+    julia.epsilon_m.value = 1e-5f;
+    julia.most_steps.value = 40;
     julia.show.set("steps");
     draw();
     const auto all = marched();
@@ -229,31 +240,37 @@ TEST_CASE_METHOD(OnJulia, "rays along an edge creep: they are stopped, counted, 
     CHECK(left < capped / 10);
 }
 
-TEST_CASE_METHOD(OnJulia, "the camera inside the set: every pixel hits at once, and its colour is a number") {
+TEST_CASE_METHOD(OnJulia, "the camera inside the set: every pixel hits at once, and its colour is a number",
+                 "[11.inside]") {
     julia.constant.set("custom");
     julia.c_xyz.value = {-0.1f, 0.0f, 0.0f};
     for (const char* method : {"fixed", "distance", "relaxed", "cone", "exact"})
         for (const char* normal : {"analytic", "difference"}) {
-            julia.method.set(method), julia.normal.set(normal);
-            camera.position = {0.01f, 0.02f, 0.03f}, camera.target = {1, 0, 0};
+            julia.method.set(method);
+            julia.normal.set(normal);
+            camera.position = {0.01f, 0.02f, 0.03f};
+            camera.target = {1, 0, 0};
             draw();
             for (const glm::vec4& one : marched()) CHECK((one.x == 0 && one.z == 1 && one.y <= 2.0f));
             for (const glm::vec3& pixel : picture().pixels) CHECK(std::isfinite(pixel.r + pixel.g + pixel.b));
         }
     // No distance grows there in any direction: the normal faces the ray.
-    julia.normal.set("difference"), julia.show.set("normals");
+    julia.normal.set("difference");
+    julia.show.set("normals");
     draw();
     const ImageRgb seen = picture();
     for (size_t i = 0; i < seen.pixels.size(); i += 17)
         CHECK(glm::length(glm::dvec3(seen.pixels[i]) - (0.5 - 0.5 * direction(i))) < 1e-3);
 }
 
-TEST_CASE_METHOD(OnJulia, "normals: analytic ones are those of double precision, differences are off by degrees") {
+TEST_CASE_METHOD(OnJulia, "normals: analytic ones are those of double precision, differences are off by degrees",
+                 "[11.normals]") {
     julia.method.set("exact");
     julia.show.set("normals");
     julia.escape.value = 32;
     const auto angle = [&](const char* normal, float difference_m) {
-        julia.normal.set(normal), julia.difference_m.value = difference_m;
+        julia.normal.set(normal);
+        julia.difference_m.value = difference_m;
         draw();
         const auto all = marched();
         const ImageRgb seen = picture();

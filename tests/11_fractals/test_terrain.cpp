@@ -29,7 +29,9 @@ struct OnTerrain : OnModules {
 
     OnTerrain() {
         terrain.prepare(gpu, scene);
-        terrain.cells.value = 32, terrain.rings.value = 6, terrain.spacing_m.value = 4;
+        terrain.cells.value = 32;
+        terrain.rings.value = 6;
+        terrain.spacing_m.value = 4;
         scene.file.lights = {Light{.direction = {0.7f, -0.4f, 0.5f}}};
     }
     void draw(float time_s = 0) { draw_frame(view_of(camera, size), terrain, time_s); }
@@ -64,13 +66,16 @@ std::vector<glm::dvec2> some_places(int count, double wide) {
 }  // namespace
 
 TEST_CASE_METHOD(OnDevice, "normals of nine octaves: what d, half a chain rule and differences are off by",
-                 "[figures]") {
+                 "[figures][11.normals][11.nine_octaves]") {
     frame.end();  // probes have frames of their own
     const double erosion = 1, gain = 0.5;
     const int octaves = 9;
     struct Sum {
         double mean = 0, worst = 0;
-        void add(double angle) { mean += angle, worst = std::max(worst, angle); }
+        void add(double angle) {
+            mean += angle;
+            worst = std::max(worst, angle);
+        }
     } as_sum, unweighted, wide, narrow, exact;
     const auto places = some_places(2000, 40);
     std::vector<NoisePlace> settled;
@@ -87,8 +92,10 @@ TEST_CASE_METHOD(OnDevice, "normals of nine octaves: what d, half a chain rule a
             return glm::dvec2(height(h, 0) - height(-h, 0), height(0, h) - height(0, -h)) / (2 * h);
         };
         const truth::Ground right = truth::eroded_truth(there, octaves, erosion, gain);
-        as_sum.add(angle_deg(right.sum, right.slope)), unweighted.add(angle_deg(right.unweighted, right.slope));
-        wide.add(angle_deg(central(1e-2), right.slope)), narrow.add(angle_deg(central(1e-3), right.slope));
+        as_sum.add(angle_deg(right.sum, right.slope));
+        unweighted.add(angle_deg(right.unweighted, right.slope));
+        wide.add(angle_deg(central(1e-2), right.slope));
+        narrow.add(angle_deg(central(1e-3), right.slope));
         exact.add(angle_deg({found[i][1], found[i][2]}, right.slope));
         worst_height = std::max(worst_height, std::fabs(found[i][0] - right.height));
     }
@@ -107,7 +114,8 @@ TEST_CASE_METHOD(OnDevice, "normals of nine octaves: what d, half a chain rule a
     CHECK(exact.mean < 0.1 * narrow.mean);
 }
 
-TEST_CASE_METHOD(OnDevice, "the second derivative at a cell's edge: the cubic's has a step of 12, the quintic's none") {
+TEST_CASE_METHOD(OnDevice, "the second derivative at a cell's edge: the cubic's has a step of 12, the quintic's none",
+                 "[11.second_derivative]") {
     double cubic = 0, quintic = 0;
     for (int i = 0; i < 100; ++i) {
         const double y = (i + 0.5) / 100;
@@ -126,7 +134,7 @@ TEST_CASE_METHOD(OnDevice, "the second derivative at a cell's edge: the cubic's 
 
 TEST_CASE_METHOD(OnDevice,
                  "the same ground at negative places, after 10,000 km, and where a cell's number wraps around",
-                 "[figures]") {
+                 "[figures][11.far_places]") {
     frame.end();  // probes have frames of their own
     const double wave = 5000;
     for (const double far_m : {0.0, -3e5, 1e7, 1e9, wave * 4294967296.0}) {
@@ -155,7 +163,8 @@ TEST_CASE_METHOD(OnDevice,
     }
 }
 
-TEST_CASE_METHOD(OnTerrain, "the flight: place of the grid and rest add up to the way, and no vertex slides") {
+TEST_CASE_METHOD(OnTerrain, "the flight: place of the grid and rest add up to the way, and no vertex slides",
+                 "[11.flight]") {
     for (const float km : {0.0f, -512.0f, 10000.0f}) {
         terrain.start_x_km.value = km;
         for (const float time_s : {0.0f, 0.1f, 33.3f, 4000.0f}) {
@@ -193,7 +202,8 @@ TEST_CASE_METHOD(OnTerrain, "the eye stays above the ground for 100 km") {
     CHECK(least > 20);
 }
 
-TEST_CASE_METHOD(OnTerrain, "between rings of different density there are cracks, unless they are stitched") {
+TEST_CASE_METHOD(OnTerrain, "between rings of different density there are cracks, unless they are stitched",
+                 "[11.cracks]") {
     camera = {.position = {0, 900, 0}, .target = {1, 0, 0}, .up = {0, 0, -1}, .near_m = 1, .far_m = 60000};
     camera.target = {100, 100, -300};
     size = {480, 270};
@@ -219,7 +229,7 @@ TEST_CASE_METHOD(OnTerrain, "between rings of different density there are cracks
 TEST_CASE(
     "where octaves end: whole ones make steps in the ground, a share of the last none; its slope is right "
     "but for the share's own",
-    "[figures]") {
+    "[figures][11.octaves_end]") {
     const double wave = 5000, height = 1000, footprint_per_m = 1e-3;
     const auto octaves_at = [&](double metres) {
         return truth::integrate_octaves(wave, root5, footprint_per_m * metres, 11);
@@ -287,14 +297,16 @@ TEST_CASE_METHOD(OnTerrain, "octaves by footprint: the nearer, the more; fixed: 
     CHECK(read_linear(gpu, frame.hdr).at(48, 50).g == 1.0f);
 }
 
-TEST_CASE_METHOD(OnTerrain, "the smoother ground's light, against a ray to the sun for every pixel", "[figures]") {
+TEST_CASE_METHOD(OnTerrain, "the smoother ground's light, against a ray to the sun for every pixel",
+                 "[figures][11.soft_light]") {
     const auto picture = [&](const char* shadow) {
         terrain.shadow.set(shadow);
         draw();
         return read_linear(gpu, frame.hdr);
     };
     terrain.fog.method.set("none");
-    terrain.start_x_km.value = 22, terrain.start_z_km.value = 66;
+    terrain.start_x_km.value = 22;
+    terrain.start_z_km.value = 66;
     for (const float elevation_deg : {4.0f, 8.0f, 16.0f, 32.0f}) {
         scene.file.lights[0].direction = {1, -std::tan(glm::radians(elevation_deg)), 0.3f};
         const ImageRgb right = picture("marched"), low = picture("smooth"), none = picture("none");

@@ -24,7 +24,9 @@ struct BlurStage {
 
     void begin() {
         frame.begin({4, 4}, 0.0f);
-        fill(irradiance, glm::vec4(0)), fill(stretch, glm::vec4(0.25f)), fill(between, glm::vec4(0, 0, 0, -9));
+        fill(irradiance, glm::vec4(0));
+        fill(stretch, glm::vec4(0.25f));
+        fill(between, glm::vec4(0, 0, 0, -9));
         for (const Image& level : levels) fill(level, glm::vec4(0, 0, 0, -9));
     }
 

@@ -111,8 +111,14 @@ CHECK_EXERCISE("12.chart_step",
                         glm::dvec3 sum(0);
                         int steps = 0;
                         const glm::dvec3 own = three(in.subspan(4));
-                        if (in[3] == in[7]) sum += own - three(in), ++steps;
-                        if (in[11] == in[7]) sum += three(in.subspan(8)) - own, ++steps;
+                        if (in[3] == in[7]) {
+                            sum += own - three(in);
+                            ++steps;
+                        }
+                        if (in[11] == in[7]) {
+                            sum += three(in.subspan(8)) - own;
+                            ++steps;
+                        }
                         return row_of(steps ? 1000.0 * sum / double(steps) : sum);
                     },
                 .bound = {.absolute = 2e-3, .relative = 1e-4},
@@ -243,14 +249,22 @@ CHECK_EXERCISE("12.kelemen_szirmay_kalos",
                 }};
     const auto add = [&](glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double m, double f0) {
         Row row;
-        append(row, glm::vec3(n)), append(row, glm::vec3(l)), append(row, glm::vec3(v));
-        row.push_back(double(float(m))), row.push_back(double(float(f0)));
+        append(row, glm::vec3(n));
+        append(row, glm::vec3(l));
+        append(row, glm::vec3(v));
+        row.push_back(double(float(m)));
+        row.push_back(double(float(f0)));
         probe.inputs.push_back(row);
     };
     const glm::dvec3 up(0, 0, 1), left(-1, 0, 0), right(1, 0, 0);
-    add(up, up, up, 0.3, 0.028), add(up, left, right, 0.3, 0.028), add(up, up, -up, 0.3, 0.028);
-    add(up, -up, up, 0.3, 0.028), add(up, right, up, 0.3, 0.028), add(up, up, right, 0.3, 0.028);
-    add(right, {0.6, 0.8, 0}, {0.6, -0.8, 0}, 0.3, 0.028), add(right, {-0.6, 0.8, 0}, {0.6, 0.8, 0}, 0.3, 0.028);
+    add(up, up, up, 0.3, 0.028);
+    add(up, left, right, 0.3, 0.028);
+    add(up, up, -up, 0.3, 0.028);
+    add(up, -up, up, 0.3, 0.028);
+    add(up, right, up, 0.3, 0.028);
+    add(up, up, right, 0.3, 0.028);
+    add(right, {0.6, 0.8, 0}, {0.6, -0.8, 0}, 0.3, 0.028);
+    add(right, {-0.6, 0.8, 0}, {0.6, 0.8, 0}, 0.3, 0.028);
     Random random;
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 n(random.direction()), l(random.direction()), v(random.direction());

@@ -21,14 +21,19 @@ struct OnHead : OnModules {
     Scene scene;
 
     OnHead() {
-        maps.method.set("flat"), lights.method.set("every_light"), shadow.resolution.value = 256;
-        skin.sky_size.value = 32, skin.sky_rays.value = 4;
+        maps.method.set("flat");
+        lights.method.set("every_light");
+        shadow.resolution.value = 256;
+        skin.sky_size.value = 32;
+        skin.sky_rays.value = 4;
     }
 
     void load(SceneFile file) {
         scene.load(gpu, std::move(file), [](const auto& path) { return load_model(path, Loader::parallel); });
-        maps.prepare(gpu, scene), maps.surface.prepare(gpu, scene);
-        skin.prepare(gpu, scene), rays.build(gpu, scene);
+        maps.prepare(gpu, scene);
+        maps.surface.prepare(gpu, scene);
+        skin.prepare(gpu, scene);
+        rays.build(gpu, scene);
         shadow.forget();
     }
 
@@ -68,8 +73,11 @@ inline SceneFile portrait() {
 inline SceneFile furnace(float radiance) {
     SceneFile file;
     SceneObject& ball = file.objects.emplace_back();
-    ball.name = "ball", ball.model = "models/sphere.obj", ball.scale = glm::vec3(0.2f);
-    ball.material.diffuse = glm::vec3(1), ball.material.specular = glm::vec3(1, 0.3f, 0);
+    ball.name = "ball";
+    ball.model = "models/sphere.obj";
+    ball.scale = glm::vec3(0.2f);
+    ball.material.diffuse = glm::vec3(1);
+    ball.material.specular = glm::vec3(1, 0.3f, 0);
     file.camera = {.position = {0, 0, 0.5f}, .target = {0, 0, 0}, .fov_y_rad = 0.5f};
     file.ambient = glm::vec3(radiance);
     return file;

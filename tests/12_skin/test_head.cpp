@@ -23,12 +23,15 @@ double largest_difference(const ImageRgb& a, const ImageRgb& b) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnHead, "in a furnace skin neither gains nor loses light, by any method, rough or smooth") {
+TEST_CASE_METHOD(OnHead, "in a furnace skin neither gains nor loses light, by any method, rough or smooth",
+                 "[12.furnace]") {
     load(furnace(0.5f));
     skin.f0.value = 0.028f;
     for (const std::string& method : skin.method.options)
         for (const float roughness : {0.5f, 2.0f}) {
-            skin.method.set(method), skin.roughness.value = roughness, skin.map_size.value = 128;
+            skin.method.set(method);
+            skin.roughness.value = roughness;
+            skin.map_size.value = 128;
             const ImageRgb picture = draw({48, 48});
             double worst = 0;
             for (int y = 12; y < 36; ++y)
@@ -52,7 +55,8 @@ TEST_CASE_METHOD(OnHead, "what the sky lights is traced once, and again when the
     CHECK(did("occlusion"));
 }
 
-TEST_CASE_METHOD(OnHead, "the map follows the head's size on the screen, and a head of 30 pixels needs no blur") {
+TEST_CASE_METHOD(OnHead, "the map follows the head's size on the screen, and a head of 30 pixels needs no blur",
+                 "[12.map_size]") {
     load(portrait());
     const DrawItem& head = *skin.skin_of(scene);
     Camera camera = scene.file.camera;
@@ -95,9 +99,13 @@ TEST_CASE_METHOD(OnHead, "the map follows the head's size on the screen, and a h
 
 TEST_CASE_METHOD(OnHead, "a light that moves behind the ear: light through it comes and goes without a jump") {
     load(portrait());
-    skin.method.set("lambert"), skin.specular_scale.value = 0, shadow.resolution.value = 512;
+    skin.method.set("lambert");
+    skin.specular_scale.value = 0;
+    shadow.resolution.value = 512;
     const float wide = 3.0f;
-    scene.file.environment = {}, scene.environment = nullptr, scene.file.ambient = glm::vec3(0);
+    scene.file.environment = {};
+    scene.environment = nullptr;
+    scene.file.ambient = glm::vec3(0);
     scene.file.lights.resize(1);
     Light& light = scene.file.lights.front();
     // The ear, from its side, large in the picture.

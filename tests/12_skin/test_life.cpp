@@ -21,7 +21,8 @@ TEST_CASE("a head whose maps swing or flow moves") {
     CHECK_FALSE(modules.any_animated());
     modules.objects.maps.wobble.value = 0.1f;
     CHECK(modules.any_animated());
-    modules.objects.maps.wobble.value = 0, modules.objects.maps.scroll.value = 0.1f;
+    modules.objects.maps.wobble.value = 0;
+    modules.objects.maps.scroll.value = 0.1f;
     CHECK(modules.any_animated());
 }
 

@@ -32,7 +32,8 @@ TEST_CASE("half of the tenth root clips where the distribution passes 1024: m be
     CHECK(codes[6][0] < 1);
 }
 
-TEST_CASE("8 bits of the tenth root: a distribution from the table is off by at most 5% where it matters") {
+TEST_CASE("8 bits of the tenth root: a distribution from the table is off by at most 5% where it matters",
+          "[12.tenth_root]") {
     double worst = 0;
     for (const double m : {0.1, 0.2, 0.3, 0.5})
         for (double c = 0.5; c <= 1; c += 0.01) {
@@ -46,7 +47,7 @@ TEST_CASE("8 bits of the tenth root: a distribution from the table is off by at 
     CHECK(worst > 0.02);  // and that is no rounding error: ten times that of the code
 }
 
-TEST_CASE("with F = 1 the BRDF reflects at most what arrives; without its 1/pi, pi times that") {
+TEST_CASE("with F = 1 the BRDF reflects at most what arrives; without its 1/pi, pi times that", "[12.brdf_bound]") {
     for (const double m : {0.15, 0.3, 0.6}) {
         const double all = truth::reflected(0.9, m, 1, 100);
         INFO(m);
@@ -70,7 +71,7 @@ TEST_CASE("n·h = 0, a facet edge-on, opposite directions: numbers, and none bel
     for (const Row& row : shine) CHECK((std::isfinite(row[0]) && row[0] >= 0));
 }
 
-TEST_CASE("F0 of .0028, as it was once printed, leaves a tenth of the highlight") {
+TEST_CASE("F0 of .0028, as it was once printed, leaves a tenth of the highlight", "[12.small_f0]") {
     const glm::dvec3 n(0, 0, 1), v(0, 0.6, 0.8);
     const double right = truth::kelemen_szirmay_kalos(n, {0, -0.6, 0.8}, v, 0.3, 0.028);
     const double printed = truth::kelemen_szirmay_kalos(n, {0, -0.6, 0.8}, v, 0.3, 0.0028);

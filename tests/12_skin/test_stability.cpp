@@ -25,7 +25,8 @@ void check_near(glm::dvec3 found, glm::dvec3 right, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("an edge of light under fewer Gaussians is off by what was published, and the sums kept are the best") {
+TEST_CASE("an edge of light under fewer Gaussians is off by what was published, and the sums kept are the best",
+          "[12.fewer_gaussians]") {
     check_near(step_error(gaussians_of(1)), {.138, .112, .079}, 6e-4);
     check_near(step_error(merged({1, 4})), {.043, .084, .147}, 6e-4);
     check_near(step_error(merged({0, 1, 3, 4})), {.012, .026, 0}, 6e-4);
@@ -87,7 +88,7 @@ TEST_CASE_METHOD(OnSpread, "the truth in 32 bits is a double sum in 64 on a curv
     CHECK(std::max({worst.x, worst.y, worst.z}) < 2e-4);
 }
 
-TEST_CASE_METHOD(OnSpread, "charts that touch give each other nothing") {
+TEST_CASE_METHOD(OnSpread, "charts that touch give each other nothing", "[12.charts]") {
     FlatMap map{.size = {48, 48}, .per_mm = {3, 3}};
     map.chart = [](int x, int) { return x < 20 ? 1 : x < 40 ? 2 : 0; };
     map.light = [](int x, int) { return x < 20 ? glm::vec3(1, 0.5f, 0.25f) : glm::vec3(0); };
@@ -105,7 +106,8 @@ TEST_CASE_METHOD(OnSpread, "charts that touch give each other nothing") {
     }
 }
 
-TEST_CASE_METHOD(OnSpread, "Gaussians narrower than a texel keep their variance, and never a negative weight") {
+TEST_CASE_METHOD(OnSpread, "Gaussians narrower than a texel keep their variance, and never a negative weight",
+                 "[12.narrow_gaussians]") {
     for (const float per_mm : {0.1f, 0.4f, 1.0f, 2.5f}) {
         FlatMap map{.size = {101, 3}, .per_mm = {per_mm, per_mm}};
         map.light = [](int x, int) { return glm::vec3(x == 50 ? 1000 : 0); };
@@ -115,7 +117,9 @@ TEST_CASE_METHOD(OnSpread, "Gaussians narrower than a texel keep their variance,
             double sum = 0, square = 0, least = 0;
             for (int x = 0; x < 101; ++x) {
                 const double light = double(level.at(x, 1).r);
-                sum += light, square += light * (x - 50) * (x - 50), least = std::min(least, light);
+                sum += light;
+                square += light * (x - 50) * (x - 50);
+                least = std::min(least, light);
             }
             const double texels = double(skin_variance_mm2[i] * per_mm * per_mm), found = square / sum;
             INFO(per_mm << " " << i);
@@ -126,7 +130,7 @@ TEST_CASE_METHOD(OnSpread, "Gaussians narrower than a texel keep their variance,
     }
 }
 
-TEST_CASE_METHOD(OnSpread, "where a map is stretched ten times, light still spreads in mm") {
+TEST_CASE_METHOD(OnSpread, "where a map is stretched ten times, light still spreads in mm", "[12.stretched]") {
     FlatMap map{.size = {301, 61}, .per_mm = {20, 2}};
     map.light = [](int x, int y) { return glm::vec3(x == 150 && y == 30 ? 60000 : 0); };
     for (const int count : {6, 0}) {
@@ -136,7 +140,9 @@ TEST_CASE_METHOD(OnSpread, "where a map is stretched ten times, light still spre
             for (int x = 0; x < 301; ++x) {
                 const double light = double(found.at(x, y).r), du = (x - 150) / 20.0, dv = (y - 30) / 2.0;
                 if (du * du + dv * dv > 49) continue;  // as far as the map goes along u
-                sum += light, u += light * du * du, v += light * dv * dv;
+                sum += light;
+                u += light * du * du;
+                v += light * dv * dv;
             }
         INFO(count);
         CHECK(is_finite(found));
@@ -168,7 +174,7 @@ TEST_CASE_METHOD(OnSpread, "light that is not finite, or near the end of halves,
     }
 }
 
-TEST_CASE("a line of light over the picture is the profile's, and all of it") {
+TEST_CASE("a line of light over the picture is the profile's, and all of it", "[12.line_of_light]") {
     for (const int side : {4, 8, 16}) {
         const std::vector<glm::vec4> kernel = line_kernel(side);
         glm::dvec3 sum(0), edge(0), worst(0);

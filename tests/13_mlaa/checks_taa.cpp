@@ -36,7 +36,9 @@ CHECK_EXERCISE("13.reproject", "Pixels to -1 to 1, the matrix, the division by w
         const glm::dvec2 size = i % 3 ? glm::dvec2(640, 360) : glm::dvec2(200, 300);
         // A camera with reversed depth and no far plane (T. Lottes and N. Reed, 2015) that moves, turns, or both.
         glm::dmat4 projection(0.0);
-        projection[0][0] = 1.2 * size.y / size.x, projection[1][1] = -1.2, projection[2][3] = -1,
+        projection[0][0] = 1.2 * size.y / size.x;
+        projection[1][1] = -1.2;
+        projection[2][3] = -1;
         projection[3][2] = 0.1;
         const double reach = i % 5 == 4 ? 3.0 : 0.2;
         glm::dmat4 moved = glm::translate(glm::dmat4(1), {random.uniform(-reach, reach), random.uniform(-reach, reach),
@@ -122,7 +124,9 @@ CHECK_EXERCISE("13.clip_history", "How much too far the history is, in the worst
         Row row(9);
         for (size_t c = 0; c < 3; ++c) {
             const double a = random.uniform(-0.5, 1), wide = (i + int(c)) % 6 ? random.uniform(0.01, 0.6) : 0.0;
-            row[3 + c] = a, row[6 + c] = a + wide, row[c] = a + random.uniform(-0.6, 1.2);
+            row[3 + c] = a;
+            row[6 + c] = a + wide;
+            row[c] = a + random.uniform(-0.6, 1.2);
         }
         probe.inputs.push_back(row);
     }

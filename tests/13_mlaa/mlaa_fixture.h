@@ -68,7 +68,8 @@ inline double edge_error(const ImageRgb& found, const Line& line, int margin = 4
         for (int x = margin; x < found.width - margin; ++x) {
             const double exact = line.exact(x, y);
             if (exact < 1e-9 || exact > 1 - 1e-9) continue;
-            square += std::pow(double(found.at(x, y).g) - exact, 2), ++count;
+            square += std::pow(double(found.at(x, y).g) - exact, 2);
+            ++count;
         }
     return std::sqrt(square / std::max(count, 1.0));
 }

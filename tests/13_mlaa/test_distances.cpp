@@ -25,8 +25,10 @@ bool differs(const std::function<float(int, int)>& light, int x, int y, int dx, 
 uint32_t counted(const std::function<float(int, int)>& light, int x, int y, bool below, int step, glm::ivec2 size,
                  uint32_t reach) {
     uint32_t length = 0;
-    while (length < reach && differs(light, x, y, below ? 0 : 1, below ? 1 : 0, size))
-        ++length, (below ? x : y) += step;
+    while (length < reach && differs(light, x, y, below ? 0 : 1, below ? 1 : 0, size)) {
+        ++length;
+        (below ? x : y) += step;
+    }
     return length;
 }
 
@@ -71,7 +73,7 @@ TEST_CASE_METHOD(OnMlaa, "distances are those that counting gives, for every rea
         }
 }
 
-TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in four") {
+TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in four", "[13.passes]") {
     struct : Module {
     } owner;
     Mlaa antialias{owner, "mlaa"};
@@ -87,7 +89,8 @@ TEST_CASE("passes: two reads reach 2^k beyond the pixel in k, four reads 255 in 
     }
 }
 
-TEST_CASE_METHOD(OnMlaa, "two reads, four and words give one picture to the bit, a reach of all of it what 255 gives") {
+TEST_CASE_METHOD(OnMlaa, "two reads, four and words give one picture to the bit, a reach of all of it what 255 gives",
+                 "[13.reads_agree]") {
     for (const double angle : {3.0, 41.0}) {
         const Line line{.angle_deg = angle, .point = {47.4, 31.7}};
         const auto light = [&](int x, int y) { return noise(x / 5, y / 3) < 0.06f ? 0.5f : line.sample(x, y); };
@@ -137,7 +140,8 @@ TEST_CASE_METHOD(OnMlaa, "runs longer than the reach: the worst share is wrong b
         }
 }
 
-TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as one beside it, and keeps it elsewhere") {
+TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as one beside it, and keeps it elsewhere",
+                 "[13.smaa_weak]") {
     const auto light = [](int x, int y) {  // black, white, grey; and without the black below
         return x < 10 && y < 16 ? 0.0f : x < 12 ? 0.8f : 0.5f;
     };
@@ -191,7 +195,8 @@ TEST_CASE_METHOD(OnMlaa, "a picture turned or mirrored is mixed as the picture w
                 for (int x = 0; x < side; ++x) {
                     const glm::ivec2 from = turn({x, y});
                     const float difference = std::abs(found.at(x, y).g - straight.at(from.x, from.y).g);
-                    worst = std::max(worst, difference), differ += difference > 0.002f;
+                    worst = std::max(worst, difference);
+                    differ += difference > 0.002f;
                 }
             fmt::print("{}, {}: {} pixels differ, by {:.3f} at most\n", method, name, differ, worst);
             INFO(method << " " << name);

@@ -15,7 +15,8 @@ struct OnMoving : TestScene {
 
     static std::vector<SceneObject> objects() {
         SceneObject moves = object_at(quad_file, {0, 0, 0});
-        moves.motion.spin_deg_per_s = 30, moves.motion.axis = {0, 0, 1};
+        moves.motion.spin_deg_per_s = 30;
+        moves.motion.axis = {0, 0, 1};
         moves.motion.path = {{.time_s = 0, .position = {0, 0, 0}}, {.time_s = 10, .position = {5, 0, 5}}};
         return {moves, object_at(quad_file, {0, 0, -2}, glm::vec3(3.0f))};
     }
@@ -23,7 +24,8 @@ struct OnMoving : TestScene {
 
     View view(int i) const {
         Camera camera;
-        camera.position = {0.05f * float(i), 0.1f, 4}, camera.target = {0, 0, 0};
+        camera.position = {0.05f * float(i), 0.1f, 4};
+        camera.target = {0, 0, 0};
         return view_of(camera, size, {.whole = size, .shift = {0.3f, -0.2f}});
     }
     /// A frame at i/60 s, with motion vectors since the one before; false where it has none.

@@ -18,7 +18,8 @@ size_t nan_count(const ImageRgb& picture) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnMlaa, "what lies beside no edge does not change by one bit, and what changes is counted") {
+TEST_CASE_METHOD(OnMlaa, "what lies beside no edge does not change by one bit, and what changes is counted",
+                 "[13.untouched]") {
     const Line line{.angle_deg = 12, .point = {40.2, 30.6}};
     const auto light = [&](int x, int y) {  // shades that fall below the threshold, and an edge
         return 0.3f + 0.002f * float((x * 7 + y * 13) % 11) + 0.5f * line.sample(x, y);
@@ -78,7 +79,7 @@ TEST_CASE_METHOD(OnMlaa, "at the border: pictures of one pixel, of a row, and li
         }
 }
 
-TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight") {
+TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight", "[13.smaa_corner]") {
     const auto box = [](int x, int y) { return x >= 20 && x < 60 && y >= 20 && y < 50 ? 1.0f : 0.0f; };
     const ImageRgb mlaa = filter("mlaa", {80, 70}, box), smaa = filter("smaa_like", {80, 70}, box);
     CHECK(1 - double(mlaa.at(22, 20).g) == Approx(truth::area(2, 40)).margin(1e-3));
@@ -87,7 +88,8 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like: a corner keeps a quarter of its weight") {
     CHECK(1 - double(smaa.at(20, 23).g) == Approx(0.25 * truth::area(3, 30)).margin(1e-3));
 }
 
-TEST_CASE_METHOD(OnMlaa, "smaa_like: a detail of one pixel takes an eighth of each neighbour that it differs from") {
+TEST_CASE_METHOD(OnMlaa, "smaa_like: a detail of one pixel takes an eighth of each neighbour that it differs from",
+                 "[13.smaa_detail]") {
     const auto pixel = [](int x, int y) { return x == 15 && y == 15 ? 1.0f : 0.0f; };
     CHECK(double(filter("smaa_like", {32, 32}, pixel).at(15, 15).g) == Approx(0.5).margin(1e-3));
     CHECK(double(filter("mlaa", {32, 32}, pixel).at(15, 15).g) == 1);
@@ -166,7 +168,8 @@ TEST_CASE_METHOD(OnMlaa, "a rotating edge: over 360 angles its pixels flicker le
                 const double exact = line.exact(x, y);
                 off[size_t(i)] = double(now.at(x, y).g) - exact;
                 const double step = angle > 0 ? off[size_t(i)] - before_off[size_t(i)] : 0;
-                steps += step * step, errors += off[size_t(i)] * off[size_t(i)];
+                steps += step * step;
+                errors += off[size_t(i)] * off[size_t(i)];
                 edge_pixels += exact > 1e-9 && exact < 1 - 1e-9;
             }
         }
@@ -182,7 +185,7 @@ TEST_CASE_METHOD(OnMlaa, "a rotating edge: over 360 angles its pixels flicker le
     CHECK(of["smaa_like"].error < of["mlaa"].error);
 }
 
-TEST_CASE_METHOD(OnMlaa, "red against blue of one luminance: luma sees nothing, Lab does") {
+TEST_CASE_METHOD(OnMlaa, "red against blue of one luminance: luma sees nothing, Lab does", "[13.red_blue]") {
     const glm::vec3 red(0.0722f / 0.2126f, 0, 0), blue(0, 0, 1);  // both have the luminance of blue
     const Line line{.angle_deg = 9, .point = {31.3, 31.6}};
     const auto light = [&](int x, int y) { return line.sample(x, y) > 0 ? red : blue; };
@@ -221,7 +224,7 @@ TEST_CASE_METHOD(OnMlaa, "light of 16 against black: cut off before it is mixed,
     }
 }
 
-TEST_CASE_METHOD(OnMlaa, "a NaN, an infinity and a negative pixel stay where they are") {
+TEST_CASE_METHOD(OnMlaa, "a NaN, an infinity and a negative pixel stay where they are", "[13.not_finite]") {
     const Line line{.angle_deg = 15, .point = {20.3, 20.6}};
     const auto plain = [&](int x, int y) { return 0.2f + 0.6f * line.sample(x, y); };
     const float inf = std::numeric_limits<float>::infinity();
@@ -258,7 +261,10 @@ TEST_CASE_METHOD(OnMlaa, "lines of one pixel stay broken, a checkerboard stays, 
         double square = 0, count = 0;
         for (int y = 4; y < 92; ++y)
             for (int x = 4; x < 92; ++x)
-                if (exact(x, y) < 1 - 1e-9) square += std::pow(double(found.at(x, y).g) - exact(x, y), 2), ++count;
+                if (exact(x, y) < 1 - 1e-9) {
+                    square += std::pow(double(found.at(x, y).g) - exact(x, y), 2);
+                    ++count;
+                }
         return std::sqrt(square / count);
     };
     for (const double width : {0.5, 1.0, 2.0, 4.0}) {

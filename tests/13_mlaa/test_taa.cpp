@@ -63,7 +63,7 @@ TEST_CASE_METHOD(OnTaa, "a cold start depends on nothing that was drawn before")
     CHECK(largest_difference(first, draw_many(8, size, world)) == 0);
 }
 
-TEST_CASE_METHOD(OnTaa, "no ghost is left where something nearer has moved away") {
+TEST_CASE_METHOD(OnTaa, "no ghost is left where something nearer has moved away", "[13.ghost]") {
     // A white square moves to the right by 6 pixels a frame, without motion vectors, in front of a dark wall.
     const auto world = [](float x, float y, int i) {
         const float left = 4.0f + 6.0f * float(i);
@@ -78,7 +78,8 @@ TEST_CASE_METHOD(OnTaa, "no ghost is left where something nearer has moved away"
         for (int y = 20; y < 44; ++y)
             for (int x = 4; x < 4 + 6 * 4; ++x) {
                 const double above = std::max(double(found.at(x, y).g) - 0.15, 0.0);
-                most = std::max(most, above), sum += above / (24 * 24);
+                most = std::max(most, above);
+                sum += above / (24 * 24);
             }
         return glm::dvec2(sum, most);
     };
@@ -111,7 +112,8 @@ TEST_CASE_METHOD(OnTaa, "the camera's motion: history follows points that are pr
     const float near_m = camera.near_m, far_m = camera.far_m,
                 wall = (near_m * far_m / 2.0f - near_m) / (far_m - near_m);
     for (int i = 0; i < 12; ++i) {
-        camera.position = {float(step_m * i), 0, 3}, camera.target = {float(step_m * i), 0, 0};
+        camera.position = {float(step_m * i), 0, 3};
+        camera.target = {float(step_m * i), 0, 0};
         found = draw(size, [&](float x, float y) {
             return Sample{glm::vec3(float(pattern(double(x) + i, double(y)))), wall};
         });
@@ -125,17 +127,19 @@ TEST_CASE_METHOD(OnTaa, "the camera's motion: history follows points that are pr
 }
 
 TEST_CASE_METHOD(OnTaa, "repeated reads between pixels: Catmull-Rom keeps a pattern that bilinear reads lose",
-                 "[figures]") {
+                 "[figures][13.repeated_reads]") {
     const double focal_px = 32 / std::tan(0.5 * double(camera.fov_y_rad));
     const float near_m = camera.near_m, far_m = camera.far_m,
                 wall = (near_m * far_m / 2.0f - near_m) / (far_m - near_m);
     const auto contrast = [&](const char* resample, double speed) {
-        taa.resample.set(resample), taa.clipping.set("none");
+        taa.resample.set(resample);
+        taa.clipping.set("none");
         owner.forget_history();
         ImageRgb found;
         for (int i = 0; i < 32; ++i) {
             const float x = float(speed * i * 2.0 / focal_px);
-            camera.position = {x, 0, 3}, camera.target = {x, 0, 0};
+            camera.position = {x, 0, 3};
+            camera.target = {x, 0, 0};
             found = draw(size, [&](float px, float) {
                 return Sample{glm::vec3(0.5f + 0.5f * float(std::sin(1.5708 * (double(px) + speed * i)))), wall};
             });

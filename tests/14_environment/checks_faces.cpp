@@ -75,28 +75,29 @@ CHECK_EXERCISE("14.prefilter_faces",
                     const glm::vec4 got = next < seen.texels.size() ? seen.texels[next] : glm::vec4(-9);
                     const std::string place =
                         fmt::format("{}the texel ({}, {}) of face {} of level {} ", what, i % side, i / side, face, m);
-                    if (got.x == -9)
-                        wrong = place + "was never written",
+                    if (got.x == -9) {
+                        wrong = place + "was never written";
                         hint = m == 0 && face == 0
                                    ? "a thread for each texel of the view: dispatch_threads(level.size())"
                                : m == 0 || face == 0 ? "a dispatch for each of six faces of each level, up to "
                                                        "desc.mips - 1, into a view of both"
                                                      : "";
-                    else if (got.x != float(face + 1))
-                        wrong = place + fmt::format("was written for face {}", got.x - 1),
+                    } else if (got.x != float(face + 1)) {
+                        wrong = place + fmt::format("was written for face {}", got.x - 1);
                         hint = "face_now.face is the face of which face_level is a view";
-                    else if (!(std::fabs(got.y - roughness) < 1e-5f))
-                        wrong = place + fmt::format("has roughness {}, expected {}", got.y, roughness),
+                    } else if (!(std::fabs(got.y - roughness) < 1e-5f)) {
+                        wrong = place + fmt::format("has roughness {}, expected {}", got.y, roughness);
                         hint = "even steps: level / (levels - 1), and 0 for a cube of one level";
-                    else if (got.w != 2)
-                        wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w),
+                    } else if (got.w != 2) {
+                        wrong = place + fmt::format("is from radiance {}, expected 2: passes.radiance", got.w);
                         hint = "\"radiance\" is passes.radiance as it is in this frame, read by the pass";
-                    else if (got.z != float(across * across))
+                    } else if (got.z != float(across * across)) {
                         wrong = place + fmt::format(
                                             "was written by {} groups of 8x8 threads, expected {}: a thread for "
                                             "each texel of the view",
-                                            got.z, across * across),
+                                            got.z, across * across);
                         hint = "each level's view has a size of its own: dispatch_threads(level.size())";
+                    }
                 }
         }
         check.expect(wrong.empty(), wrong, hint);

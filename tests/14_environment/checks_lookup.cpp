@@ -195,20 +195,27 @@ CHECK_EXERCISE("14.box_project",
     }
     // Outside, away from the box: beyond a wall of each axis, and beyond two.
     const glm::dvec3 center(0.5, -0.5, 0.25);
-    add({4, 1, 0.5}, {1, 0.25, 0}, low, high, center), add({-1.5, 1, 0.5}, {-1, 0.25, 0.5}, low, high, center);
-    add({1, 2.25, 0.5}, {0.5, 1, 0.25}, low, high, center), add({1, -2.5, 0.5}, {0.5, -0.5, 0}, low, high, center);
-    add({1, 1, 1.5}, {0, 0.25, 2}, low, high, center), add({1, 1, -3.25}, {0.5, 0.25, -1}, low, high, center);
-    add({4, 1, 2}, {1, -1, 0.5}, low, high, center), add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});
+    add({4, 1, 0.5}, {1, 0.25, 0}, low, high, center);
+    add({-1.5, 1, 0.5}, {-1, 0.25, 0.5}, low, high, center);
+    add({1, 2.25, 0.5}, {0.5, 1, 0.25}, low, high, center);
+    add({1, -2.5, 0.5}, {0.5, -0.5, 0}, low, high, center);
+    add({1, 1, 1.5}, {0, 0.25, 2}, low, high, center);
+    add({1, 1, -3.25}, {0.5, 0.25, -1}, low, high, center);
+    add({4, 1, 2}, {1, -1, 0.5}, low, high, center);
+    add({4, 0, 0}, {1, 0.25, 0}, low, high, {0, 0, 0});
     // The point is the cube's own middle: at once, along the way, and outside.
-    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0}), add({0, 0.5, 0}, {2, 0, 0}, low, high, {3, 0.5, 0});
+    add({3, 0, 0}, {1, 0, 0.5}, low, high, {3, 0, 0});
+    add({0, 0.5, 0}, {2, 0, 0}, low, high, {3, 0.5, 0});
     add({4, 0, 0}, {1, 0.25, 0}, low, high, {4, 0, 0});
     Random random;
     for (int i = 0; i < 300; ++i) {
         glm::dvec3 p, middle, lower, upper;
         for (int a = 0; a < 3; ++a) {
-            lower[a] = i % 2 ? low[a] : random.uniform(-20, 0), upper[a] = i % 2 ? high[a] : random.uniform(1, 20);
+            lower[a] = i % 2 ? low[a] : random.uniform(-20, 0);
+            upper[a] = i % 2 ? high[a] : random.uniform(1, 20);
             const double side = upper[a] - lower[a];
-            p[a] = lower[a] + random.uniform(0.05, 0.95) * side, middle[a] = lower[a] + random.uniform(0.1, 0.9) * side;
+            p[a] = lower[a] + random.uniform(0.05, 0.95) * side;
+            middle[a] = lower[a] + random.uniform(0.1, 0.9) * side;
         }
         add(p, glm::dvec3(random.direction()) * random.logarithmic(1e-5, 1e4), lower, upper, middle);
         if (i % 3) continue;

@@ -28,12 +28,18 @@ std::vector<Input> inputs() {
         all.push_back(
             {fmt::format("a tone of {:g} Hz and amplitude 0.5", frequency_hz), rate_hz, tone(frequency_hz, rate_hz)});
     };
-    add(93.75, 48000), add(1500, 48000), add(9000, 48000);  // at one of the 1,025 frequencies
+    add(93.75, 48000);  // at one of the 1,025 frequencies
+    add(1500, 48000);
+    add(9000, 48000);
     // At these rates the bands' edges are among the frequencies.
     for (const double rate : {8000.0, 32000.0, 40960.0})
         for (const double edge : {20.0, 250.0, 4000.0, 20000.0})
             if (2 * edge <= rate) add(edge, rate);
-    add(60, 44100), add(1234.5, 44100), add(23000, 48000), add(60000, 192000), add(5, 44100);
+    add(60, 44100);
+    add(1234.5, 44100);
+    add(23000, 48000);
+    add(60000, 192000);
+    add(5, 44100);
     std::vector<float> click(2048);
     click[700] = 0.8f;
     all.push_back({"a click at sample 700", 48000, click});

@@ -104,8 +104,12 @@ put(1u, floatBitsToUint(sum.y));
     for (uint32_t which = 0; which < counts.size(); ++which) {
         const uint32_t samples = counts[which];
         double x = 0, y = 0;
-        for (uint32_t i = 0; i < samples; ++i) x += i % 7 + check_seed() % 5, y += i * i % 11;
-        x /= samples, y /= samples;
+        for (uint32_t i = 0; i < samples; ++i) {
+            x += i % 7 + check_seed() % 5;
+            y += i * i % 11;
+        }
+        x /= samples;
+        y /= samples;
         for (uint32_t order = 0; order < workgroup_orders; ++order) {
             for (uint32_t i = 0; i < 1300; ++i) {
                 const uint32_t times = results.count(which, order, i), wanted = i < samples ? 1 : 0;

@@ -19,7 +19,8 @@ struct FacesStage {
 
     void begin(float light) {
         frame.begin({8, 8}, 0.0f);
-        fill(radiance, light), fill(prefiltered, -9.0f);
+        fill(radiance, light);
+        fill(prefiltered, -9.0f);
     }
 
   private:

@@ -17,9 +17,13 @@ struct InFurnace : OnModules {
 
     /// The scene's objects without lights and emission, as its camera sees them. The background is 1, too.
     ImageRgb picture(SceneFile file) {
-        file.lights.clear(), file.environment = {}, file.ambient = glm::vec3(1);
-        for (SceneObject& object : file.objects)
-            object.material.emissive = glm::vec3(0), object.material.maps.erase("emissive");
+        file.lights.clear();
+        file.environment = {};
+        file.ambient = glm::vec3(1);
+        for (SceneObject& object : file.objects) {
+            object.material.emissive = glm::vec3(0);
+            object.material.maps.erase("emissive");
+        }
         Scene scene;
         scene.load(gpu, file, [](const auto& path) { return load_model(path, Loader::parallel); });
         owner.prepare_all(gpu, scene);
@@ -41,7 +45,8 @@ struct InFurnace : OnModules {
 
 }  // namespace
 
-TEST_CASE_METHOD(InFurnace, "in a white furnace no material of any scene sends out more than arrives", "[14.furnace]") {
+TEST_CASE_METHOD(InFurnace, "in a white furnace no material of any scene sends out more than arrives",
+                 "[14.furnace][14.furnaces]") {
     // A scene for each model and material of its own loaded by chapters 01 to 19.
     std::set<std::string> drawn;
     for (const auto& entry : std::filesystem::directory_iterator(find_asset("scenes"))) {
@@ -67,12 +72,13 @@ TEST_CASE_METHOD(InFurnace, "in a white furnace no material of any scene sends o
 }
 
 TEST_CASE_METHOD(InFurnace, "in a white furnace paint of white flakes or white pigment sends out less than arrives",
-                 "[14.furnace_paint]") {
+                 "[14.furnace_paint][14.furnaces]") {
     SceneFile file = read_scene(find_asset("scenes/car.json"));
     objects.paint.color.value = objects.paint.edge_color.value = objects.paint.flake_color.value = glm::vec3(1);
     for (const float flakes : {0.0f, 0.5f, 1.0f})
         for (const float roughness : {0.1f, 0.45f, 1.0f}) {
-            objects.paint.flakes.value = flakes, objects.paint.flake_roughness.value = roughness;
+            objects.paint.flakes.value = flakes;
+            objects.paint.flake_roughness.value = roughness;
             const float most = brightest(picture(file));
             INFO("flakes " << flakes << ", roughness " << roughness << ": " << most);
             CHECK(most < 1.03f);

@@ -82,7 +82,8 @@ TEST_CASE_METHOD(Balls, "a ball under a lamp is the ball under a small patch of 
             for (size_t i = 0; i < lamp.pixels.size(); ++i) {
                 const double a = lamp.pixels[i].g, b = around.pixels[i].g;
                 if (is_smooth && a < 0.02 * most) continue;  // beyond the lobe too few samples meet the patch
-                sum += a, off += std::abs(a - b);
+                sum += a;
+                off += std::abs(a - b);
             }
             CAPTURE(metalness, roughness, sum, most, off / sum);
             CHECK(sum > 1);

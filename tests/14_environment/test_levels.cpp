@@ -45,7 +45,9 @@ void main() {
 
     /// Reflected and diffuse light of so many samples, of a white surface that faces +z.
     glm::vec2 summed(glm::vec3 to_eye, double alpha, uint32_t count, double bias) {
-        light.method.set("sampled"), light.samples.value = int(count), light.sample_bias.value = float(bias);
+        light.method.set("sampled");
+        light.samples.value = int(count);
+        light.sample_bias.value = float(bias);
         light.record(frame, scene);
         number(light.sky.radiance);
         const Buffer out(gpu.device, {.name = "sums", .bytes = sizeof(glm::vec2)});
@@ -91,7 +93,8 @@ TEST_CASE_METHOD(OnLevels,
                         if (l.z <= 0 || v_dot_h <= 0) continue;
                         const double weight = truth::ggx_visibility(l.z, n_dot_v, alpha) * l.z * 4 * v_dot_h / h.z;
                         const double density = truth::ggx_density(h.z, alpha) * h.z / (4 * v_dot_h);
-                        weights += weight / count, right += weight / count * level_of(density, count, bias);
+                        weights += weight / count;
+                        right += weight / count * level_of(density, count, bias);
                     }
                     const glm::vec2 found = summed(glm::vec3(v), alpha, count, bias);
                     INFO(count << " samples, bias " << bias << ", alpha " << alpha << ", n.v " << n_dot_v);
@@ -110,7 +113,8 @@ TEST_CASE_METHOD(OnLevels, "each sample of diffuse light is read one level above
 }
 
 TEST_CASE_METHOD(OnLevels, "the prefiltered cube's samples come from the levels of their shares, at each roughness") {
-    light.prefilter.samples.value = 64, light.prefilter.bias.value = 0.5f;
+    light.prefilter.samples.value = 64;
+    light.prefilter.bias.value = 0.5f;
     number(light.sky.radiance);
     prefilter_faces(frame, {filter, light.sky.radiance, light.sky.prefiltered, {light.prefilter}});
     frame.end();
@@ -121,7 +125,8 @@ TEST_CASE_METHOD(OnLevels, "the prefiltered cube's samples come from the levels 
             const glm::dvec3 h = half_vector(i, 64, alpha);
             const double n_dot_l = 2 * h.z * h.z - 1;
             if (n_dot_l <= 0) continue;
-            weights += n_dot_l, right += n_dot_l * level_of(truth::ggx_density(h.z, alpha) / 4, 64, 0.5);
+            weights += n_dot_l;
+            right += n_dot_l * level_of(truth::ggx_density(h.z, alpha) / 4, 64, 0.5);
         }
         const auto found = read<uint64_t>(light.sky.prefiltered.as_array().mip(level));
         INFO("level " << level);

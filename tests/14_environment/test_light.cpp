@@ -55,9 +55,10 @@ TEST_CASE_METHOD(OnLight, "irradiance of photographed places: the cube within 4%
             light.diffuse.set(method);
             const auto found = diffuse(normals);
             double worst = 0, least = 1;
-            for (size_t i = 0; i < normals.size(); ++i)
-                worst = std::max(worst, std::fabs(double(found[i].g) - right[i].g) / most),
+            for (size_t i = 0; i < normals.size(); ++i) {
+                worst = std::max(worst, std::fabs(double(found[i].g) - right[i].g) / most);
                 least = std::min(least, double(found[i].g));
+            }
             INFO(name << " " << method << ": worst " << worst << " least " << least);
             CHECK(worst < bound);
         }
@@ -139,7 +140,9 @@ TEST_CASE(
             for (const double roughness : {0.25, 0.5, 0.75, 1.0}) {
                 const double right = truth::reflected(n_dot_v, roughness * roughness, f0, white, 128);
                 const double off = std::fabs(fitted(n_dot_v, roughness, f0) - right);
-                sum += off, most = std::max(most, off), ++count;
+                sum += off;
+                most = std::max(most, off);
+                ++count;
             }
         fmt::print("F0 {}: the fit is off by {:.3f} in the mean, {:.3f} at most\n", f0, sum / count, most);
         if (f0 < 0.5) {
@@ -172,7 +175,8 @@ TEST_CASE_METHOD(
             const glm::vec3 to_eye = glm::normalize(n + 0.7f * glm::normalize(glm::cross(n, side)));
             surfaces.push_back({n, to_eye, glm::vec3(1), alpha});
         }
-    light.samples.value = 2048, light.sample_bias.value = 0;
+    light.samples.value = 2048;
+    light.sample_bias.value = 0;
     for (const float turn : {0.0f, 70.0f}) {
         light.turn_deg.value = turn;
         light.method.set("truth");
@@ -180,8 +184,10 @@ TEST_CASE_METHOD(
         light.method.set("sampled");
         const auto samples = shown(surfaces);
         double away = 0, all = 0;
-        for (size_t i = 0; i < surfaces.size(); ++i)
-            away += double(std::fabs(sums[i].specular.g - samples[i].specular.g)), all += double(samples[i].specular.g);
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            away += double(std::fabs(sums[i].specular.g - samples[i].specular.g));
+            all += double(samples[i].specular.g);
+        }
         INFO("turned by " << turn << ": " << away / all);
         CHECK(away / all < 0.02);
     }
@@ -238,7 +244,9 @@ TEST_CASE_METHOD(OnLight,
                 const auto basis =
                     truth::harmonics(truth::direction_at({(x + 0.5) / picture.width, (y + 0.5) / picture.height}));
                 for (size_t i = 0; i < 9; ++i) coefficients[i] += angle * light_of * basis[i];
-                brightest = std::max(brightest, light_of), sum += angle * light_of, weight += angle;
+                brightest = std::max(brightest, light_of);
+                sum += angle * light_of;
+                weight += angle;
             }
         std::vector<double> four(coefficients);
         std::fill(four.begin() + 4, four.end(), 0.0);
@@ -281,9 +289,13 @@ TEST_CASE(
                     for (int x = left; x < left + side; ++x) {
                         const double angle = truth::equirect_solid_angle(y, picture.width, picture.height);
                         const double one = glm::dot(glm::dvec3(picture.at(x, y)), glm::dvec3(0.2126, 0.7152, 0.0722));
-                        most = std::max(most, one), light += angle * one, angles += angle;
+                        most = std::max(most, one);
+                        light += angle * one;
+                        angles += angle;
                     }
-                of_blocks = std::max(of_blocks, light / angles), sum += light, around += angles;
+                of_blocks = std::max(of_blocks, light / angles);
+                sum += light;
+                around += angles;
             }
         fmt::print("{}: brightest over mean {:.0f}, in blocks of 11 degrees {:.1f}\n", name, most / sum * around,
                    of_blocks / sum * around);

@@ -67,7 +67,8 @@ TEST_CASE("a file's samples come back as the mean of its channels, at its own ra
         if (channels == 2)  // part that cancels on average
             for (size_t i = 0; i < given[0].size(); ++i) {
                 const auto side = static_cast<float>(0.2 * tone(900, double(i) / rate));
-                given[0][i] += side, given[1][i] -= side;
+                given[0][i] += side;
+                given[1][i] -= side;
             }
         const Sound found = read_sound(folder.write("sound.ogg", encoded(rate, given)));
         CHECK(found.rate_hz == rate);
@@ -228,7 +229,8 @@ TEST_CASE("levels are a function of time alone: any order of asking, and a chang
     struct Owner : Module {
     } owner;
     Music music{owner, "music"}, again{owner, "again"};
-    music.take(piece()), again.take(piece());
+    music.take(piece());
+    again.take(piece());
     std::vector<Levels> forward;
     for (int i = 0; i < 200; ++i) forward.push_back(music.levels(i / 60.0));
     again.release_ms.value = 400;

@@ -24,7 +24,8 @@ double over_phases(size_t count) {
     for (int i = 0; i < 16; ++i) {
         const double level =
             truth::spectrum_bands(tone_samples(60.0 * double(count) / 48000, count, M_PI * i / 16), 48000).x;
-        least = std::min(least, level), most = std::max(most, level);
+        least = std::min(least, level);
+        most = std::max(most, level);
     }
     return most / least;
 }
@@ -67,7 +68,10 @@ TEST_CASE(
     CHECK(bins == glm::dvec3(10, 160, 683));
     const LevelTable table = measure_levels(noise);
     double count = 0;
-    for (const Levels& entry : table.entries) square += glm::dvec3(entry) * glm::dvec3(entry), ++count;
+    for (const Levels& entry : table.entries) {
+        square += glm::dvec3(entry) * glm::dvec3(entry);
+        ++count;
+    }
     const glm::dvec3 power = square / count;
     CHECK(power.x == Approx(power.z).epsilon(0.1));
     CHECK(power.y == Approx(power.z).epsilon(0.1));

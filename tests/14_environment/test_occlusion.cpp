@@ -77,7 +77,8 @@ TEST_CASE_METHOD(OnOcclusion, "an even floor is not hidden, from whatever angle 
 TEST_CASE_METHOD(OnOcclusion, "below a wall: the visibility is that of its form factor") {
     occlusion.radius_m.value = 20;
     occlusion.thickness.value = 0;
-    occlusion.slices.value = 16, occlusion.steps.value = 32;
+    occlusion.slices.value = 16;
+    occlusion.steps.value = 32;
     double worst = 0;
     for (const double z : {0.15, 0.3, 0.6, 1.0, 1.5}) {
         draw(above);
@@ -91,18 +92,21 @@ TEST_CASE_METHOD(OnOcclusion, "below a wall: the visibility is that of its form 
     CHECK(worst < 0.08);
 }
 
-TEST_CASE_METHOD(OnOcclusion, "more slices and steps come nearer to the form factor", "[figures]") {
-    occlusion.radius_m.value = 20, occlusion.thickness.value = 0;
+TEST_CASE_METHOD(OnOcclusion, "more slices and steps come nearer to the form factor", "[figures][14.more_slices]") {
+    occlusion.radius_m.value = 20;
+    occlusion.thickness.value = 0;
     std::vector<double> errors;
     for (const glm::ivec2 many :
          {glm::ivec2(1, 2), glm::ivec2(2, 4), glm::ivec2(3, 6), glm::ivec2(8, 12), glm::ivec2(16, 32)}) {
-        occlusion.slices.value = many.x, occlusion.steps.value = many.y;
+        occlusion.slices.value = many.x;
+        occlusion.steps.value = many.y;
         draw(above);
         double square = 0, count = 0;
         for (int i = -10; i <= 10; ++i)
             for (const double z : {0.15, 0.3, 0.6, 1.0, 1.5}) {
                 const double off = double(at({0.05 * i, 0, z}).w) - (0.5 + 0.5 * z / std::hypot(height_m, z));
-                square += off * off, ++count;
+                square += off * off;
+                ++count;
             }
         errors.push_back(std::sqrt(square / count));
         fmt::print("{} slices, {} steps: error {:.3f}\n", many.x, many.y, errors.back());
@@ -115,7 +119,8 @@ TEST_CASE_METHOD(OnOcclusion,
                  "failures: a thin pole darkens like a wall, and what is outside of the picture hides nothing",
                  "[figures]") {
     occlusion.radius_m.value = 1.5f;
-    occlusion.slices.value = 8, occlusion.steps.value = 16;
+    occlusion.slices.value = 8;
+    occlusion.steps.value = 16;
     height_m = 3;
     pole_m = 0.04;
     const auto beside_pole = [&](float thickness) {

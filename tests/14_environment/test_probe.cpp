@@ -50,7 +50,8 @@ struct OnProbe : OnLight {
 TEST_CASE_METHOD(OnProbe, "a probe sees each direction where the cube is looked up along it") {
     load("");
     light.method.set("mirror");
-    probe.update.set("always"), probe.box.set("off");
+    probe.update.set("always");
+    probe.box.set("off");
     record();
     CHECK(directions.views == 6);
     std::vector<LookedAt> mirrors;
@@ -67,24 +68,30 @@ TEST_CASE_METHOD(OnProbe, "a probe is drawn in each frame, or where something ha
     probe.update.set("moved");
     record();
     CHECK(probe.drawn_faces == 6);
-    next_frame(), record();
+    next_frame();
+    record();
     CHECK(probe.drawn_faces == 0);
     probe.center.value.x += 1;
-    next_frame(), record();
+    next_frame();
+    record();
     CHECK(probe.drawn_faces == 6);
     light.turn_deg.value += 90;  // another module's knob, which its picture depends on
-    next_frame(), record();
+    next_frame();
+    record();
     CHECK(probe.drawn_faces == 6);
     probe.update.set("face");
     for (int i = 0; i < 3; ++i) {
-        next_frame(), record();
+        next_frame();
+        record();
         CHECK(probe.drawn_faces == 1);
     }
     probe.update.set("always");
-    next_frame(), record();
+    next_frame();
+    record();
     CHECK(probe.drawn_faces == 6);
     probe.update.set("off");
-    next_frame(), record();
+    next_frame();
+    record();
     CHECK(probe.drawn_faces == 0);
     CHECK(directions.views == 6 + 6 + 6 + 3 + 6);
 }

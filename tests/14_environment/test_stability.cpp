@@ -19,7 +19,10 @@ double lone_sun(double angle_deg, size_t window) {
 /// The mean over directions of |found - right| / mean of right, of green.
 double mean_error(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3>& right) {
     double away = 0, sum = 0;
-    for (size_t i = 0; i < right.size(); ++i) away += std::fabs(found[i].g - right[i].g), sum += right[i].g;
+    for (size_t i = 0; i < right.size(); ++i) {
+        away += std::fabs(found[i].g - right[i].g);
+        sum += right[i].g;
+    }
     return away / sum;
 }
 
@@ -36,7 +39,8 @@ std::vector<glm::dvec3> true_prefiltered(const ImageRgb& picture, const std::vec
                 if (n_dot_l <= 0) continue;
                 const double weight =
                     solid_angle * n_dot_l * truth::ggx_density(std::sqrt(0.5 + 0.5 * n_dot_l), alpha) / 4;
-                sums[i] += weight * glm::dvec3(picture.at(x, y)), weights[i] += weight;
+                sums[i] += weight * glm::dvec3(picture.at(x, y));
+                weights[i] += weight;
             }
         }
     }
@@ -55,8 +59,10 @@ TEST_CASE("a lone sun in nine coefficients rings: 1.06 facing it, -0.04 at 122 d
 
 TEST_CASE("windows trade the ringing for the peak: Hann 0.91 and -0.019, sinc^4 0.49 and never negative") {
     double least_hann = 1, least_sinc = 1;
-    for (int a = 0; a <= 180; ++a)
-        least_hann = std::min(least_hann, lone_sun(a, 1)), least_sinc = std::min(least_sinc, lone_sun(a, 2));
+    for (int a = 0; a <= 180; ++a) {
+        least_hann = std::min(least_hann, lone_sun(a, 1));
+        least_sinc = std::min(least_sinc, lone_sun(a, 2));
+    }
     CHECK(lone_sun(0, 1) == Approx(0.91).margin(0.005));
     CHECK(least_hann == Approx(-0.019).margin(0.002));
     CHECK(lone_sun(0, 2) == Approx(0.49).margin(0.005));
@@ -72,8 +78,10 @@ TEST_CASE_METHOD(OnLight, "the same on the device: a small sun leaves negative l
     light.diffuse.set("irradiance");
     const auto cube = diffuse(normals);
     float least_sh = 1, least_cube = 1;
-    for (size_t i = 0; i < normals.size(); ++i)
-        least_sh = std::min(least_sh, sh[i].g / sh[0].g), least_cube = std::min(least_cube, cube[i].g);
+    for (size_t i = 0; i < normals.size(); ++i) {
+        least_sh = std::min(least_sh, sh[i].g / sh[0].g);
+        least_cube = std::min(least_cube, cube[i].g);
+    }
     CHECK(least_sh < -0.03f);
     CHECK(least_sh > -0.05f);
     CHECK(least_cube >= 0.0f);
@@ -89,7 +97,8 @@ TEST_CASE_METHOD(OnLight, "prefiltering at roughness 0.5: samples read from leve
         double error[2][3];
         for (int biased = 0; biased < 2; ++biased)
             for (int i = 0; i < 3; ++i) {
-                light.prefilter.bias.value = float(biased), light.prefilter.samples.value = 16 << (2 * i);
+                light.prefilter.bias.value = float(biased);
+                light.prefilter.samples.value = 16 << (2 * i);
                 load("environments/" + name + ".hdr");
                 // Level 3 of 7 has roughness 0.5; f0 1 and n·v 1, over the table's value.
                 light.method.set("prefiltered");
@@ -238,7 +247,8 @@ TEST_CASE("taken for a cosine distribution, cos = 1 - u is off by a sixth and mo
     const int n = 100000;
     for (int i = 0; i < n; ++i) {
         const double u = (i + 0.5) / n;
-        wrong += sky(1 - u) / n, right += sky(std::sqrt(1 - u)) / n;
+        wrong += sky(1 - u) / n;
+        right += sky(std::sqrt(1 - u)) / n;
     }
     CHECK(std::fabs(wrong / right - 1) > 0.17);
 }

@@ -59,8 +59,10 @@ CHECK_EXERCISE("15.height_blend", "The greatest weight plus height among the mat
     while (probe.inputs.size() < 400) {
         Row row;
         double sum = 0;
-        for (int i = 0; i < 4; ++i)
-            row.push_back(random.uniform(0, 1) < 0.35 ? 0 : random.uniform(0.02, 1)), sum += row.back();
+        for (int i = 0; i < 4; ++i) {
+            row.push_back(random.uniform(0, 1) < 0.35 ? 0 : random.uniform(0.02, 1));
+            sum += row.back();
+        }
         if (sum == 0) continue;
         for (double& weight : row) weight /= sum;
         for (int i = 0; i < 4; ++i) row.push_back(random.uniform(0, 1));
@@ -127,7 +129,8 @@ class ChunkMap {
         for (int i = 0; i < 4; ++i) {
             const glm::vec3 p = corner(x, z, level) + side_m(level) * glm::vec3(i & 1, 0, i >> 1);
             const glm::vec4 c = trial_.to_clip * glm::vec4(p, 1);
-            below += glm::ivec3(c.x < -c.w, c.y < -c.w, c.z < 0), above += glm::ivec3(c.x > c.w, c.y > c.w, c.z > c.w);
+            below += glm::ivec3(c.x < -c.w, c.y < -c.w, c.z < 0);
+            above += glm::ivec3(c.x > c.w, c.y > c.w, c.z > c.w);
         }
         return glm::all(glm::lessThan(glm::max(below, above), glm::ivec3(4)));
     }
@@ -178,7 +181,8 @@ std::set<Key> run_chunks(const ChunkTrial& trial, const ChunkMap& map, uint32_t&
     frame.upload("draws", draws, std::vector<uint32_t>{6 * CHUNK_CELLS * CHUNK_CELLS, 0, 0, 0, 0});
     frame.compute("chunks", {.reads = {list, draws, errors, bounds}, .writes = {list, draws}}, [&](Compute& pass) {
         pass.use(pipeline).set("chunk_list", list).set("chunk_draw", draws);
-        pass.offer("land_errors", errors, nearest_clamp), pass.offer("land_bounds", bounds, nearest_clamp);
+        pass.offer("land_errors", errors, nearest_clamp);
+        pass.offer("land_bounds", bounds, nearest_clamp);
         pass.offer("land_map", LandMap{.corner = glm::vec2(-0.5f * float(cells)),
                                        .spacing_m = 1,
                                        .samples = int(cells) + 1,
@@ -207,9 +211,13 @@ std::string name_of(const Key& key) {
 
 CHECK_EXERCISE("15.chunk_level", "Drawn is what is not split, if its parent is, and if it is in view; each once.") {
     glm::mat4 all(1.0f);  // everything within the clip volume
-    all = glm::mat4(0.0f), all[0][0] = 1e-6f, all[2][1] = 1e-6f, all[3] = {0, 0, 0.5f, 1};
+    all = glm::mat4(0.0f);
+    all[0][0] = 1e-6f;
+    all[2][1] = 1e-6f;
+    all[3] = {0, 0, 0.5f, 1};
     glm::mat4 quarter = all;  // x from 20 m on alone
-    quarter[0][0] = -0.01f, quarter[3][0] = 1.2f;
+    quarter[0][0] = -0.01f;
+    quarter[3][0] = 1.2f;
     const ChunkTrial trials[] = {{"no error is too large", 3, {0, 10, 0}, 1e6f, all},
                                  {"no error is small enough", 3, {0, 0, 0}, 1e-9f, all},
                                  {"an eye above the map", 4, {40, 60, -30}, 0.05f, all},
@@ -237,19 +245,23 @@ CHECK_EXERCISE("15.chunk_level", "Drawn is what is not split, if its parent is, 
                                                  : "Its parent is fine enough and is drawn instead of it.";
             }
         for (const Key& key : expected)
-            if (wrong.empty() && !found.contains(key))
-                wrong = fmt::format("{} is not in the list of {}", name_of(key), found.size()),
+            if (wrong.empty() && !found.contains(key)) {
+                wrong = fmt::format("{} is not in the list of {}", name_of(key), found.size());
                 hint = std::get<0>(key) == 0           ? "Level 0 is the finest: it is never split."
                        : std::get<0>(key) == trial.top ? "The one at the top has no parent."
                        : trial.error > 0               ? "A chunk is split if its error is greater than the limit."
                                                        : "It is not split, its parent is, and it is in view.";
-        if (wrong.empty() && twice)
-            wrong = "a chunk is in the list twice", hint = "Each thread appends its own chunk, once.";
-        if (wrong.empty() && count != expected.size())
-            wrong = fmt::format("instance_count is {}, expected {}", count, expected.size()),
+            }
+        if (wrong.empty() && twice) {
+            wrong = "a chunk is in the list twice";
+            hint = "Each thread appends its own chunk, once.";
+        }
+        if (wrong.empty() && count != expected.size()) {
+            wrong = fmt::format("instance_count is {}, expected {}", count, expected.size());
             hint =
                 "The place in the list is what atomicAdd returns: two threads that count by themselves overwrite each "
                 "other.";
+        }
         check.expect(wrong.empty(), fmt::format("{}: {}", trial.what, wrong), hint);
         if (check.failed) return;
     }

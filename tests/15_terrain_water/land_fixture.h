@@ -53,8 +53,12 @@ struct OnLand : OnModules {
     glm::uvec2 size{64, 40};
 
     explicit OnLand(const std::filesystem::path& map = "terrain/jacksboro_dem.png") {
-        ground.levels.value = 8, ground.span_km.value = 8, ground.center_x_km.value = -5, ground.datum_m.value = 380;
-        ground.height_scale.value = 1.5f, ground.detail_m.value = 60;
+        ground.levels.value = 8;
+        ground.span_km.value = 8;
+        ground.center_x_km.value = -5;
+        ground.datum_m.value = 380;
+        ground.height_scale.value = 1.5f;
+        ground.detail_m.value = 60;
         load(map);
     }
     void load(const std::filesystem::path& map) {

@@ -22,15 +22,26 @@ struct OnCity : OnLand {
 
     OnCity() {
         size = {160, 90};
-        ground.levels.value = 8, ground.span_km.value = 14, ground.center_x_km.value = 6, ground.center_z_km.value = 6;
-        ground.datum_m.value = 322, ground.height_scale.value = 1.6f, ground.detail_m.value = 0;
-        ground.plain_km.value = {5, 5.3f, 1.5f}, ground.plain_m.value = 4;
-        city.x_km.value = -1, city.z_km.value = -0.7f, city.radius_km.value = 0.7f, city.towers_m.value = 120;
+        ground.levels.value = 8;
+        ground.span_km.value = 14;
+        ground.center_x_km.value = 6;
+        ground.center_z_km.value = 6;
+        ground.datum_m.value = 322;
+        ground.height_scale.value = 1.6f;
+        ground.detail_m.value = 0;
+        ground.plain_km.value = {5, 5.3f, 1.5f};
+        ground.plain_m.value = 4;
+        city.x_km.value = -1;
+        city.z_km.value = -0.7f;
+        city.radius_km.value = 0.7f;
+        city.towers_m.value = 120;
         city.most_boxes.value = 3000;
         land.shadow.set("none");
         land.method.set("rays");
-        atmosphere.sun_elevation_deg.value = 30, atmosphere.sun_azimuth_deg.value = 110;
-        sun_shadow.maps.distance_m.value = 3000, sun_shadow.maps.bias_m.value = 0.1f;
+        atmosphere.sun_elevation_deg.value = 30;
+        atmosphere.sun_azimuth_deg.value = 110;
+        sun_shadow.maps.distance_m.value = 3000;
+        sun_shadow.maps.bias_m.value = 0.1f;
         sun_shadow.maps.resolution.value = 2048;
         water.tracer = &reflected;
         water.method.set("none");
@@ -63,7 +74,8 @@ struct OnCity : OnLand {
             double enters = 0, leaves = 1e9;
             for (int i = 0; i < 3; ++i) {
                 const double a = (-half[i] - at[i]) / along[i], b = (half[i] - at[i]) / along[i];
-                enters = std::max(enters, std::min(a, b)), leaves = std::min(leaves, std::max(a, b));
+                enters = std::max(enters, std::min(a, b));
+                leaves = std::min(leaves, std::max(a, b));
             }
             if (enters < leaves) return true;
         }
@@ -75,10 +87,12 @@ double grey(const glm::vec3& p) { return double(p.r + p.g + p.b) / 3; }
 
 }  // namespace
 
-TEST_CASE_METHOD(OnCity, "houses shade the ground where a ray to the sun meets one") {
+TEST_CASE_METHOD(OnCity, "houses shade the ground where a ray to the sun meets one", "[15.house_shadows]") {
     std::vector<CityBox> boxes;
     plan_city(plan, boxes);
-    camera.position = {-1000, 700, -300}, camera.target = {-1000, 0, -700}, camera.fov_y_rad = 0.7f;
+    camera.position = {-1000, 700, -300};
+    camera.target = {-1000, 0, -700};
+    camera.fov_y_rad = 0.7f;
     const ImageRgb lit = [&] {
         sun_shadow.maps.method.set("none");
         return picture({land});
@@ -102,7 +116,9 @@ TEST_CASE_METHOD(OnCity, "houses shade the ground where a ray to the sun meets o
                 edge |= is_shaded(boxes, at + beside) != right;
             if (edge) continue;
             const bool is_dark = grey(shaded.pixels[i]) < 0.75 * grey(lit.pixels[i]);
-            ++asked, wrong += is_dark != right, dark += right;
+            ++asked;
+            wrong += is_dark != right;
+            dark += right;
         }
     fmt::print("{} of {} places in the shadow of houses, {} wrong\n", dark, asked, wrong);
     CHECK(dark > asked / 10);
@@ -111,7 +127,8 @@ TEST_CASE_METHOD(OnCity, "houses shade the ground where a ray to the sun meets o
 }
 
 TEST_CASE_METHOD(OnCity, "no sun, no shadow: nothing is drawn at night, nor without houses") {
-    camera.position = {-1000, 700, -300}, camera.target = {-1000, 0, -700};
+    camera.position = {-1000, 700, -300};
+    camera.target = {-1000, 0, -700};
     atmosphere.sun_elevation_deg.value = -8;
     picture({land});
     CHECK(!sun_shadow.exists());
@@ -130,9 +147,14 @@ TEST_CASE_METHOD(OnCity, "no sun, no shadow: nothing is drawn at night, nor with
     CHECK(sun_shadow.maps.drawn_views > 0);
 }
 
-TEST_CASE_METHOD(OnCity, "rays from level water find what the mirror image shows") {
-    camera.position = {350, 22, 900}, camera.target = {-800, 60, -500}, camera.fov_y_rad = 0.63f;
-    water.method.set("flat"), water.mirror.scale.value = 1, water.roughness.value = 0, water.refraction.value = 0;
+TEST_CASE_METHOD(OnCity, "rays from level water find what the mirror image shows", "[15.level_rays]") {
+    camera.position = {350, 22, 900};
+    camera.target = {-800, 60, -500};
+    camera.fov_y_rad = 0.63f;
+    water.method.set("flat");
+    water.mirror.scale.value = 1;
+    water.roughness.value = 0;
+    water.refraction.value = 0;
     const auto by = [&](const char* reflection) {
         water.reflection.set(reflection);
         return picture({land, city});
@@ -145,7 +167,9 @@ TEST_CASE_METHOD(OnCity, "rays from level water find what the mirror image shows
         for (size_t i = 0; i < none.pixels.size(); ++i) {
             const double right = grey(planar.pixels[i]) - grey(none.pixels[i]);
             if (right < 0.01) continue;
-            sum += right, wrong += std::fabs(grey(rays.pixels[i]) - grey(planar.pixels[i])), ++pixels;
+            sum += right;
+            wrong += std::fabs(grey(rays.pixels[i]) - grey(planar.pixels[i]));
+            ++pixels;
         }
         fmt::print("{}: {} pixels reflect; by rays {:.1f}% of their light is wrong\n", what, pixels, 100 * wrong / sum);
         CHECK(pixels > 300);

@@ -15,7 +15,10 @@ struct OnCells : OnLand {
     std::vector<float> heights;
 
     OnCells() {
-        ground.levels.value = 5, ground.span_km.value = 2, ground.detail_m.value = 0, ground.height_scale.value = 6;
+        ground.levels.value = 5;
+        ground.span_km.value = 2;
+        ground.detail_m.value = 0;
+        ground.height_scale.value = 6;
         make();
     }
     void make() {
@@ -118,7 +121,8 @@ void main() {
             ++met;
         } else {
             CHECK(found[i] < 0);
-            ++missed, past += from_behind;
+            ++missed;
+            past += from_behind;
         }
     }
     fmt::print("{} rays come down on the ground, {} miss it, {} of these leave it from below\n", met, missed, past);
@@ -128,7 +132,8 @@ void main() {
 
 TEST_CASE_METHOD(
     OnCells, "a vertex has moved to its coarser place where the least wrong of the chunks it touches may be drawn") {
-    ground.levels.value = 8, ground.span_km.value = 8;
+    ground.levels.value = 8;
+    ground.span_km.value = 8;
     make();
     struct {
         glm::mat4 to_clip{1.0f};
@@ -170,7 +175,8 @@ void main() {
                 for (int cx = 0; cx < chunks; ++cx)
                     if (x >= cx * side && x <= (cx + 1) * side && z >= cz * side && z <= (cz + 1) * side) {
                         const double error = double(errors[size_t(level)][size_t(cz * chunks + cx)]);
-                        least = std::min(least, error), most = std::max(most, error);
+                        least = std::min(least, error);
+                        most = std::max(most, error);
                     }
             const double allowed = glm::length(point(x, z) - glm::dvec3(view.from)) * double(view.metres_per_m);
             INFO("sample " << x << ", " << z << " of level " << level - 1 << ": errors " << least << " to " << most
@@ -178,7 +184,8 @@ void main() {
             // Before any of the chunks may be drawn: all of the way. Long before: none of it.
             if (allowed > 0.9995 * least) {
                 CHECK(found[i] == 1.0f);
-                ++whole, differ += allowed < 0.9 * most;
+                ++whole;
+                differ += allowed < 0.9 * most;
             } else if (allowed < 0.699 * least) {
                 CHECK(found[i] == 0.0f);
                 ++none;

@@ -24,7 +24,8 @@ struct Composed : OnModules {
     const glm::uvec2 size{48, 32};
 
     Composed() {
-        sky.map.set("plain"), atmosphere.table_scale.value = 0.25f;
+        sky.map.set("plain");
+        atmosphere.table_scale.value = 0.25f;
         scene.load(gpu, {.objects = {{.name = "hill", .parent = {}, .model = "models/cube.obj"}}},
                    [](const std::filesystem::path& file) { return load_model(file, Loader::parallel); });
         owner.prepare_all(gpu, scene);
@@ -101,16 +102,29 @@ TEST_CASE_METHOD(Composed, "fog first: one list is put in order, a second list i
 }
 
 TEST_CASE_METHOD(Composed, "bloom after tones is refused", "[mistakes]") {
-    CHECK_NOTHROW(finish([&] { bloom.record(frame, frame.hdr), post.record(frame, frame.hdr); }));
-    CHECK_THROWS_WITH(finish([&] { post.record(frame, frame.hdr), bloom.record(frame, frame.hdr); }),
+    CHECK_NOTHROW(finish([&] {
+        bloom.record(frame, frame.hdr);
+        post.record(frame, frame.hdr);
+    }));
+    CHECK_THROWS_WITH(finish([&] {
+                          post.record(frame, frame.hdr);
+                          bloom.record(frame, frame.hdr);
+                      }),
                       Contains("bloom needs linear light") && Contains("record it before the tones"));
 }
 
 TEST_CASE_METHOD(Composed, "tones twice are refused", "[mistakes]") {
     Post second{owner, "second"};
-    const auto both = [&] { post.record(frame, frame.hdr), second.record(frame, frame.hdr); };
+    const auto both = [&] {
+        post.record(frame, frame.hdr);
+        second.record(frame, frame.hdr);
+    };
     CHECK_THROWS_WITH(finish(both), Contains("second applies a tone curve") && Contains("keep one of the two"));
-    CHECK_THROWS_WITH(finish([&] { post.record(frame, frame.hdr), encode_film(frame); }), Contains("encode_film"));
+    CHECK_THROWS_WITH(finish([&] {
+                          post.record(frame, frame.hdr);
+                          encode_film(frame);
+                      }),
+                      Contains("encode_film"));
     second.tone.set("off");  // grain alone, say
     CHECK_NOTHROW(finish(both));
 }

@@ -33,10 +33,15 @@ Met met_by(const std::vector<WaveData>& waves, glm::dvec3 eye, glm::dvec3 along)
 
 }  // namespace
 
-TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, against rays") {
-    water.waves.value = 4, water.longest_m.value = 14, water.shortest_m.value = 7;
-    water.roughness.value = 0, water.refraction.value = 0, water.mirror.scale.value = 1;
-    camera.position = {0, 6, 0}, camera.target = {-2, 0.5f, -24};
+TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, against rays", "[15.wall]") {
+    water.waves.value = 4;
+    water.longest_m.value = 14;
+    water.shortest_m.value = 7;
+    water.roughness.value = 0;
+    water.refraction.value = 0;
+    water.mirror.scale.value = 1;
+    camera.position = {0, 6, 0};
+    camera.target = {-2, 0.5f, -24};
     const View view = view_of(camera, size);
     const ViewRays rays = view_rays(view);
     // By steepness, and by how far away the wall is.
@@ -45,7 +50,11 @@ TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, again
             water.slope.value = slope;
             Wall wall(owner);
             const float wide = away / 40;
-            wall.z = -away, wall.left = -12 * wide, wall.right = 4 * wide, wall.top = 9 * wide, wall.bottom = -0.5f;
+            wall.z = -away;
+            wall.left = -12 * wide;
+            wall.right = 4 * wide;
+            wall.top = 9 * wide;
+            wall.bottom = -0.5f;
             water.method.set("gerstner");
             const std::vector<WaveData> waves = water.waves_at(1.5);
             std::vector<double> right(size_t(size.x) * size.y, -1);
@@ -93,12 +102,18 @@ TEST_CASE_METHOD(OnWater, "a transparent surface is seen in the mirror before th
         using Wall::Wall;
         Phase drawn_in() const override { return Phase::sky; }
     } sky(owner);
-    sky.left = -9000, sky.right = 9000, sky.bottom = -1, sky.top = 9000, sky.z = -3000, sky.color = {0, 2, 0, 1};
+    sky.left = -9000;
+    sky.right = 9000;
+    sky.bottom = -1;
+    sky.top = 9000;
+    sky.z = -3000;
+    sky.color = {0, 2, 0, 1};
     Quads smoke(owner, "smoke");
     smoke.quads = {{{{-9, 1, -40}, {9, 1, -40}, {9, 8, -40}, {-9, 8, -40}}, {0, 0, 4, 0.5f}}};
     water.mirror.scale.value = 1;
     const auto middle = [&](Drawings all) {
-        water.method.set("flat"), water.reflection.set("planar");
+        water.method.set("flat");
+        water.reflection.set("planar");
         begin(size);
         const View view = view_of(camera, size);
         light.record(frame, scene);

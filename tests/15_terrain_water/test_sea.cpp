@@ -26,7 +26,8 @@ struct OnSea : OnWater {
         const glm::dvec3 n = truth::normal_of(slopes);
         const double jacobian = (1 + slopes[0].x) * (1 + slopes[2].z) - slopes[0].z * slopes[2].x;
         const double share = std::clamp((foam - jacobian) / 0.5, 0.0, 1.0);
-        s.height_m += weight * height * height, s.slope += weight * (n.x * n.x + n.z * n.z) / (n.y * n.y);
+        s.height_m += weight * height * height;
+        s.slope += weight * (n.x * n.x + n.z * n.z) / (n.y * n.y);
         s.whitecaps += weight * share * share * (3 - 2 * share);
     }
 
@@ -35,7 +36,8 @@ struct OnSea : OnWater {
     }
 
     Statistics of_waves(const std::string& method, int count) {
-        water.method.set(method), water.waves.value = count;
+        water.method.set(method);
+        water.waves.value = count;
         const std::vector<WaveData> waves = water.waves_at(3);
         Statistics s;
         Random random(15);
@@ -54,7 +56,8 @@ struct OnSea : OnWater {
         double all = 0;
         for (const WaveData& w : waves) {
             const double square = double(w.amplitude) * double(w.amplitude);
-            all += square, s.long_waves += 2 * M_PI / double(glm::length(w.k)) > 10 ? square : 0;
+            all += square;
+            s.long_waves += 2 * M_PI / double(glm::length(w.k)) > 10 ? square : 0;
         }
         s.long_waves /= std::max(all, 1e-30);
         return rooted(s);
@@ -62,7 +65,9 @@ struct OnSea : OnWater {
 
     /// The device's three tiles, read at places that have nothing to do with each other.
     Statistics of_spectrum(int shape, float time_s) {
-        water.method.set("fft"), water.ocean.wind_m_s.value = 9, water.ocean.shape.value = shape;
+        water.method.set("fft");
+        water.ocean.wind_m_s.value = 9;
+        water.ocean.shape.value = shape;
         begin(size, time_s);
         water.ocean.record(frame);
         frame.end();
@@ -84,10 +89,12 @@ struct OnSea : OnWater {
             glm::dvec4 m(0), d(0);
             for (size_t part = 0; part < 3; ++part) {
                 const size_t texel = part * 65536 + size_t(random.uniform(0, 65535.9));
-                m += glm::dvec4(moved[texel]), d += glm::dvec4(sloped[texel]);
+                m += glm::dvec4(moved[texel]);
+                d += glm::dvec4(sloped[texel]);
             }
             glm::dmat3 slopes(0.0);
-            slopes[0] = {d.z, d.x, m.w}, slopes[2] = {m.w, d.y, d.w};
+            slopes[0] = {d.z, d.x, m.w};
+            slopes[2] = {m.w, d.y, d.w};
             add(s, m.y, slopes, 1.0 / places);
         }
         double all = 0;
@@ -95,7 +102,8 @@ struct OnSea : OnWater {
             for (const OceanWave& w : water.ocean.waves(part)) {
                 const glm::dvec2 a(w.forward), b(w.backward);
                 const double energy = glm::dot(a, a) + glm::dot(b, b), k = double(glm::length(w.k));
-                all += energy, s.long_waves += k > 0 && 2 * M_PI / k > 10 ? energy : 0;
+                all += energy;
+                s.long_waves += k > 0 && 2 * M_PI / k > 10 ? energy : 0;
             }
         s.long_waves /= all;
         return rooted(s);
@@ -112,7 +120,9 @@ struct OnSea : OnWater {
 TEST_CASE_METHOD(OnSea, "an open sea as statistics: two draws and two times are the same sea, other methods are not",
                  "[15.sea]") {
     const Statistics sea = of_spectrum(1, 3), later = of_spectrum(1, 10.3f), other = of_spectrum(2, 3);
-    print("spectrum", sea), print("7.3 s later", later), print("another draw", other);
+    print("spectrum", sea);
+    print("7.3 s later", later);
+    print("another draw", other);
     for (const Statistics& same : {later, other}) {
         CHECK(same.height_m == Approx(sea.height_m).epsilon(0.2));
         CHECK(same.slope == Approx(sea.slope).epsilon(0.05));

@@ -46,7 +46,7 @@ double hills(uint32_t x, uint32_t y) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnLand, "no sky shows through the ground in 200 views, by any method") {
+TEST_CASE_METHOD(OnLand, "no sky shows through the ground in 200 views, by any method", "[15.no_holes]") {
     Random random(21);
     size_t holes = 0, pixels = 0;
     camera.fov_y_rad = 0.6f;  // steeply down from above all mountains: every ray ends on the map
@@ -56,7 +56,10 @@ TEST_CASE_METHOD(OnLand, "no sky shows through the ground in 200 views, by any m
         camera.target = camera.position + glm::vec3(std::cos(around), -std::tan(down), std::sin(around));
         land.error_px.value = float(random.logarithmic(0.5, 16));
         const char* const methods[] = {"chunks", "chunks", "chunks", "rings", "rays"};
-        for (const float t : found(methods[i % 5])) holes += t <= 0, ++pixels;
+        for (const float t : found(methods[i % 5])) {
+            holes += t <= 0;
+            ++pixels;
+        }
     }
     INFO(holes << " of " << pixels << " pixels");
     CHECK(holes == 0);
@@ -67,7 +70,8 @@ TEST_CASE_METHOD(OnLand, "the finest grid is where rays end, and chunks keep to 
         const float a = glm::radians(degrees);
         camera.target = camera.position + glm::vec3(std::cos(a), -0.7f, std::sin(a));
         const std::vector<float> truth = found("rays");
-        land.grid_level.value = 0, land.error_px.value = 2;
+        land.grid_level.value = 0;
+        land.error_px.value = 2;
         const std::vector<float> grid = found("grid"), chunks = found("chunks");
         double worst = 0, off = 0;
         for (size_t i = 0; i < truth.size(); ++i) {
@@ -79,21 +83,25 @@ TEST_CASE_METHOD(OnLand, "the finest grid is where rays end, and chunks keep to 
     }
 }
 
-TEST_CASE_METHOD(OnLand, "the far plane changes nothing of the ground") {
+TEST_CASE_METHOD(OnLand, "the far plane changes nothing of the ground", "[15.far_plane]") {
     const std::vector<float> near = found("chunks");
     camera.far_m = 1e9f;
     const std::vector<float> far = found("chunks");
     for (size_t i = 0; i < near.size(); ++i) REQUIRE(std::fabs(near[i] - far[i]) <= 1e-3f * near[i]);
 }
 
-TEST_CASE("heights of 8 bits bend the normals, of 16 hardly") {
+TEST_CASE("heights of 8 bits bend the normals, of 16 hardly", "[15.height_bits]") {
     const auto file = write_grey("lightwalk_hills.png", 257, 257, 16, hills);
     std::ofstream(std::filesystem::path(file).replace_extension(".json"))
         << R"({"min_elevation_m": 0, "max_elevation_m": 100, "metres_per_sample_x": 1, "metres_per_sample_y": 1})";
     const auto with = [&](const char* bits) {
         OnLand on;
-        on.ground.span_km.value = 0, on.ground.center_x_km.value = 0, on.ground.datum_m.value = 0;
-        on.ground.height_scale.value = 1, on.ground.detail_m.value = 0, on.ground.precision.set(bits);
+        on.ground.span_km.value = 0;
+        on.ground.center_x_km.value = 0;
+        on.ground.datum_m.value = 0;
+        on.ground.height_scale.value = 1;
+        on.ground.detail_m.value = 0;
+        on.ground.precision.set(bits);
         on.load(file);
         return normals_of(on);
     };
@@ -104,16 +112,20 @@ TEST_CASE("heights of 8 bits bend the normals, of 16 hardly") {
     CHECK((eight > 2.5 && eight < 8));
     CHECK((twelve > 0.12 && twelve < 0.6));
     CHECK(sixteen < 0.05);
-    std::filesystem::remove(file), std::filesystem::remove(std::filesystem::path(file).replace_extension(".json"));
+    std::filesystem::remove(file);
+    std::filesystem::remove(std::filesystem::path(file).replace_extension(".json"));
 }
 
-TEST_CASE("maps of odd sizes are ground, the smallest too") {
+TEST_CASE("maps of odd sizes are ground, the smallest too", "[15.odd_maps]") {
     for (const glm::uvec2 map_size : {glm::uvec2(2, 2), glm::uvec2(3, 5), glm::uvec2(17, 2), glm::uvec2(101, 67)}) {
         const auto file = write_grey("lightwalk_odd.png", map_size.x, map_size.y, 8,
                                      [](uint32_t x, uint32_t y) { return ((x * 7 + y * 3) % 5) / 5.0; });
         OnLand on(file);
-        on.ground.span_km.value = 2, on.ground.center_x_km.value = 0, on.ground.datum_m.value = 500;
-        on.camera.position = {0, 3000, 0}, on.camera.target = {1, 0, 1};
+        on.ground.span_km.value = 2;
+        on.ground.center_x_km.value = 0;
+        on.ground.datum_m.value = 500;
+        on.camera.position = {0, 3000, 0};
+        on.camera.target = {1, 0, 1};
         on.camera.fov_y_rad = 0.3f;
         for (const char* method : {"grid", "rings", "chunks", "rays"})
             for (const float t : on.found(method)) REQUIRE((t > 100 && t < 6000));
@@ -121,7 +133,7 @@ TEST_CASE("maps of odd sizes are ground, the smallest too") {
     }
 }
 
-TEST_CASE("what is no height map is refused in one line") {
+TEST_CASE("what is no height map is refused in one line", "[15.refused_maps]") {
     const auto refused = [](const std::filesystem::path& file, const std::string& why) {
         const std::string text = error_of(file);
         INFO(text);

@@ -85,7 +85,8 @@ TEST_CASE("layers that lie close together, or are thin: a weight tells nothing, 
     CHECK(dense[7].most > 0.3);  // six moments, where one layer hides nearly all
 }
 
-TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula says in double precision") {
+TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula says in double precision",
+                 "[15.formulas]") {
     Random random(3);
     constexpr int cells = 16;
     std::vector<std::vector<Layer>> by_cell;
@@ -124,7 +125,7 @@ TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula
     }
 }
 
-TEST_CASE_METHOD(OnTransparency, "sums of half floats overflow at a weight of 3000") {
+TEST_CASE_METHOD(OnTransparency, "sums of half floats overflow at a weight of 3000", "[15.half_sums]") {
     // At 0.2 m each layer of white and alpha 0.71 adds 0.71² times 3000; a half float ends at 65504.
     const double each = 0.71 * 0.71 * 3000;
     CHECK(43 * each < 65504);
@@ -142,7 +143,8 @@ TEST_CASE_METHOD(OnTransparency, "sums of half floats overflow at a weight of 30
     CHECK(middle("wboit").g == Approx(40 * 0.71).epsilon(0.01));
 }
 
-TEST_CASE_METHOD(OnTransparency, "8 bits of the background's share stick at 4/255 or 5/255 where half floats go on") {
+TEST_CASE_METHOD(OnTransparency, "8 bits of the background's share stick at 4/255 or 5/255 where half floats go on",
+                 "[15.share_bits]") {
     for (int i = 0; i < 66; ++i) add(2.0f, {0, 0, 0, 0.1f});
     CHECK(std::pow(0.9, 66) == Approx(0.00096).margin(0.00002));
     transparency.revealage.set("r16f");
@@ -154,7 +156,7 @@ TEST_CASE_METHOD(OnTransparency, "8 bits of the background's share stick at 4/25
     CHECK(stuck < 5.1 / 255);
 }
 
-TEST_CASE_METHOD(OnTransparency, "two layers at one depth are peeled as one; a list has both") {
+TEST_CASE_METHOD(OnTransparency, "two layers at one depth are peeled as one; a list has both", "[15.equal_depth]") {
     add(2.0f, {1, 1, 1, 0.5f});
     add(2.0f, {1, 1, 1, 0.5f});
     CHECK(middle("lists").g == Approx(0.75).margin(0.001));
@@ -163,11 +165,14 @@ TEST_CASE_METHOD(OnTransparency, "two layers at one depth are peeled as one; a l
     CHECK(middle("peeling").g == Approx(0.5).margin(0.001));
 }
 
-TEST_CASE_METHOD(OnTransparency, "rectangles that cut each other: no order of objects is right") {
+TEST_CASE_METHOD(OnTransparency, "rectangles that cut each other: no order of objects is right", "[15.cutting]") {
     const auto wrong_share = [&](double least, double most) {
         Random random(20);
         size_t wrong = 0, layered = 0;
-        size = {96, 96}, camera.position = {5, 5, 20}, camera.target = {5, 5, 5}, camera.fov_y_rad = 0.8f;
+        size = {96, 96};
+        camera.position = {5, 5, 20};
+        camera.target = {5, 5, 5};
+        camera.fov_y_rad = 0.8f;
         for (int pile = 0; pile < 4; ++pile) {
             drawing.quads.clear();
             for (int i = 0; i < 20; ++i) {
@@ -201,7 +206,8 @@ TEST_CASE_METHOD(OnTransparency, "rectangles that cut each other: no order of ob
 }
 
 TEST_CASE_METHOD(OnTransparency,
-                 "room in the lists for fewer fragments than there are: some are lost, none is written beyond") {
+                 "room in the lists for fewer fragments than there are: some are lost, none is written beyond",
+                 "[15.full_lists]") {
     for (int i = 0; i < 12; ++i) add(2.0f + float(i), {0.5f, 0.5f, 0.5f, 0.3f});
     transparency.list_fragments.value = 1;
     const ImageRgb few = picture("lists");

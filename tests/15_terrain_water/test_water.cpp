@@ -41,8 +41,10 @@ double jacobian_of(const glm::dmat3& s) { return (1 + s[0].x) * (1 + s[2].z) - s
 
 }  // namespace
 
-TEST_CASE_METHOD(OnWater, "after 1e5 s each wave's phase is right; a float's would be off by an eighth of a radian") {
-    water.shortest_m.value = 0.5f, water.waves.value = 16;
+TEST_CASE_METHOD(OnWater, "after 1e5 s each wave's phase is right; a float's would be off by an eighth of a radian",
+                 "[15.late_waves]") {
+    water.shortest_m.value = 0.5f;
+    water.waves.value = 16;
     const double late_s = 1e5;
     const std::vector<WaveData> start = water.waves_at(0), late = water.waves_at(late_s);
     for (size_t i = 0; i < late.size(); ++i) {
@@ -58,8 +60,8 @@ TEST_CASE_METHOD(OnWater, "after 1e5 s each wave's phase is right; a float's wou
     CHECK(std::nextafter(omega * 1e5f, 1e9f) - omega * 1e5f == 0.125f);
 }
 
-TEST_CASE(
-    "the shortcut for the normal is exact for one wave; of four it is over 50 degrees off at the limit of loops") {
+TEST_CASE("the shortcut for the normal is exact for one wave; of four it is over 50 degrees off at the limit of loops",
+          "[15.normal_shortcut]") {
     Random random(15);
     for (const double steepness : {0.3, 0.6, 0.8, 1.0}) {
         double mean = 0, most = 0, single = 0;
@@ -83,8 +85,10 @@ TEST_CASE(
                     const double off = in_degrees * std::acos(std::min(glm::dot(short_cut, truth::normal_of(s)), 1.0));
                     if (waves == 1)
                         single = std::max(single, off);
-                    else
-                        mean += (off - mean) / double(++count), most = std::max(most, off);
+                    else {
+                        mean += (off - mean) / double(++count);
+                        most = std::max(most, off);
+                    }
                 }
             }
         fmt::print(
@@ -97,7 +101,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("beyond a sum of 1 the surface folds: often with one wave, hardly with four, not with sixteen") {
+TEST_CASE("beyond a sum of 1 the surface folds: often with one wave, hardly with four, not with sixteen",
+          "[15.folds]") {
     Random random(1);
     const auto folded = [&](int waves, double steepness) {
         size_t count = 0, all = 0;
@@ -118,7 +123,8 @@ TEST_CASE("beyond a sum of 1 the surface folds: often with one wave, hardly with
     CHECK(folded(1, 0.99) == 0);
 }
 
-TEST_CASE("the height above a place: a fixed point comes closer with each round, the slower the steeper the waves") {
+TEST_CASE("the height above a place: a fixed point comes closer with each round, the slower the steeper the waves",
+          "[15.fixed_point]") {
     Random random(2);
     for (const double steepness : {0.6, 0.95}) {
         double off[4] = {};
@@ -141,7 +147,7 @@ TEST_CASE("the height above a place: a fixed point comes closer with each round,
     }
 }
 
-TEST_CASE("Voronoi noise from 2x2 cells misses nearest points, from 3x3 cells hardly ever") {
+TEST_CASE("Voronoi noise from 2x2 cells misses nearest points, from 3x3 cells hardly ever", "[15.voronoi]") {
     Probe probe{.include = "15_terrain_water/voronoi.glsl",
                 .signature = "vec2 voronoi(vec2 at, int period, int reach)",
                 .inputs = {}};
@@ -169,7 +175,7 @@ TEST_CASE("Voronoi noise from 2x2 cells misses nearest points, from 3x3 cells ha
     CHECK(wrong[1][1] < 0.001);
 }
 
-TEST_CASE("Schlick's formula for water, seen from the air, is within 0.06 of Fresnel's") {
+TEST_CASE("Schlick's formula for water, seen from the air, is within 0.06 of Fresnel's", "[15.schlick]") {
     double most = 0;
     for (int i = 0; i <= 1000; ++i) {
         const double c = i / 1000.0;
@@ -181,7 +187,8 @@ TEST_CASE("Schlick's formula for water, seen from the air, is within 0.06 of Fre
     CHECK(most > 0.005);
 }
 
-TEST_CASE_METHOD(OnWater, "the spectrum: the device's height is the sum of its waves, and repeats after 1,000 s") {
+TEST_CASE_METHOD(OnWater, "the spectrum: the device's height is the sum of its waves, and repeats after 1,000 s",
+                 "[15.spectrum]") {
     water.method.set("fft");
     const auto heights = [&](float time_s, int part) {
         begin(size, time_s);
@@ -214,7 +221,10 @@ TEST_CASE_METHOD(OnWater, "the spectrum: the device's height is the sum of its w
                 const double along = glm::dot(glm::dvec2(w.k), place), k = glm::length(glm::dvec2(w.k));
                 const std::complex<double> wave = h * std::complex<double>(std::cos(along), std::sin(along));
                 sum.y += wave.real();
-                if (k > 0) sum.x -= double(w.k.x) / k * wave.imag(), sum.z -= double(w.k.y) / k * wave.imag();
+                if (k > 0) {
+                    sum.x -= double(w.k.x) / k * wave.imag();
+                    sum.z -= double(w.k.y) / k * wave.imag();
+                }
             }
             const glm::vec4 texel = found[size_t(at.y * 256 + at.x)];
             for (int c = 0; c < 3; ++c) most = std::max(most, std::fabs(double(texel[c]) - sum[c]));
@@ -244,17 +254,21 @@ TEST_CASE_METHOD(OnWater, "every method is finite above, at and under the water 
         for (const char* reflection : {"none", "cube", "screen_space", "planar"})
             for (const float height : {5.0f, 0.001f, 0.0f, -0.001f, -3.0f}) {
                 INFO(method << " " << reflection << " " << height);
-                camera.position = {0, height, 0}, camera.target = {3, height + (height < 0 ? 1.0f : -1.0f), -20};
+                camera.position = {0, height, 0};
+                camera.target = {3, height + (height < 0 ? 1.0f : -1.0f), -20};
                 CHECK(all_finite(picture(method, reflection, 2.5f)));
             }
-    camera.position = {0, 50, 0}, camera.target = {0, 0, 0.001f};
+    camera.position = {0, 50, 0};
+    camera.target = {0, 0, 0.001f};
     CHECK(all_finite(picture("gerstner", "planar")));
-    camera.position = {0, -5, 0}, camera.target = {0, 0, 0.001f};
+    camera.position = {0, -5, 0};
+    camera.target = {0, 0, 0.001f};
     CHECK(all_finite(picture("gerstner", "planar")));
 }
 
 TEST_CASE_METHOD(OnWater, "the water covers the picture up to the horizon") {
-    camera.position = {0, 30, 0}, camera.target = {0, 30, -100};
+    camera.position = {0, 30, 0};
+    camera.target = {0, 30, -100};
     const ImageRgb seen = picture("flat", "none");
     // Row 32 begins at the horizon.
     for (uint32_t x = 0; x < size.x; ++x) {
@@ -298,7 +312,8 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
     }
     CHECK(depth_at({4, 3, -40}).first == 0);
     // The mirror image omits everything below the water: from above it would stand before the sky.
-    wall.bottom = -3, wall.top = -0.5f;
+    wall.bottom = -3;
+    wall.top = -0.5f;
     water.absorption.value = glm::vec3(20);  // nothing shows through
     const ImageRgb sunk = picture("flat", "planar", 0, {wall});
     double red = 0;

@@ -30,7 +30,8 @@ double mean_fresnel(double tilt, double deviation) {
             if (shown <= 0) continue;
             const double cosine = shown / std::sqrt(1 + deviation * deviation * (x * x + z * z));
             const double weight = shown * std::exp(-0.5 * (x * x + z * z));
-            light += weight * truth::fresnel_exact(cosine, 1, 1.333), area += weight;
+            light += weight * truth::fresnel_exact(cosine, 1, 1.333);
+            area += weight;
         }
     return light / area;
 }
@@ -39,15 +40,22 @@ double mean_fresnel(double tilt, double deviation) {
 
 TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the stripe of the wall that it meets") {
     size = {192, 128};
-    camera.position = {0, 4, 0}, camera.target = {0, 2, -20};
-    water.roughness.value = 0, water.refraction.value = 0, water.mirror.scale.value = 1;
+    camera.position = {0, 4, 0};
+    camera.target = {0, 2, -20};
+    water.roughness.value = 0;
+    water.refraction.value = 0;
+    water.mirror.scale.value = 1;
     // Stripes of 2 m, each half as bright again as the one below.
     std::list<Wall> stripes;
     Drawings wall;
     for (int i = 0; i < 7; ++i) {
         Wall& stripe = stripes.emplace_back(owner);
-        stripe.left = -60, stripe.right = 60, stripe.bottom = float(2 * i), stripe.top = float(2 * i + 2);
-        stripe.z = -40, stripe.color = {std::pow(1.5f, float(i)), 0, 0, 1};
+        stripe.left = -60;
+        stripe.right = 60;
+        stripe.bottom = float(2 * i);
+        stripe.top = float(2 * i + 2);
+        stripe.z = -40;
+        stripe.color = {std::pow(1.5f, float(i)), 0, 0, 1};
         wall.push_back(stripe);
     }
     const ImageRgb none = picture("flat", "none"), followed = picture("flat", "screen_space", 0, wall),
@@ -63,7 +71,8 @@ TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the str
             if (std::fabs(red(right, y - 2) / red(right, y) - 1) > 0.2 ||
                 std::fabs(red(right, y + 2) / red(right, y) - 1) > 0.2)
                 continue;
-            ++asked, wrong += std::fabs(red(followed, y) / red(right, y) - 1) > 0.1;
+            ++asked;
+            wrong += std::fabs(red(followed, y) / red(right, y) - 1) > 0.1;
         }
     fmt::print("{} of {} pixels reflect another stripe than they should\n", wrong, asked);
     CHECK(asked > 1000);
@@ -72,8 +81,10 @@ TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the str
 
 TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is halved until it misses what it meets by centimetres") {
     size = {24, 2048};
-    camera.position = {0, 4, 0}, camera.target = {0, 3, -20};
-    water.roughness.value = 0, water.refraction.value = 0;
+    camera.position = {0, 4, 0};
+    camera.target = {0, 3, -20};
+    water.roughness.value = 0;
+    water.refraction.value = 0;
     // A wall 40 m away with light that grows with the height, in steps of 2.5 cm.
     Quads wall(owner, "steps");
     for (int i = 0; i < 480; ++i) {
@@ -92,7 +103,8 @@ TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is halved until it mis
         if (ray.y >= 0 || high < 0.2 || high > 8) continue;
         const double share = truth::fresnel_water(-ray.y, 1, 1.333);
         const double found = double(followed.at(12, y).r - none.at(12, y).r) / share - 1;
-        ++asked, sum += std::fabs(found - high);
+        ++asked;
+        sum += std::fabs(found - high);
     }
     fmt::print("{} rays end {:.1f} cm above or below what they should meet\n", asked, 100 * sum / asked);
     CHECK(asked > 400);
@@ -104,14 +116,19 @@ TEST_CASE_METHOD(OnWater,
     for (const float level : {0.0f, 3.0f})
         for (const float depth : {0.5f, 2.0f, 9.0f}) {
             water.level_m.value = level;
-            camera.position = {0, level - depth, 0}, camera.target = {0, level - depth - 2, -20};
+            camera.position = {0, level - depth, 0};
+            camera.target = {0, level - depth - 2, -20};
             const glm::dvec3 right = scattered(*this, double(depth));
             const ImageRgb seen = picture("flat", "none");
             INFO("level " << level << ", depth " << depth);
             for (const int x : {3, 50, 90}) CHECK(glm::length(glm::dvec3(seen.at(x, 60)) / right - 1.0) < 0.01);
             // A wall 8 m away, through as much water.
             Wall wall(owner);
-            wall.z = -8, wall.left = -90, wall.right = 90, wall.bottom = level - 90, wall.color = {2, 3, 4, 1};
+            wall.z = -8;
+            wall.left = -90;
+            wall.right = 90;
+            wall.bottom = level - 90;
+            wall.color = {2, 3, 4, 1};
             wall.top = level - depth;
             const ImageRgb behind = picture("flat", "none", 0, {wall});
             const glm::dvec3 ray(ray_through(view_rays(view_of(camera, size)), glm::vec2(40.5f, 60.5f)));
@@ -123,12 +140,14 @@ TEST_CASE_METHOD(OnWater,
 }
 
 TEST_CASE_METHOD(OnWater, "in waves an eye is as deep as the surface above it is high") {
-    water.waves.value = 3, water.slope.value = 0.2f;
+    water.waves.value = 3;
+    water.slope.value = 0.2f;
     for (const float time_s : {0.5f, 2.5f, 4.0f}) {
         water.method.set("gerstner");
         const float height = water.height_above({0, 0}, double(time_s));
         CHECK(std::fabs(height) > 0.01f);
-        camera.position = {0, height - 2, 0}, camera.target = {0, height - 8, -20};
+        camera.position = {0, height - 2, 0};
+        camera.target = {0, height - 8, -20};
         const ImageRgb seen = picture("gerstner", "none", time_s);
         CHECK(glm::length(glm::dvec3(seen.at(50, 62)) / scattered(*this, 2) - 1.0) < 0.01);
     }
@@ -139,12 +158,15 @@ TEST_CASE_METHOD(OnWater, "rough water reflects what an integral over its visibl
     scene.file.ambient = glm::vec3(1);
     scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(0)});
     owner.prepare_all(gpu, scene);
-    size = {8, 64}, camera.fov_y_rad = 0.03f, background = {0, 0, 0, 1};
+    size = {8, 64};
+    camera.fov_y_rad = 0.03f;
+    background = {0, 0, 0, 1};
     for (const double deviation : {0.02, 0.05, 0.1, 0.2})
         for (const double degrees : {60.0, 75.0, 80.0, 85.0}) {
             const double tilt = degrees * M_PI / 180;
             water.roughness.value = float(deviation);
-            camera.position = {0, 5, 0}, camera.target = {0, 0, float(-5 * std::tan(tilt))};
+            camera.position = {0, 5, 0};
+            camera.target = {0, 0, float(-5 * std::tan(tilt))};
             const double found = double(picture("flat", "cube").at(4, 32).r), right = mean_fresnel(tilt, deviation);
             INFO(deviation << " at " << degrees << " degrees: " << found << " instead of " << right);
             CHECK(found == Approx(right).margin(0.05));
@@ -152,15 +174,18 @@ TEST_CASE_METHOD(OnWater, "rough water reflects what an integral over its visibl
 }
 
 TEST_CASE_METHOD(OnWater, "in a white furnace water sends out no more than arrives, by any method", "[15.furnace]") {
-    scene.file.ambient = glm::vec3(1), background = glm::vec4(1);
+    scene.file.ambient = glm::vec3(1);
+    background = glm::vec4(1);
     scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(1)});
     owner.prepare_all(gpu, scene);
     for (const char* method : {"flat", "sines", "gerstner", "fft"})
         for (const char* reflection : {"cube", "screen_space", "planar"})
             for (const float roughness : {0.0f, 0.1f, 0.5f})
                 for (const float height : {2.0f, -1.0f}) {
-                    water.roughness.value = roughness, water.turbid.value = glm::vec3(1);
-                    camera.position = {0, height, 0}, camera.target = {0, 0, -10};
+                    water.roughness.value = roughness;
+                    water.turbid.value = glm::vec3(1);
+                    camera.position = {0, height, 0};
+                    camera.target = {0, 0, -10};
                     float most = 0;
                     for (const glm::vec3& p : picture(method, reflection, 1.5f).pixels)
                         most = std::max({most, p.r, p.g});
@@ -170,7 +195,10 @@ TEST_CASE_METHOD(OnWater, "in a white furnace water sends out no more than arriv
 }
 
 TEST_CASE_METHOD(OnWater, "water absorbs light on its way down, and back along the refracted ray", "[15.absorption]") {
-    water.roughness.value = 0, water.refraction.value = 0, water.shore_m.value = 0, water.turbid.value = glm::vec3(0);
+    water.roughness.value = 0;
+    water.refraction.value = 0;
+    water.shore_m.value = 0;
+    water.turbid.value = glm::vec3(0);
     water.absorption.value = {0.3f, 0.15f, 0.05f};
     scene.set_sun({.to_sun = {0, -1, 0}, .light = glm::vec3(0), .sky = glm::vec3(0)});
     owner.prepare_all(gpu, scene);
@@ -181,7 +209,8 @@ TEST_CASE_METHOD(OnWater, "water absorbs light on its way down, and back along t
     ground.solid = 1;
     for (const double degrees : {80.0, 45.0, 30.0, 10.0}) {
         const double sine = std::sin(degrees * M_PI / 180);
-        camera.position = {0, 5, 0}, camera.target = {0, 0, float(-5 / std::tan(degrees * M_PI / 180))};
+        camera.position = {0, 5, 0};
+        camera.target = {0, 0, float(-5 / std::tan(degrees * M_PI / 180))};
         const double up = std::sqrt(1 - (1 - sine * sine) / (1.333 * 1.333));
         const glm::dvec3 left = glm::exp(-double(depth) * (1 + 1 / up) * glm::dvec3(water.absorption.value));
         const glm::dvec3 right = (1 - truth::fresnel_water(sine, 1, 1.333)) * left;
@@ -193,10 +222,14 @@ TEST_CASE_METHOD(OnWater, "water absorbs light on its way down, and back along t
 }
 
 TEST_CASE_METHOD(OnWater, "from below: the sky straight above, and past the critical angle the water alone") {
-    water.roughness.value = 0, water.refraction.value = 0, water.absorption.value = glm::vec3(0);
+    water.roughness.value = 0;
+    water.refraction.value = 0;
+    water.absorption.value = glm::vec3(0);
     water.turbid.value = glm::vec3(0.2f, 0.05f, 0.01f);
-    camera.up = {0, 0, -1}, camera.fov_y_rad = 2.2f;  // 63 degrees to the upper edge
-    camera.position = {0, -3, 0}, camera.target = {0, 0, 0};
+    camera.up = {0, 0, -1};  // 63 degrees to the upper edge
+    camera.fov_y_rad = 2.2f;
+    camera.position = {0, -3, 0};
+    camera.target = {0, 0, 0};
     const ImageRgb seen = picture("flat", "none");
     const glm::dvec3 water_light = scattered(*this, 3), sky(background);
     const ViewRays rays = view_rays(view_of(camera, size));
@@ -223,7 +256,8 @@ TEST_CASE_METHOD(OnWater, "the surroundings' cube is asked for by the reflection
         CHECK(water.sees_surroundings(view_of(camera, size)) == differs);
     }
     // Where no mirror image is drawn, the cube stands in for it.
-    water.reflection.set("planar"), camera.position = {0, -1, 0};
+    water.reflection.set("planar");
+    camera.position = {0, -1, 0};
     CHECK(water.sees_surroundings(view_of(camera, size)));
     water.method.set("none");
     CHECK(!water.sees_surroundings(view_of(camera, size)));

@@ -25,7 +25,8 @@ struct OnWater : OnModules {
 
     ImageRgb picture(const std::string& method, const std::string& reflection, float time_s = 0,
                      const Drawings& solid = {}) {
-        water.method.set(method), water.reflection.set(reflection);
+        water.method.set(method);
+        water.reflection.set(reflection);
         begin(size, time_s);
         const View view = view_of(camera, size);
         light.record(frame, scene);

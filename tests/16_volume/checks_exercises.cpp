@@ -43,15 +43,23 @@ CHECK_EXERCISE("16.ray_shell",
                 }};
     const auto add = [&](glm::dvec3 origin, glm::dvec3 direction, double radius) {
         Row row;
-        append(row, glm::vec3(origin)), append(row, glm::vec3(glm::normalize(direction))), row.push_back(radius);
+        append(row, glm::vec3(origin));
+        append(row, glm::vec3(glm::normalize(direction)));
+        row.push_back(radius);
         // At the rim the chord is the root of a small number: there either answer is right.
         const glm::dvec3 from = three(row), along = three(row, 3);
         const double beside = glm::length(from - glm::dot(from, along) * along) / radius;
         if (std::abs(beside - 1) > 1e-3 * std::max(1.0, glm::length(from) / radius / 100)) probe.inputs.push_back(row);
     };
-    add({0, 0, 3}, {0, 0, -1}, 1), add({0, 0, 3}, {0, 0, 1}, 1), add({0, 0, 0}, {0, 1, 0}, 1);
-    add({0, 0.5, 0.5}, {1, 0, 0}, 1), add({0, 0, 3}, {0, 1, 0}, 1), add({0, 0, 1000}, {0, 0, -1}, 1);
-    add({0, 0.9, 1000}, {0, 0, -1}, 1), add({600, 0, 800}, {-0.6, 0, -0.8}, 1), add({0, 0, 0.99}, {0, 0, 1}, 1);
+    add({0, 0, 3}, {0, 0, -1}, 1);
+    add({0, 0, 3}, {0, 0, 1}, 1);
+    add({0, 0, 0}, {0, 1, 0}, 1);
+    add({0, 0.5, 0.5}, {1, 0, 0}, 1);
+    add({0, 0, 3}, {0, 1, 0}, 1);
+    add({0, 0, 1000}, {0, 0, -1}, 1);
+    add({0, 0.9, 1000}, {0, 0, -1}, 1);
+    add({600, 0, 800}, {-0.6, 0, -0.8}, 1);
+    add({0, 0, 0.99}, {0, 0, 1}, 1);
     Random random(16);
     for (int i = 0; i < 300; ++i) {
         const double radius = random.logarithmic(0.1, 10), away = random.logarithmic(0.05, i % 3 ? 10 : 1000) * radius;
@@ -83,7 +91,8 @@ CHECK_EXERCISE("16.ray_box",
             }
             const double first = ((along > 0 ? -half : half) - at) / along,
                          last = ((along > 0 ? half : -half) - at) / along;
-            from = std::max(from, first), to = std::min(to, last);
+            from = std::max(from, first);
+            to = std::min(to, last);
         }
         return glm::dvec2(from, to);
     };

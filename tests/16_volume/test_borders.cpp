@@ -35,7 +35,9 @@ TEST_CASE_METHOD(OnVolume, "simplex noise has no steps: along lines it changes b
 }
 
 TEST_CASE_METHOD(OnVolume, "noise goes on where a moment ends, by each method") {
-    volume.shell.value = true, volume.shell_bumps.value = 0.3f, volume.shell_speed.value = 1;
+    volume.shell.value = true;
+    volume.shell_bumps.value = 0.3f;
+    volume.shell_speed.value = 1;
     for (const char* noise : {"lattice", "simplex", "texture"}) {
         volume.noise.set(noise);
         const double within = mean_difference(picture(7.49f), picture(7.51f));
@@ -49,7 +51,10 @@ TEST_CASE_METHOD(OnVolume, "noise goes on where a moment ends, by each method") 
 
 TEST_CASE_METHOD(OnVolume, "a ray leaves a flat box at the face that it meets first, along each axis") {
     background = {1, 1, 1, 1};
-    volume.transfer.set("even"), volume.method.set("midpoint"), volume.steps.value = 800, volume.glow.value = 0;
+    volume.transfer.set("even");
+    volume.method.set("midpoint");
+    volume.steps.value = 800;
+    volume.glow.value = 0;
     volume.density.value = float(std::log(0.3) / (50 * std::log(0.8)));  // 0.3 gets through half a metre
     const struct {
         glm::ivec3 dims;
@@ -58,7 +63,8 @@ TEST_CASE_METHOD(OnVolume, "a ray leaves a flat box at the face that it meets fi
         {{2, 8, 8}, {3, 0, 0}, {0, 1, 0}}, {{8, 2, 8}, {0, 0, 3}, {0, 1, 0}}, {{8, 8, 2}, {0, 3, 0}, {0, 0, 1}}};
     for (const auto& view : views) {
         load(view.dims, [](int, int, int) { return 1.0f; });
-        camera.position = view.eye, camera.up = view.up;
+        camera.position = view.eye;
+        camera.up = view.up;
         INFO(view.dims.x << " x " << view.dims.y << " x " << view.dims.z);
         CHECK(double(middle().g) == Approx(0.3).epsilon(0.03));
     }
@@ -68,7 +74,9 @@ TEST_CASE_METHOD(OnVolume,
                  "the reference is the integral: dense matter in thousands of steps, none of them rounded away") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
     background = {1, 1, 1, 1};
-    volume.transfer.set("even"), volume.method.set("exact"), volume.glow.value = 0;
+    volume.transfer.set("even");
+    volume.method.set("exact");
+    volume.glow.value = 0;
     volume.density.value = float(std::log(0.3) / (200 * std::log(0.8)));  // 0.3 gets through 2 m
     for (const int samples : {4, 48, 192}) {                              // per voxel: 192 are 1,536 steps
         volume.truth_samples.value = samples;
@@ -79,7 +87,10 @@ TEST_CASE_METHOD(OnVolume,
 
 TEST_CASE_METHOD(OnVolume, "a wall ends a ray where they meet, also in the picture's corner, which is farther away") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
-    volume.transfer.set("even"), volume.density.value = 0.03f, volume.steps.value = 128, volume.method.set("midpoint");
+    volume.transfer.set("even");
+    volume.density.value = 0.03f;
+    volume.steps.value = 128;
+    volume.method.set("midpoint");
     wall_m = 2.15f;  // along the view: 0.15 m behind the face of the box
     const glm::dvec2 corner =
         std::tan(0.3) * glm::dvec2(double(size.x) / size.y * (1 - 1.0 / size.x), 1 - 1.0 / size.y);
@@ -122,7 +133,8 @@ TEST_CASE_METHOD(OnVolume, "in a white furnace the glass shell neither gains nor
 
 TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture where steps are longer than blocks, and in even matter",
                  "[16.skipping]") {
-    volume.field.voxels.value = 32, background = {0.5f, 0.4f, 0.3f, 1};
+    volume.field.voxels.value = 32;
+    background = {0.5f, 0.4f, 0.3f, 1};
     const auto differs = [&] {
         volume.method.set("midpoint");
         const ImageRgb right = picture();
@@ -131,7 +143,8 @@ TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture where steps are lo
     };
     // Steps of 32 voxels to less than one: the first sample behind an empty block is taken, and no sample twice.
     load({64, 64, 64}, [](int x, int y, int z) { return (x / 9 + y / 11 + z / 7) % 5 == 0 ? 0.6f : 0.0f; });
-    volume.transfer.set("even"), volume.density.value = 0.05f;
+    volume.transfer.set("even");
+    volume.density.value = 0.05f;
     for (const int steps : {2, 3, 5, 7, 11, 19, 40, 90}) {
         volume.steps.value = steps;
         INFO(steps << " steps");

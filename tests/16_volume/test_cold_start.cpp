@@ -8,7 +8,8 @@ namespace {
 
 struct OnNebula : OnVolume {
     OnNebula() {
-        volume.method.set("skipping"), volume.light.set("volume");
+        volume.method.set("skipping");
+        volume.light.set("volume");
         volume.wave.value = 0.05f;
     }
 };

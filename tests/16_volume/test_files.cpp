@@ -103,14 +103,17 @@ TEST_CASE("a lathe's panels: triangles face outwards, texture rectangles cover i
     CHECK(triangles < 40000);
 }
 
-TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of the cache is not believed") {
+TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of the cache is not believed",
+                 "[16.baked]") {
     frame.end();
     const Folder folder;
     const auto file = folder.write("test.lathe", plain_lathe);
     struct Owner : Module {
     } owner;
     Finish finish(owner, "finish");
-    finish.width.value = 128, finish.bake_rays.value = 8, finish.bake_m.value = 10;
+    finish.width.value = 128;
+    finish.bake_rays.value = 8;
+    finish.bake_m.value = 10;
     Scene scene;
     SceneFile scene_file;
     scene_file.objects.push_back({.name = "ring", .parent = "", .model = file});
@@ -160,7 +163,9 @@ TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the op
     struct Owner : Module {
     } owner;
     Finish finish(owner, "finish");
-    finish.width.value = 768, finish.bake_rays.value = 128, finish.bake_m.value = 10;
+    finish.width.value = 768;
+    finish.bake_rays.value = 128;
+    finish.bake_m.value = 10;
     Scene scene;
     SceneFile scene_file;
     scene_file.objects.push_back({.name = "tube", .parent = "", .model = file});

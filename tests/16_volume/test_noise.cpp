@@ -22,7 +22,8 @@ TEST_CASE("time in floats: after a week a frame is less than a step; the noise's
 }
 
 TEST_CASE_METHOD(OnVolume, "a week later the shell still moves, and evenly, for each noise") {
-    volume.shell.value = true, volume.shell_bumps.value = 0.3f;
+    volume.shell.value = true;
+    volume.shell_bumps.value = 0.3f;
     for (const char* noise : {"lattice", "simplex", "texture"}) {
         volume.noise.set(noise);
         const auto change = [&](float from, float to) { return mean_difference(picture(from), picture(to)); };
@@ -34,7 +35,8 @@ TEST_CASE_METHOD(OnVolume, "a week later the shell still moves, and evenly, for 
     }
 }
 
-TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, even near 0; integers are the same") {
+TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, even near 0; integers are the same",
+                 "[16.hash]") {
     double apart = 0;
     int count = 0;
     for (int x = -10; x <= 10; ++x)
@@ -60,7 +62,8 @@ TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, eve
     for (size_t i = 0; i < found.size(); ++i) {
         const Row& in = probe.inputs[i];
         CHECK(found[i][0] == Approx(truth::lattice_4d({int(in[0]), int(in[1]), int(in[2]), int(in[3])})).margin(1e-6));
-        sum += found[i][0], squares += found[i][0] * found[i][0];
+        sum += found[i][0];
+        squares += found[i][0] * found[i][0];
     }
     CHECK(std::fabs(sum / 500) < 0.1);
     CHECK(squares / 500 == Approx(1.0 / 3).margin(0.06));
@@ -74,7 +77,8 @@ TEST_CASE("4-D noise in a cell's middle has 1/16 of its variance with linear wei
         const glm::ivec4 cell(random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), i);
         const double corner = truth::noise_4d(cell, glm::dvec4(0), truth::Weight::linear),
                      middle = truth::noise_4d(cell, glm::dvec4(0.5), truth::Weight::linear);
-        at_corner += corner * corner, in_middle += middle * middle;
+        at_corner += corner * corner;
+        in_middle += middle * middle;
     }
     fmt::print("variance in the middle: 1/{:.1f} of that at a corner\n", at_corner / in_middle);
     CHECK(at_corner / in_middle == Approx(16).epsilon(0.05));
@@ -82,7 +86,7 @@ TEST_CASE("4-D noise in a cell's middle has 1/16 of its variance with linear wei
 
 TEST_CASE(
     "sampling rules against 2^16 steps: midpoint and trapezium for what is smooth, preintegration for a thin layer",
-    "[figures]") {
+    "[figures][16.rules]") {
     // A density that goes up and down along the ray; a transfer function that is smooth, and one 0.02 of the range thick.
     const auto density = [](double s) { return 0.5 + 0.45 * std::sin(3 * s + 1) * std::cos(2 * s); };
     for (const bool thin : {false, true}) {
@@ -110,7 +114,10 @@ TEST_CASE(
                                              -std::expm1(-extinction(0.5 * (a + b)) * length),
                                              truth::preintegrate(transfer, density(a), density(b), ratio).w,
                                              std::min(extinction(a) * length, 1.0)};
-                for (int m = 0; m < 5; ++m) sum[m] += through[m] * opacities[m], through[m] *= 1 - opacities[m];
+                for (int m = 0; m < 5; ++m) {
+                    sum[m] += through[m] * opacities[m];
+                    through[m] *= 1 - opacities[m];
+                }
             }
             fmt::print(
                 "{}, {:3} steps: off by left {:.5f}, trapezium {:.5f}, midpoint {:.5f}, preintegrated {:.5f}, "
@@ -128,7 +135,7 @@ TEST_CASE(
     "gradients by central differences of Marschner and Lobb's signal: finer is better, but not in 8 bits, where "
     "Sobel's "
     "27 voxels help",
-    "[figures]") {
+    "[figures][16.gradients]") {
     constexpr double pi = 3.14159265358979;
     const auto signal = [](glm::dvec3 p) {
         const double r = std::sqrt(p.x * p.x + p.y * p.y);
@@ -150,7 +157,8 @@ TEST_CASE(
                 for (int u = -1; u <= 1; ++u)
                     for (int v = -1; v <= 1; ++v) {
                         glm::ivec3 beside = at;
-                        beside[(axis + 1) % 3] += u, beside[(axis + 2) % 3] += v;
+                        beside[(axis + 1) % 3] += u;
+                        beside[(axis + 2) % 3] += v;
                         difference +=
                             (2 - std::abs(u)) * (2 - std::abs(v)) * (voxel(beside + step) - voxel(beside - step));
                     }
@@ -177,7 +185,8 @@ TEST_CASE(
                 if (glm::length(found) > 0) sum += angle(found, right);
                 if (glm::length(around) > 0) sobel_sum += angle(around, right);
             }
-            degrees[k][bytes] = sum / count * 180 / pi, sobels[k][bytes] = sobel_sum / count * 180 / pi;
+            degrees[k][bytes] = sum / count * 180 / pi;
+            sobels[k][bytes] = sobel_sum / count * 180 / pi;
         }
     for (int k = 0; k < 4; ++k)
         fmt::print("{}³ voxels: off by {:.2f}° as floats, {:.2f}° in 8 bits; by Sobel's {:.2f}°, {:.2f}°\n", sizes[k],

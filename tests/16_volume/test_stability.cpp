@@ -9,21 +9,27 @@ using namespace lightwalk;
 TEST_CASE_METHOD(OnVolume,
                  "an even volume: every method gives the closed form, from outside, inside and before a wall") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
-    volume.transfer.set("even"), volume.density.value = 0.03f, volume.steps.value = 128;
+    volume.transfer.set("even");
+    volume.density.value = 0.03f;
+    volume.steps.value = 128;
     for (const char* method : every_method) {
         volume.method.set(method);
         INFO(method);
         // Rays through the middle go 2 m through the box, a pixel or so off the axis.
-        camera.position = {0, 0, 3}, wall_m = 0;
+        camera.position = {0, 0, 3};
+        wall_m = 0;
         CHECK(double(middle().g) == Approx(even_light(2, 0.03)).margin(std::string(method) == "sum" ? 0.01 : 0.002));
         // The eye in the middle: the half that lies before it, and no more.
         camera.position = {0, 0, 1e-4f};
         CHECK(double(middle().g) == Approx(even_light(1, 0.03)).margin(0.01));
         // A wall a quarter of the way in.
-        camera.position = {0, 0, 3}, wall_m = 2.5f;
+        camera.position = {0, 0, 3};
+        wall_m = 2.5f;
         CHECK(double(middle().g) == Approx(even_light(0.5, 0.03)).margin(0.01));
         // The eye behind it: nothing.
-        camera.position = {0, 0, -3}, camera.target = {0, 0, -9}, wall_m = 0;
+        camera.position = {0, 0, -3};
+        camera.target = {0, 0, -9};
+        wall_m = 0;
         CHECK(middle().g == 0);
         camera.target = {0, 0, 0};
     }
@@ -33,7 +39,8 @@ TEST_CASE_METHOD(OnVolume,
                  "a ball seen from 1,000 m, its rim on pixels: every one is a number, and the ball is there") {
     camera = {.position = {0.0f, 0.0f, 1000.0f}, .fov_y_rad = 0.0025f};
     for (const char* method : every_method) {
-        volume.method.set(method), volume.shell.value = true;
+        volume.method.set(method);
+        volume.shell.value = true;
         const ImageRgb seen = picture();
         CHECK(all_finite(seen));
         double sum = 0;
@@ -51,7 +58,9 @@ TEST_CASE_METHOD(OnVolume, "opacity that is not corrected: twice the steps let 0
     CHECK(std::pow(0.95, 64) == Approx(0.04).margin(0.005));
     CHECK(std::pow(1 - truth::correct_opacity(0.05, 0.5), 64) == Approx(std::pow(0.95, 32)));
     load({16, 16, 16}, [](int x, int y, int z) { return float((x + y + z) % 3) / 2; });
-    volume.transfer.set("even"), volume.density.value = 0.05f, volume.method.set("midpoint");
+    volume.transfer.set("even");
+    volume.density.value = 0.05f;
+    volume.method.set("midpoint");
     volume.steps.value = 128;
     const ImageRgb coarse = picture();
     volume.steps.value = 256;
@@ -62,9 +71,12 @@ TEST_CASE_METHOD(OnVolume, "opacity that is not corrected: twice the steps let 0
 }
 
 TEST_CASE_METHOD(OnVolume,
-                 "an early exit at a transmittance of 0.01 loses 0.5 of a lamp of radiance 50 behind the volume") {
+                 "an early exit at a transmittance of 0.01 loses 0.5 of a lamp of radiance 50 behind the volume",
+                 "[16.early_exit]") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
-    volume.transfer.set("even"), volume.method.set("midpoint"), volume.steps.value = 400;
+    volume.transfer.set("even");
+    volume.method.set("midpoint");
+    volume.steps.value = 400;
     volume.glow.value = 0;
     background = {50, 50, 50, 1};
     // 0.0099 of the light gets through 2 m.
@@ -83,7 +95,7 @@ TEST_CASE_METHOD(OnVolume,
 }
 
 TEST_CASE("blocks without a border lose samples: of those that read something in a sparse volume a good part",
-          "[figures]") {
+          "[figures][16.borders]") {
     // A sample reads 8 voxels; its block is that of the voxel it lies in.
     Random random(5);
     const int n = 64;
@@ -152,7 +164,8 @@ TEST_CASE_METHOD(OnVolume, "an empty volume leaves the picture as it was, by eve
     background = {0.25f, 0.5f, 2, 1};
     for (const char* method : every_method)
         for (const char* transfer : {"even", "nebula", "skin"}) {
-            volume.method.set(method), volume.transfer.set(transfer);
+            volume.method.set(method);
+            volume.transfer.set(transfer);
             for (const glm::vec3& pixel : picture().pixels) CHECK(pixel == glm::vec3(0.25f, 0.5f, 2));
         }
 }
@@ -160,7 +173,8 @@ TEST_CASE_METHOD(OnVolume, "an empty volume leaves the picture as it was, by eve
 TEST_CASE_METHOD(OnVolume,
                  "one voxel that is NaN, one that is infinite, one below 0: no pixel is, nor its neighbours dark") {
     const auto plain = [](int, int, int) { return 0.5f; };
-    volume.transfer.set("even"), volume.density.value = 0.02f;
+    volume.transfer.set("even");
+    volume.density.value = 0.02f;
     load({16, 16, 16}, plain);
     for (const char* method : every_method) {
         volume.method.set(method);
@@ -181,7 +195,8 @@ TEST_CASE_METHOD(OnVolume,
 
 TEST_CASE_METHOD(OnVolume,
                  "jitter moves on from picture to picture, and their mean goes to the truth; what moves starts anew") {
-    volume.steps.value = 12, volume.method.set("exact");
+    volume.steps.value = 12;
+    volume.method.set("exact");
     const ImageRgb right = picture();
     volume.method.set("jittered");
     const ImageRgb first = picture();
@@ -201,13 +216,16 @@ TEST_CASE_METHOD(OnVolume,
     picture();
     CHECK(volume.pictures(0) == 1);
     volume.wave.value = 0.01f;
-    picture(1), picture(2);
+    picture(1);
+    picture(2);
     CHECK(volume.pictures(0) == 1);
 }
 
-TEST_CASE_METHOD(OnVolume, "light from a volume of half resolution is near that of a second march") {
+TEST_CASE_METHOD(OnVolume, "light from a volume of half resolution is near that of a second march", "[16.half_light]") {
     volume.field.voxels.value = 96;
-    volume.light.set("march"), volume.light_steps.value = 24, volume.glow.value = 0;
+    volume.light.set("march");
+    volume.light_steps.value = 24;
+    volume.glow.value = 0;
     const ImageRgb right = picture();
     volume.light.set("volume");
     const double off = mean_difference(right, picture());

@@ -9,7 +9,9 @@ TEST_CASE_METHOD(OnVolume, "a density behind the last empty entry of the functio
                  "[16.transfer]") {
     const float entries = TRANSFER_TEXELS - 1, last_empty = std::floor(0.12f * entries);  // skin begins at 0.12
     load({8, 8, 8}, [&](int, int, int) { return (last_empty + 0.5f) / entries; });
-    volume.transfer.set("skin"), volume.steps.value = 64, volume.method.set("midpoint");
+    volume.transfer.set("skin");
+    volume.steps.value = 64;
+    volume.method.set("midpoint");
     const ImageRgb right = picture();
     REQUIRE(middle().g > 0.01f);
     volume.method.set("skipping");
@@ -19,7 +21,9 @@ TEST_CASE_METHOD(OnVolume, "a density behind the last empty entry of the functio
 TEST_CASE_METHOD(OnVolume, "even matter is as opaque by the table as by its own opacity, also at an edge",
                  "[16.transfer]") {
     load({8, 8, 8}, [](int, int, int) { return 0.13f; });
-    volume.transfer.set("skin"), volume.density.value = 0.01f, volume.steps.value = 64;
+    volume.transfer.set("skin");
+    volume.density.value = 0.01f;
+    volume.steps.value = 64;
     volume.method.set("midpoint");
     const double right = double(middle().g);
     REQUIRE(right > 0.01);

@@ -42,7 +42,8 @@ struct OnVolume {
 
     OnVolume() {
         volume.field.voxels.value = 32;
-        volume.light.set("none"), volume.shell.value = false;
+        volume.light.set("none");
+        volume.shell.value = false;
         volume.glow.value = 1;
         owner.prepare_all(gpu, scene);
     }

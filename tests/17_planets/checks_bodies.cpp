@@ -19,7 +19,9 @@ CHECK_EXERCISE("17.camera_relative", "subtract in double precision, then round t
         const glm::dvec3 x(random.direction()), y = glm::normalize(glm::cross(x, glm::dvec3(random.direction())));
         glm::dmat4 matrix(1.0);
         const double scale = random.uniform(0.5, 2);
-        matrix[0] = glm::dvec4(scale * x, 0), matrix[1] = glm::dvec4(y, 0), matrix[2] = glm::dvec4(glm::cross(x, y), 0);
+        matrix[0] = glm::dvec4(scale * x, 0);
+        matrix[1] = glm::dvec4(y, 0);
+        matrix[2] = glm::dvec4(glm::cross(x, y), 0);
         matrix[3] = glm::dvec4(camera + offset, 1);
         const glm::dvec3 right = glm::dvec3(matrix[3]) - camera;  // exact content of the doubles
         const std::string what =
@@ -76,8 +78,10 @@ std::vector<glm::dvec3> slow_normals(int width, int height, const std::vector<fl
     for (int i = 0; i < (slip == Slip::octave_0 ? 1 : octaves); ++i) {
         const std::vector<double> coarse = blur(1 << i);
         double sum = 0, squares = 0;
-        for (size_t k = 0; k < fine.size(); ++k)
-            sum += fine[k] - coarse[k], squares += (fine[k] - coarse[k]) * (fine[k] - coarse[k]);
+        for (size_t k = 0; k < fine.size(); ++k) {
+            sum += fine[k] - coarse[k];
+            squares += (fine[k] - coarse[k]) * (fine[k] - coarse[k]);
+        }
         const double n = double(fine.size()), deviation = std::sqrt(std::max(0.0, squares / n - sum / n * sum / n));
         const double size = slip == Slip::size ? 1 : 1 << i, by = slip == Slip::even ? 1 : deviation;
         for (size_t k = 0; k < fine.size() && deviation > 1e-9; ++k) heights[k] += size * (fine[k] - coarse[k]) / by;

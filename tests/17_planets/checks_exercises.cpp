@@ -190,8 +190,12 @@ CHECK_EXERCISE("17.ellipsoid_shadow", "stretch the point and the direction along
         glm::dvec3 point = radius * (random.uniform(0.8, 1.1) * side - random.uniform(1.3, 3) * to_sun);
         if (i % 11 == 0) point = -point;
         Row row;
-        append(row, glm::vec3(point)), append(row, glm::vec3(pole));
-        row.push_back(radius), row.push_back(f), append(row, glm::vec3(to_sun)), row.push_back(sun_rad);
+        append(row, glm::vec3(point));
+        append(row, glm::vec3(pole));
+        row.push_back(radius);
+        row.push_back(f);
+        append(row, glm::vec3(to_sun));
+        row.push_back(sun_rad);
         const double seen = truth::ellipsoid_shadow(point, pole, radius, f, to_sun, sun_rad, 24);
         if (i % 5 == 0 && seen > 0 && seen < 1) continue;  // a sun so small is a matter of one pixel
         probe.inputs.push_back(row);

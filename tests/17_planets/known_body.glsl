@@ -40,7 +40,8 @@ vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad) { retu
 
 // A white body of that radius, lit from where it is seen best.
 void known_body(float radius) {
-    body.radius = radius, body.flattening = body.other_radius = body.cloud_turn = 0.0;
+    body.radius = radius;
+    body.flattening = body.other_radius = body.cloud_turn = 0.0;
     body.surface.relief = body.surface.gloss = body.surface.ice = 0.0;
     body.sunlight = body.surface.tint = body.surface.terminator = vec3(1.0);
 }

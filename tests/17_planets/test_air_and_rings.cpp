@@ -119,7 +119,8 @@ TEST_CASE_METHOD(OnPlanets, "from far away no more of the rings lies before the 
         for (int x = 0; x < 96; ++x) {
             if (std::hypot(x + 0.5 - 48, y + 0.5 - 32) > 0.8 * radius_px) continue;
             const bool here = is_ring(x, y), opposite = is_ring(95 - x, 63 - y);
-            before += here || opposite, both += here && opposite;
+            before += here || opposite;
+            both += here && opposite;
         }
     CHECK(before > 10);
     CHECK(both == 0);

@@ -85,9 +85,10 @@ TEST_CASE_METHOD(DeviceTest,
         return Row{in[0] - 140 * 86400 * in[2] / (around_m * std::cos(glm::radians(25.0))), in[1]};
     };
     carried.bound = {.absolute = 1e-4};
-    for (const double days : {0.0, 1.0, 3.0})
-        scrolled.inputs.push_back({double(float(0.8)), 0.25, days}),
-            carried.inputs.push_back({double(float(0.8)), double(float(0.5 - 25.0 / 180)), days});
+    for (const double days : {0.0, 1.0, 3.0}) {
+        scrolled.inputs.push_back({double(float(0.8)), 0.25, days});
+        carried.inputs.push_back({double(float(0.8)), double(float(0.5 - 25.0 / 180)), days});
+    }
     CHECK(worst_of(scrolled, run_probe(gpu, scrolled, 2)) == "");
     CHECK(worst_of(carried, run_probe(gpu, carried, 2)) == "");
 }
@@ -148,4 +149,25 @@ TEST_CASE_METHOD(DeviceTest,
                 .bound = {.absolute = 1e-3, .relative = 5e-3},
                 .macros = {}};
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}
+
+TEST_CASE(
+    "two frames of a wind known to within delta: contrast |cos(pi delta / lambda)| halfway; unrelated frames keep "
+    "0.71",
+    "[17.two_frames]") {
+    const double wave = 1, pi = glm::pi<double>();
+    for (const double delta : {0.1, 0.25, 0.5}) {
+        // A(x - v t) and B(x + v (1 - t)) of clouds that move by v + delta.
+        const double v = 0.37, t = 0.5;
+        double most = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double x = i / 2000.0;
+            const auto clouds = [&](double at, double time) {
+                return std::cos(2 * pi * (at - (v + delta) * time) / wave);
+            };
+            most = std::max(most, std::fabs((1 - t) * clouds(x - v * t, 0) + t * clouds(x + v * (1 - t), 1)));
+        }
+        CHECK(most == Approx(std::fabs(std::cos(pi * delta / wave))).margin(1e-3));
+    }
+    CHECK(std::sqrt(0.5 * 0.5 + 0.5 * 0.5) == Approx(0.71).margin(0.01));
 }

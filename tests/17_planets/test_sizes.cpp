@@ -6,7 +6,7 @@
 using namespace lightwalk;
 
 TEST_CASE("penumbras in pixels: none in a portrait of Saturn, many where the Moon's shadow falls on the Earth",
-          "[figures]") {
+          "[figures][17.penumbras]") {
     // Across the light a penumbra is as wide as the sun's disc after the shadow's way. A pixel of a portrait of 540 lines and
     // 26 degrees, so many radii away, is this wide.
     const auto pixel_m = [](double radius_m, double radii) {
@@ -28,7 +28,8 @@ TEST_CASE("penumbras in pixels: none in a portrait of Saturn, many where the Moo
     CHECK(wide / earth_pixel > 100);
 }
 
-TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, dozens from 400 km above", "[figures]") {
+TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, dozens from 400 km above",
+          "[figures][17.parallax]") {
     // A summit of 8.8 km is moved by its height times the tangent of the angle at which it is seen: here 45 degrees.
     const double summit_m = 8849, portrait_m = 6378137 * 4.9 * 2 * std::tan(glm::radians(13.0)) / 540;
     const double low_m = 400e3 * std::sqrt(2.0) * 2 * std::tan(glm::radians(13.0)) / 540;
@@ -75,7 +76,8 @@ TEST_CASE(
         for (int i = 0; i < 360; ++i) {
             const glm::dvec3 a = place_body(body, year * i / 360).position,
                              b = place_body(body, year * (i + 1) / 360).position;
-            orbit += glm::cross(a, b), away += glm::length(a) / 360;
+            orbit += glm::cross(a, b);
+            away += glm::length(a) / 360;
         }
         const double angle = glm::degrees(std::acos(glm::dot(glm::normalize(orbit), place_body(body, 0).axes[1])));
         fmt::print("{}: tilt {:.1f} degrees, sun {:.3f}\n", body_names()[size_t(body)], angle,
@@ -93,7 +95,8 @@ TEST_CASE("Mercury's wide sun moves n.l by 0.0026 at most: it is no reason to wr
         double sum = 0, area = 0;
         for (int i = 0; i < 400; ++i) {
             const double at = -1 + (i + 0.5) / 200, chord = std::sqrt(1 - at * at);
-            sum += chord * std::max(std::sin(std::asin(middle) + half * at), 0.0), area += chord;
+            sum += chord * std::max(std::sin(std::asin(middle) + half * at), 0.0);
+            area += chord;
         }
         worst = std::max(worst, std::fabs(sum / area - std::max(middle, 0.0)));
     }
@@ -112,8 +115,10 @@ TEST_CASE("Neptune's pole is where NASA's fact sheet has it, and circles about i
 
 TEST_CASE("the edges of Saturn's rings are NASA's") {
     std::vector<double> edges;
-    for (const RingPart& part : ring_parts(BodyId::saturn))
-        edges.push_back(part.inner_m / 1e3), edges.push_back(part.outer_m / 1e3);
+    for (const RingPart& part : ring_parts(BodyId::saturn)) {
+        edges.push_back(part.inner_m / 1e3);
+        edges.push_back(part.outer_m / 1e3);
+    }
     for (const double edge : {74658.0, 92000.0, 117580.0, 122170.0, 133423.0, 133745.0, 136775.0})
         CHECK(std::any_of(edges.begin(), edges.end(), [&](double e) { return std::fabs(e - edge) < 1; }));
     for (const RingPart& part : ring_parts(BodyId::saturn)) {
@@ -124,7 +129,8 @@ TEST_CASE("the edges of Saturn's rings are NASA's") {
     }
 }
 
-TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals are 5.9 degrees off", "[figures]") {
+TEST_CASE("a sphere in place of Saturn: its shadow is 8% too long, its normals are 5.9 degrees off",
+          "[figures][17.saturn_sphere]") {
     const double r = 60268, f = 0.098, sun = glm::radians(26.7);
     const glm::dvec3 to_sun(0, std::sin(sun), std::cos(sun)), pole(0, 1, 0);
     // Where on the ring's plane, opposite to the sun, does the shadow end?

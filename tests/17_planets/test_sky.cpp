@@ -14,9 +14,11 @@ struct OnSky : OnPlanets {
     OnSky() {
         planets.at.set("neptune");
         owner.prepare_all(gpu, scene);
-        with_stars = true, with_planets = false;
+        with_stars = true;
+        with_planets = false;
         exact_eye = glm::dvec3(0.0);
-        camera.position = glm::vec3(0.0f), camera.up = {0.1f, 0.9f, 0.2f};
+        camera.position = glm::vec3(0.0f);
+        camera.up = {0.1f, 0.9f, 0.2f};
     }
     void look_to(double right_ascension_deg, double declination_deg) {
         camera.target = glm::vec3(direction_of(right_ascension_deg, declination_deg));
@@ -26,11 +28,14 @@ struct OnSky : OnPlanets {
 }  // namespace
 
 TEST_CASE_METHOD(OnSky, "a part of the sky's picture is that part, with the images of stars beyond its edges") {
-    stars.milky_way.value = 0, stars.sigma.value = 0.02f, camera.fov_y_rad = 0.9f;
+    stars.milky_way.value = 0;
+    stars.sigma.value = 0.02f;
+    camera.fov_y_rad = 0.9f;
     look_to(84, -1);  // Orion's belt
     size = {96, 64};
     const ImageRgb whole = picture();
-    crop.whole = size, size = {20, 16};
+    crop.whole = size;
+    size = {20, 16};
     for (const glm::uvec2 corner : {glm::uvec2(0, 0), {38, 24}, {41, 27}, {52, 36}, {76, 48}}) {
         crop.origin = corner;
         const ImageRgb part = picture();
@@ -63,11 +68,13 @@ glm::dvec3 galactic_direction(double longitude, double latitude) {
 
 // Half a texel off, in the map or in the picture's pixels, a pixel has the mean of two texels.
 TEST_CASE_METHOD(OnSky, "the middle of a pixel that looks at the middle of the Milky Way's texel has its colour") {
-    stars.brightness.value = 0, stars.milky_way.value = 1;
+    stars.brightness.value = 0;
+    stars.milky_way.value = 1;
     const DecodedTexture map = decode_texture(find_asset("planets_2k/stars.jpg"), TextureKind::color);
     const uint32_t level = 5, columns = map.desc.size.x >> level, rows = map.desc.size.y >> level;
     // A pixel as wide as a texel of that level.
-    size = {9, 9}, camera.fov_y_rad = float(2 * std::atan(0.5 * size.y * glm::pi<double>() / rows));
+    size = {9, 9};
+    camera.fov_y_rad = float(2 * std::atan(0.5 * size.y * glm::pi<double>() / rows));
     const auto code = [](std::byte value) { return double(srgb_to_linear(uint8_t(value))); };
     const auto texel = [&](uint32_t column, uint32_t row) {
         const std::byte* at = &map.levels.at(level)[4 * (row * columns + column % columns)];
@@ -90,7 +97,9 @@ TEST_CASE_METHOD(OnSky, "the middle of a pixel that looks at the middle of the M
 
 TEST_CASE_METHOD(OnPlanets,
                  "a dark planet hides the sky by its disc, also where that is a few pixels wide; a wall hides it") {
-    planets.exposure.value = 0, stars.brightness.value = 0, stars.milky_way.value = 400;
+    planets.exposure.value = 0;
+    stars.brightness.value = 0;
+    stars.milky_way.value = 400;
     with_stars = true;
     look_at("mercury", 6);
     const double radius = traits(BodyId::mercury).radius_m,
@@ -105,10 +114,13 @@ TEST_CASE_METHOD(OnPlanets,
         const double right = 0.25 * glm::pi<double>() * diameter_px * diameter_px;
         fmt::print("a disc of {} px hides {:.2f} pixels, its area is {:.2f}\n", diameter_px, share, right);
         CHECK(share == Approx(right).epsilon(0.06));
-        with_stars = false, planets.exposure.value = 1;
+        with_stars = false;
+        planets.exposure.value = 1;
         CHECK(sum_of(picture()) > 0);
         wall = 0.5f;
         CHECK(sum_of(picture()) == 0);
-        wall = 0, with_stars = true, planets.exposure.value = 0;
+        wall = 0;
+        with_stars = true;
+        planets.exposure.value = 0;
     }
 }

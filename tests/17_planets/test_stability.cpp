@@ -11,7 +11,8 @@
 
 using namespace lightwalk;
 
-TEST_CASE("a camera at 30 AU in floats jumps by 524 km; subtracted in double precision it does not move", "[figures]") {
+TEST_CASE("a camera at 30 AU in floats jumps by 524 km; subtracted in double precision it does not move",
+          "[figures][17.float_camera]") {
     const glm::dvec3 neptune = place_body(BodyId::neptune, 6500).position;
     const float far = static_cast<float>(glm::length(neptune));
     const double jump = static_cast<double>(std::nextafter(far, 1e30f) - far);
@@ -31,12 +32,13 @@ TEST_CASE("a camera at 30 AU in floats jumps by 524 km; subtracted in double pre
 }
 
 TEST_CASE_METHOD(
-    OnPlanets,
-    "a camera that moves past Neptune in steps of 20 km: the picture moves evenly, in floats it would jump") {
+    OnPlanets, "a camera that moves past Neptune in steps of 20 km: the picture moves evenly, in floats it would jump",
+    "[17.even_motion]") {
     look_at("neptune", 6, 30);
     const glm::dvec3 middle = place_body(BodyId::neptune, planets.days_at(0)).position;
     const glm::dvec3 away = glm::normalize(glm::dvec3(0.3, 0.2, 1)) * 6.0 * traits(BodyId::neptune).radius_m;
-    camera.position = glm::vec3(0), camera.target = glm::vec3(-away);
+    camera.position = glm::vec3(0);
+    camera.target = glm::vec3(-away);
     // Where the light's centre is, across.
     const auto centre = [&](bool floats, int i) {
         const glm::dvec3 eye = middle + away + glm::dvec3(2e4 * i, 0, 0);
@@ -44,7 +46,10 @@ TEST_CASE_METHOD(
         const ImageRgb seen = picture();
         double sum = 0, moment = 0;
         for (int y = 0; y < seen.height; ++y)
-            for (int x = 0; x < seen.width; ++x) sum += double(seen.at(x, y).g), moment += x * double(seen.at(x, y).g);
+            for (int x = 0; x < seen.width; ++x) {
+                sum += double(seen.at(x, y).g);
+                moment += x * double(seen.at(x, y).g);
+            }
         return moment / sum;
     };
     double most = 0, most_float = 0;
@@ -58,7 +63,7 @@ TEST_CASE_METHOD(
 }
 
 TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its light wherever it lies between pixels",
-                 "[figures]") {
+                 "[figures][17.small_planet]") {
     look_at("mars", 6, 30);
     for (const double diameter_px : {2.0, 1.0, 0.5}) {
         const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
@@ -70,11 +75,15 @@ TEST_CASE_METHOD(OnPlanets, "a planet of two, one and half a pixel keeps its lig
             const ImageRgb seen = picture(0, shift);
             double sum = 0, moment = 0;
             for (int y = 0; y < seen.height; ++y)
-                for (int x = 0; x < seen.width; ++x)
-                    sum += double(seen.at(x, y).g), moment += x * double(seen.at(x, y).g);
-            least = std::min(least, sum), most = std::max(most, sum);
+                for (int x = 0; x < seen.width; ++x) {
+                    sum += double(seen.at(x, y).g);
+                    moment += x * double(seen.at(x, y).g);
+                }
+            least = std::min(least, sum);
+            most = std::max(most, sum);
             const double centre = moment / sum + double(shift.x);  // stays, as the picture shifts the other way
-            left = std::min(left, centre), right = std::max(right, centre);
+            left = std::min(left, centre);
+            right = std::max(right, centre);
         }
         fmt::print("{} px: light {:.4f} to {:.4f}, its centre within {:.3f} px\n", diameter_px, least, most,
                    right - left);
@@ -130,8 +139,10 @@ TEST_CASE_METHOD(OnPlanets, "air, clouds, bands and rings shine in a body of a f
 TEST_CASE_METHOD(OnPlanets, "stars: the same light at every resolution, wherever they lie between pixels") {
     planets.at.set("neptune");
     owner.prepare_all(gpu, scene);
-    with_stars = true, stars.milky_way.value = 0;
-    camera.position = {0, 0, 1e9f}, camera.target = {0, 3e8f, 2e9f};  // away from the planet
+    with_stars = true;
+    stars.milky_way.value = 0;
+    camera.position = {0, 0, 1e9f};  // away from the planet
+    camera.target = {0, 3e8f, 2e9f};
     const auto light = [&](glm::uvec2 pixels, glm::vec2 shift) {
         size = pixels;
         return sum_of(picture(0, shift)) / (double(pixels.y) * pixels.y);
@@ -151,7 +162,8 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
         // The largest step between neighbours along the equator, by the longitude in the middle of the picture.
         double steps[12];
         for (int i = 0; i < 12; ++i) {
-            planets.turn_deg.value = 30.0f * float(i), planets.rings.set("alpha");
+            planets.turn_deg.value = 30.0f * float(i);
+            planets.rings.set("alpha");
             const ImageRgb seen = picture();
             double worst = 0;
             for (int y = 24; y < 40; ++y)
@@ -166,7 +178,8 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
     }
     // From above a pole: around it the light varies no more than the map's row there.
     look_at("mars", 3.2, 80, 89.9);
-    planets.method.set("wrapped"), planets.relief.value = 0;
+    planets.method.set("wrapped");
+    planets.relief.value = 0;
     const ImageRgb seen = picture();
     double worst = 0;
     for (int y = 30; y < 34; ++y)
@@ -175,7 +188,8 @@ TEST_CASE_METHOD(OnPlanets, "date line and poles: no seam, where maps meet thems
     CHECK(worst < 0.1);
 }
 
-TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, under them; the sun in their plane") {
+TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, under them; the sun in their plane",
+                 "[17.in_plane]") {
     for (const char* method : {"alpha", "tables", "single_scattering"}) {
         planets.rings.set(method);
         for (const double up : {0.0, 1e-4, 0.01, 5.0, -5.0, 89.0}) {
@@ -259,7 +273,7 @@ TEST_CASE_METHOD(OnPlanets, "tilts and suns: those of FACTS") {
     }
 }
 
-TEST_CASE("oppositions, transits and an eclipse fall on their dates") {
+TEST_CASE("oppositions, transits and an eclipse fall on their dates", "[17.dates]") {
     const auto longitude = [](glm::dvec3 v) { return glm::degrees(std::atan2(v.x, v.z)); };  // from +z towards +x
     const struct {
         BodyId body;

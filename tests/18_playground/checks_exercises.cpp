@@ -181,7 +181,10 @@ CHECK_EXERCISE(
                            for (int y = 0; y < height; ++y)
                                for (int x = 0; x < width; ++x) {
                                    const double far = (x - in[0]) * (x - in[0]) + (y - in[1]) * (y - in[1]);
-                                   if (far < nearest && id_at(x, y)) found = id_at(x, y), nearest = far;
+                                   if (far < nearest && id_at(x, y)) {
+                                       found = id_at(x, y);
+                                       nearest = far;
+                                   }
                                }
                            return Row{found};
                        },

@@ -75,7 +75,8 @@ CHECK_EXERCISE(
                              {{9, 1, 3}, {8, 3, 5}, {7, 6, 7}}}};
     Join large{"100,000 entries", {}, {}, {}};
     for (uint32_t i = 0; i < 100000; ++i) {
-        large.first.push_back({i, i + 1, i + 200000}), large.then.push_back({99999 - i, 299999 - i, 400000 + i});
+        large.first.push_back({i, i + 1, i + 200000});
+        large.then.push_back({99999 - i, 299999 - i, 400000 + i});
         large.right.push_back({i, i + 1, 499999 - i});
     }
     joins.push_back(large);
@@ -93,7 +94,8 @@ CHECK_EXERCISE(
                 step.push_back({entries[size_t(i)], before, after});
             }
         };
-        fill(any.first), fill(any.then);
+        fill(any.first);
+        fill(any.then);
         for (Replaced one : any.first) {
             for (const Replaced& later : any.then)
                 if (later.entry == one.entry) one.after = later.after;
@@ -126,9 +128,12 @@ CHECK_EXERCISE(
     if (check.failed) return;
     std::vector<Replaced> first, then;
     check.expect_no_square("join_steps, entries", 2000, [&](size_t count) {
-        first.clear(), then.clear();
-        for (uint32_t i = 0; i < count; ++i)
-            first.push_back({i, 1, 2}), then.push_back({uint32_t(count) - 1 - i, 2, 3});
+        first.clear();
+        then.clear();
+        for (uint32_t i = 0; i < count; ++i) {
+            first.push_back({i, 1, 2});
+            then.push_back({uint32_t(count) - 1 - i, 2, 3});
+        }
         join_steps(first, then);
     });
 }
@@ -191,11 +196,16 @@ CHECK_EXERCISE("18.sort_tree_moves",
     TreeCase chain{"a chain of 100,000, every other node selected", {}, {}, -1, Ids{1}},
         wide{"100,000 side by side", {}, {}, 0, Ids{}};
     for (int i = 0; i < 100000; ++i) {
-        chain.nodes.push_back({i - 1, glm::mat4(1.0f)}), wide.nodes.push_back({-1, glm::mat4(1.0f)});
+        chain.nodes.push_back({i - 1, glm::mat4(1.0f)});
+        wide.nodes.push_back({-1, glm::mat4(1.0f)});
         if (i % 2) chain.selected.push_back(uint32_t(i));
-        if (i) wide.selected.push_back(uint32_t(i)), wide.right->push_back(uint32_t(i));
+        if (i) {
+            wide.selected.push_back(uint32_t(i));
+            wide.right->push_back(uint32_t(i));
+        }
     }
-    cases.push_back(chain), cases.push_back(wide);
+    cases.push_back(chain);
+    cases.push_back(wide);
     for (const TreeCase& one : cases) {
         const std::string what = "sort_tree_moves(" + one.name + ")";
         check.call(what, [&]() -> std::string {
@@ -231,7 +241,8 @@ CHECK_EXERCISE("18.sort_tree_moves",
     std::vector<TreeNode> broom;
     std::vector<uint32_t> bristles;
     check.expect_no_square("sort_tree_moves, a chain with children at its end", 2000, [&](size_t count) {
-        broom.resize(count), bristles.clear();
+        broom.resize(count);
+        bristles.clear();
         const size_t half = count / 2;
         for (size_t i = 0; i < count; ++i) {
             broom[i] = {i < half ? int32_t(i) - 1 : int32_t(half) - 1, glm::mat4(1.0f)};

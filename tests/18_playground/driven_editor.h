@@ -40,7 +40,8 @@ struct Driven {
     }
     bool mouse(glm::vec2 at, bool down) {
         Input input;
-        cursor = input.cursor = at, input.left = down;
+        cursor = input.cursor = at;
+        input.left = down;
         const bool taken = window.on_mouse(input, at, true);
         draw();
         return taken;

@@ -41,7 +41,8 @@ inline std::string state_of(const Document& document) {
 
 inline SceneObject named(const std::string& name, const std::string& model = "") {
     SceneObject object;
-    object.name = name, object.model = model;
+    object.name = name;
+    object.model = model;
     return object;
 }
 

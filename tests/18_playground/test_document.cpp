@@ -6,7 +6,7 @@
 
 using namespace lightwalk;
 
-TEST_CASE("10,000 random commands are undone to the start and done again to the end, bit by bit") {
+TEST_CASE("10,000 random commands are undone to the start and done again to the end, bit by bit", "[18.commands]") {
     Document document;
     document.most_bytes = uint64_t(1) << 40;
     Random random(18);
@@ -92,7 +92,7 @@ TEST_CASE("states come back with undo and redo: what was saved is known to be sa
     CHECK(document.at(id).object()->position.x == 0);
 }
 
-TEST_CASE("another parent keeps the place in the world, also at the poles and below uneven scales") {
+TEST_CASE("another parent keeps the place in the world, also at the poles and below uneven scales", "[18.parent]") {
     Document document;
     Random random(4);
     const EntryId parent = add_object(document, named("parent")), child = add_object(document, named("child"));
@@ -158,7 +158,8 @@ TEST_CASE("names: two alike, quotes, line ends and bytes that are no UTF-8 can b
     CHECK(document.at(a).name() == "\\u0041");
 }
 
-TEST_CASE("euler angles are those near to what was there, and say the rotation to 1e-4 degrees at the poles too") {
+TEST_CASE("euler angles are those near to what was there, and say the rotation to 1e-4 degrees at the poles too",
+          "[18.angles]") {
     Random random(6);
     double worst = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -207,7 +208,7 @@ TEST_CASE("a tree of 100,000 entries is listed, searched and unfolded without a 
     CHECK(tree.between(last, first).size() == 7);
 }
 
-TEST_CASE("undo of 1,000 moved objects among 10,000 takes less than 5 ms") {
+TEST_CASE("undo of 1,000 moved objects among 10,000 takes less than 5 ms", "[18.undo_time]") {
     Document document;
     document.begin("many");
     std::vector<EntryId> ids;

@@ -42,13 +42,14 @@ std::multiset<std::string> items_of(const Scene& scene) {
 
 View test_view(glm::vec3 eye, glm::vec3 target, glm::uvec2 size = {960, 540}) {
     Camera camera;
-    camera.position = eye, camera.target = target;
+    camera.position = eye;
+    camera.target = target;
     return view_of(camera, size);
 }
 
 }  // namespace
 
-TEST_CASE("after 400 random edits the scene is the one that would be loaded") {
+TEST_CASE("after 400 random edits the scene is the one that would be loaded", "[18.random_edits]") {
     Shown shown;
     Random random(77);
     const char* const models[] = {quad_file, other_file, ball_file, pair_file};
@@ -95,7 +96,7 @@ TEST_CASE("a move places and loads nothing; a copy, a hidden object and other ma
     CHECK(shown.update() == LiveScene::Done::nothing);
 }
 
-TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processor time a frame") {
+TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processor time a frame", "[18.drag_time]") {
     Shown shown;
     shown.document.begin("many");
     Selection selection;
@@ -147,7 +148,7 @@ TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processo
     CHECK(glm::vec3(shown.scene.items[0].transform[3]) != glm::vec3(0));
 }
 
-TEST_CASE("a drag comes back to the bit, is one step, and scales and rotates about the middle") {
+TEST_CASE("a drag comes back to the bit, is one step, and scales and rotates about the middle", "[18.drag]") {
     for (const Tool tool : {Tool::move, Tool::rotate, Tool::scale})
         for (const Handle handle : handles(tool)) {
             Document document;
@@ -179,7 +180,7 @@ TEST_CASE("a drag comes back to the bit, is one step, and scales and rotates abo
         }
 }
 
-TEST_CASE("the gizmo has one size on the screen, and nothing jumps where an axis points at the eye") {
+TEST_CASE("the gizmo has one size on the screen, and nothing jumps where an axis points at the eye", "[18.gizmo]") {
     Document document;
     const EntryId id = add_object(document, named("a"));
     Selection selection;
@@ -214,7 +215,7 @@ TEST_CASE("the gizmo has one size on the screen, and nothing jumps where an axis
     CHECK(most < 40);
 }
 
-TEST_CASE("rays and the id buffer agree on 10,000 pixels, but for silhouettes a bit wide") {
+TEST_CASE("rays and the id buffer agree on 10,000 pixels, but for silhouettes a bit wide", "[18.id_rays]") {
     Playground chapter;
     chapter.name = "18_playground";
     Gpu& gpu = check_device();

@@ -186,7 +186,8 @@ TEST_CASE("what textures cut out is cut out of the export, with the opacity map 
     Image8 holes(8, 4), wood(4, 4);
     for (int i = 0; i < 32; ++i) holes.pixels[size_t(i)] = glm::u8vec4(glm::u8vec3(i % 2 ? 255 : 0), 255);
     for (int i = 0; i < 16; ++i) wood.pixels[size_t(i)] = {10 * i, 100, 200, 255};
-    write_png(folder.path / "holes.png", holes), write_png(folder.path / "wood.png", wood);
+    write_png(folder.path / "holes.png", holes);
+    write_png(folder.path / "wood.png", wood);
     std::string text = R"({"knobs": {"maps.cutoff": "0.25"}, "objects": [
         {"model": "models/cube.obj", "material": {"maps": {"diffuse": "@wood.png", "opacity": "@holes.png"}}},
         {"model": "models/sphere.obj", "material": {"maps": {"opacity": "@holes.png"}}},
@@ -265,7 +266,8 @@ TEST_CASE("cameras and lights of a model's file are offered where its object sta
 TEST_CASE("a bare model is saved with its exposure", "[18.bare]") {
     const TestFolder folder;
     SceneFile scene;
-    scene.bare = true, scene.emission = 0.25f;
+    scene.bare = true;
+    scene.emission = 0.25f;
     scene.objects.push_back(named("square", "conformance/own_light.gltf"));
     SceneStore store;
     store.open_empty();

@@ -148,7 +148,8 @@ TEST_CASE("other surroundings and other ambient light show at once, as where the
     for (const char* image : {"environments/interior.hdr", ""}) {
         editor.document().begin("surroundings");
         SceneSettings& settings = *editor.document().edit(root_entry).settings();
-        settings.environment.image = image, settings.environment.where = "environment";
+        settings.environment.image = image;
+        settings.environment.where = "environment";
         settings.ambient = glm::vec3(0.6f, 0.1f, 0.2f);
         editor.document().commit();
         const auto picture = editor.picture();

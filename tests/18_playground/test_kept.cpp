@@ -127,8 +127,10 @@ TEST_CASE("a click on a light that is selected keeps it; a Shift click takes it 
     editor.draw();
     const glm::vec2 at = *on_screen(editor.window.view_now, {0, 0.2f, 1});
     const auto click = [&](bool shift) {
-        for (const bool down : {false, true, false})
-            editor.window.on_mouse({.cursor = at, .left = down, .shift = shift}, at, true), editor.draw();
+        for (const bool down : {false, true, false}) {
+            editor.window.on_mouse({.cursor = at, .left = down, .shift = shift}, at, true);
+            editor.draw();
+        }
         editor.draw();  // the frame that would find the file
         editor.window.on_mouse({.cursor = at}, at, true);
     };

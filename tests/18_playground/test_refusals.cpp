@@ -7,7 +7,8 @@
 
 using namespace lightwalk;
 
-TEST_CASE("an entry that a scene file could not hold is refused, and the line says which key and why") {
+TEST_CASE("an entry that a scene file could not hold is refused, and the line says which key and why",
+          "[18.refused_entries]") {
     const TestFolder folder;
     write_file(folder.path / "wide.png", "");
     const auto of_light = [&](const auto& set) {
@@ -29,7 +30,9 @@ TEST_CASE("an entry that a scene file could not hold is refused, and the line sa
     CHECK(of_scene([](SceneSettings&) {}) == "");
     CHECK(of_scene([](SceneSettings& scene) { scene.ambient.x = -1.0f; }).starts_with("key 'ambient'"));
     CHECK(of_scene([](SceneSettings& scene) {
-              scene.camera.position = {0, 5, 0}, scene.camera.target = {}, scene.camera.up = {0, 1, 0};
+              scene.camera.position = {0, 5, 0};
+              scene.camera.target = {};
+              scene.camera.up = {0, 1, 0};
           }).find("points along the view") != Said::npos);
     CHECK(of_scene([](SceneSettings& scene) { scene.camera.far_m = scene.camera.near_m; }).find("near_m") !=
           Said::npos);

@@ -68,8 +68,8 @@ float furthest(const glm::mat4& a, const glm::mat4& b) {
 
 }  // namespace
 
-TEST_CASE(
-    "a group stands in the middle of what is grouped, below the parent of all; what is in it stays where it was") {
+TEST_CASE("a group stands in the middle of what is grouped, below the parent of all; what is in it stays where it was",
+          "[18.group]") {
     Document document;
     const std::vector<EntryId> ids = add_all(document, {"turned", "a", "b", "c", "far"});
     place(document, ids[0], {{5, -2, 3}, {20, 130, -40}, {2, 2, 2}});

@@ -30,8 +30,8 @@ std::string said_by(const std::function<void()>& what) {
 
 }  // namespace
 
-TEST_CASE(
-    "killed at 200 random moments of saving: the file is whole, and never older than the last save that was told") {
+TEST_CASE("killed at 200 random moments of saving: the file is whole, and never older than the last save that was told",
+          "[18.killed]") {
     TestFolder folder;
     const fs::path file = folder.path / "scene.json";
     Random random(200);

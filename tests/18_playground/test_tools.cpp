@@ -12,7 +12,8 @@ namespace {
 
 View view_from(glm::vec3 eye, glm::vec3 target = glm::vec3(0.0f)) {
     Camera camera;
-    camera.position = eye, camera.target = target;
+    camera.position = eye;
+    camera.target = target;
     return view_of(camera, {960, 540});
 }
 
@@ -99,7 +100,8 @@ TEST_CASE("below a turned parent: a move goes along the world's axis, a turn abo
     CHECK(moved.x > 0.5f);
     CHECK(std::fabs(moved.y) + std::fabs(moved.z) < 1e-5f);
     document.undo();
-    drag.ids = {child, light}, drag.tool = Tool::rotate;
+    drag.ids = {child, light};
+    drag.tool = Tool::rotate;
     drag.by(z_ring, center + glm::vec2(90, 0), circle(0, -90));
     const glm::mat4 turned = glm::rotate(glm::mat4(1), glm::radians(90.0f), {0, 0, 1}) * before;
     const glm::mat4 after = world_of(document, child);

@@ -13,7 +13,8 @@ const char* const short_film = "tests/19_ambiance/short.film";
 // A film on a validated device, as it was just started.
 struct Started {
     explicit Started(bool plays, int most = 32, const char* film = short_film) : gpu(DeviceOptions{.validate = true}) {
-        chapter.plays = plays, chapter.reel.most.value = most;
+        chapter.plays = plays;
+        chapter.reel.most.value = most;
         load_scene(chapter, gpu, film);
     }
     ~Started() { CHECK(gpu.device.validation_message_count() == 0); }
@@ -31,7 +32,8 @@ void check_any_time(const char* film, const std::vector<double>& times_s, size_t
     Started played(true, 32, film), played_fast(true, 2, film);
     std::vector<std::vector<std::byte>> pictures;
     for (const double time_s : times_s) {
-        played.picture(time_s - 1 / 30.0), played_fast.picture(time_s - 1 / 144.0);
+        played.picture(time_s - 1 / 30.0);
+        played_fast.picture(time_s - 1 / 144.0);
         pictures.push_back(played.picture(time_s));
         INFO(time_s);
         CHECK(pictures.back() == played_fast.picture(time_s));
@@ -94,7 +96,8 @@ TEST_CASE("the film's tracks set the chapter's knobs, but what the command line 
     film.reel.apply_knobs(film, 0.5);
     CHECK(float(film.smoothed) == Approx(0.75f));
     CHECK(film.post.grain.is("white"));
-    film.smoothed.value = 0.25f, film.smoothed.pinned = true;
+    film.smoothed.value = 0.25f;
+    film.smoothed.pinned = true;
     film.reel.apply_knobs(film, 3.5);
     CHECK(float(film.smoothed) == 0.25f);
     CHECK(film.post.aberration);

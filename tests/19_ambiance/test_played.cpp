@@ -13,8 +13,12 @@ Timeline two_scenes() {
     Timeline film;
     film.duration_s = 4;
     film.scenes.resize(2);
-    film.scenes[0].name = "first", film.scenes[0].from_s = 0, film.scenes[0].to_s = 2;
-    film.scenes[1].name = "second", film.scenes[1].from_s = 2, film.scenes[1].to_s = 4;
+    film.scenes[0].name = "first";
+    film.scenes[0].from_s = 0;
+    film.scenes[0].to_s = 2;
+    film.scenes[1].name = "second";
+    film.scenes[1].from_s = 2;
+    film.scenes[1].to_s = 4;
     return film;
 }
 

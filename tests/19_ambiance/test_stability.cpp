@@ -18,7 +18,8 @@ Curve any_curve(Random& random, Spline spline, int keys, double ratio) {
     Curve curve{.spline = spline, .times_s = {}, .points = {}};
     glm::dvec3 at(0.0);
     for (int i = 0; i < keys; ++i) {
-        curve.times_s.push_back(i), curve.points.push_back(at);
+        curve.times_s.push_back(i);
+        curve.points.push_back(at);
         at += random.logarithmic(1, ratio) * glm::dvec3(random.direction());
     }
     return curve;
@@ -111,7 +112,8 @@ TEST_CASE("knots by distance itself swing out less in the mean, but cross themse
                 const double along = std::clamp(glm::dot(there, chord) / glm::dot(chord, chord), 0.0, 1.0);
                 most = std::max(most, glm::length(there - along * chord) / glm::length(chord));
             }
-            off[k].push_back(most), crossings[k] += crosses(points);
+            off[k].push_back(most);
+            crossings[k] += crosses(points);
         }
     }
     for (int k = 0; k < 3; ++k) {
@@ -168,7 +170,7 @@ TEST_CASE("a rule of thumb: keys whose distances differ by less than a factor of
     CHECK(most(10, Spline::catmull_rom) > 3 * most(10, Spline::centripetal));
 }
 
-TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to 3%", "[figures]") {
+TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to 3%", "[figures][19.speed]") {
     Random random(3);
     std::vector<double> as_keyed;
     double worst[3] = {};
@@ -186,7 +188,8 @@ TEST_CASE("speed varies along a centripetal curve; a table of 64 evens it out to
                 for (int f = 0; f < fine; ++f)
                     length += glm::distance(curve.at_even_speed(5.0 * (s * fine + f) / (steps * fine), table),
                                             curve.at_even_speed(5.0 * (s * fine + f + 1) / (steps * fine), table));
-                fastest = std::max(fastest, length), sum += length;
+                fastest = std::max(fastest, length);
+                sum += length;
             }
             worst[k] = std::max(worst[k], fastest * steps / sum - 1);
         }
@@ -281,7 +284,8 @@ TEST_CASE("from one key's roll to the next the camera turns the short way, also 
     CHECK(glm::distance(glm::dvec3(path.at(1.5, {}).up), key(0, 240).up) < 1e-4);
 }
 
-TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the path's does not roll", "[figures]") {
+TEST_CASE("a view that passes the zenith: a fixed up rolls by 180 degrees, the path's does not roll",
+          "[figures][19.zenith]") {
     // The camera tilts from level over the zenith, half a degree beside it, to level behind.
     std::vector<CameraKey> keys;
     for (int i = 0; i <= 18; ++i) {
@@ -331,7 +335,7 @@ TEST_CASE("the eye in its own target: it looks on, and no number is lost") {
     }
 }
 
-TEST_CASE("a clock that adds frames drifts; one that counts them does not") {
+TEST_CASE("a clock that adds frames drifts; one that counts them does not", "[19.clock]") {
     float added = 0;
     for (int i = 0; i < 600 * 60; ++i) added += 1.0f / 60;
     CHECK(double(added) == Approx(599.90).margin(0.01));

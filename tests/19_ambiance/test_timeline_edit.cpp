@@ -72,7 +72,8 @@ TEST_CASE("a key before all, and one after all") {
 
 TEST_CASE("a key near another takes its place, and nothing else is another") {
     CameraKey other = key(7.99, {5, 5, 5});
-    other.up = {0, 2, 2}, other.fov_deg = 33.33333;
+    other.up = {0, 2, 2};
+    other.fov_deg = 33.33333;
     const std::string edited = with_key(three_scenes, 0, other, 0.02);
     REQUIRE(keys_of(edited, 0).size() == 2);
     CHECK(keys_of(edited, 0)[1].position == glm::dvec3(5, 5, 5));

@@ -92,7 +92,10 @@ struct TestScene {
     static void begin(Frame& frame) {
         frame.begin({32, 32}, 0);
         glm::mat4 matrix(1.0f);
-        matrix[0][0] = 0.25f, matrix[1][1] = -0.25f, matrix[2][2] = 0.01f, matrix[3][2] = 0.5f;
+        matrix[0][0] = 0.25f;
+        matrix[1][1] = -0.25f;
+        matrix[2][2] = 0.01f;
+        matrix[3][2] = 0.5f;
         const CameraView view{.view_projection = matrix, .eye = {0, 0, 50}, .time_s = 0, .size = frame.size, .seed = 0};
         const auto bytes = std::as_bytes(std::span(&view, 1));
         frame.globals["view"].assign(bytes.begin(), bytes.end());

@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 from test.comments import comments, figures, is_clausal, python_comments  # noqa: E402
-from test.statements import found, joined  # noqa: E402
+from test.statements import code, found, joined  # noqa: E402
 
 MOST_CLAUSAL, MOST_WORDS = 0.03, 14
 MOST_IN_A_FOLDER = 0.05
@@ -71,19 +71,20 @@ class Comments(unittest.TestCase):
 
 
 class Statements(unittest.TestCase):
-    def test_chapters_and_the_framework_have_one_a_line(self):
-        for top in ("chapters", "common"):
-            lines = sum(path.read_text(encoding="utf-8").count("\n") for kind in ("*.h", "*.cpp") for path in (ROOT / top).rglob(kind))
+    def test_each_has_its_own_line(self):
+        for top in ("chapters", "common", "shaders", "tests"):
+            lines = sum((ROOT / name).read_text(encoding="utf-8").count("\n") for name in code(top))
             with self.subTest(top):
                 self.assertLessEqual(1000 * len(found(top)) / lines, MOST_JOINED, "python3 common/course test.statements lists them")
 
     def test_joined_ones_are_told_from_others(self):
         for line in ("a = 1, b = 2;", "if (x) a(1, 2), ++b;", "return act(), true;", "else a.push_back(f(1, 2)), n += 1;"):
-            self.assertTrue(joined(line), line)
-        for line in ("int a = 1, b = 2;", "f(a, b);", "std::map<int, int> m;", "return {1, 2};", "for (i = 0, j = 1;; ++i)", "b, c);",
+            self.assertEqual([number for number, _ in joined(line)], [1], line)
+        self.assertEqual(joined("f([&] {\n    a(),\n        b();\n});\nint c[] = {1, 2};\nX() : a(1), b(2) {}\nvoid g();\n"), [(2, "a(), b()")])
+        for line in ("int a = 1, b = 2;", "f(a, b);", "std::map<int, int> m;", "return {1, 2};", "for (i = 0, j = 1;; ++i) {}", "b, c);", "// a = 1, b = 2;",
                      "const auto [a, b] = f();",
                      "std::vector<std::complex<double>> a(n), b(n + 1);", "std::array<std::array<int, n + 1>, n> all{};", "return f<T, U..., V>();"):
-            self.assertFalse(joined(line), line)
+            self.assertEqual(joined(line), [], line)
 
 
 if __name__ == "__main__":

@@ -179,7 +179,10 @@ TEST_CASE("files: whenever a write is killed, the old file or the new one is the
     for (useconds_t i = 0; i < 60; ++i) {
         in_child(
             [&] {
-                for (;;) write_file(file, second), write_file(file, first);
+                for (;;) {
+                    write_file(file, second);
+                    write_file(file, first);
+                }
             },
             300 + 177 * i);
         const std::string now = read_file(file);

@@ -162,7 +162,8 @@ TEST_CASE("FLIP: NaN and Inf are errors of their own pixels only") {
 TEST_CASE("LDR-FLIP clamps what lies outside [0, 1]") {
     const ImageRgb inside = noise(20, 20, 8);
     ImageRgb clamped = inside, outside = inside;
-    clamped.at(9, 9) = {1, 0, 1}, outside.at(9, 9) = {50, -2, 1};
+    clamped.at(9, 9) = {1, 0, 1};
+    outside.at(9, 9) = {50, -2, 1};
     CHECK(flip_ldr(clamped, outside).values == flip_ldr(inside, inside).values);
     CHECK(flip_ldr(outside, inside).values == flip_ldr(clamped, inside).values);
     CHECK(flip_ldr(inside, outside).values == flip_ldr(inside, clamped).values);

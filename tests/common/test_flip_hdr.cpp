@@ -84,7 +84,9 @@ TEST_CASE("A map's summary: mean, percentiles, percentiles weighed by the error"
     ErrorMap map{10, 10, std::vector<float>(100, 0.0f)};
     CHECK(summarize(map).weighted_median == 0.0);
     CHECK(summarize(map).max == 0.0);
-    map.values[3] = 0.5f, map.values[70] = 0.25f, map.values[71] = 0.25f;
+    map.values[3] = 0.5f;
+    map.values[70] = 0.25f;
+    map.values[71] = 0.25f;
     const ErrorSummary s = summarize(map);
     CHECK(s.mean == Approx(0.01));
     CHECK(s.max == 0.5);

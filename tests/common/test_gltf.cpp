@@ -119,13 +119,16 @@ TEST_CASE("glTF: a vertex between two joints") {
     model.nodes = {{"skins", -1, glm::mat4(1), {0}}, {"still", -1, glm::mat4(1), {}}, {"moved", -1, glm::mat4(1), {}}};
     model.nodes[2].local[3] = {4, 0, 0, 1};
     ModelSkin& skin = model.skins.emplace_back();
-    skin.joints = {1, 2}, skin.inverse_bind.assign(2, glm::mat4(1));
+    skin.joints = {1, 2};
+    skin.inverse_bind.assign(2, glm::mat4(1));
     skin.inverse_bind[1][3] = {-1, 0, 0, 1};  // bound 1 m to the right: since then it has moved by 3 m
     Mesh& mesh = model.meshes.emplace_back();
     mesh.vertices = mesh.deformation.rest = {{{0, 0, 0}, {0, 1, 0}, {}}};
-    mesh.deformation.joints = {{0, 1, 0, 0}}, mesh.deformation.joint_weights = {{0.75f, 0.25f, 0, 0}};
+    mesh.deformation.joints = {{0, 1, 0, 0}};
+    mesh.deformation.joint_weights = {{0.75f, 0.25f, 0, 0}};
     CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 0, 0));
-    mesh.deformation.targets = {{{{0, 2, 0}}, {}}}, mesh.deformation.weights = {0.5f};  // morphs come first
+    mesh.deformation.targets = {{{{0, 2, 0}}, {}}};  // morphs come first
+    mesh.deformation.weights = {0.5f};
     CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 1, 0));
 }
 

@@ -143,7 +143,8 @@ TEST_CASE_METHOD(OnDevice, "what no pass of this frame wrote is not read, unless
     CHECK(reading(now) == "pass 'look' reads test, which no pass of this frame wrote");
     CHECK(drawing_on(now) == "pass 'go on' reads test, which no pass of this frame wrote");
     CHECK(reading(given) == "");
-    write(now), write(kept);
+    write(now);
+    write(kept);
     CHECK(reading(now) == "");
     CHECK(drawing_on(now) == "");
     frame.end();

@@ -119,7 +119,8 @@ TEST_CASE_METHOD(OnDevice, "barriers are per mip and layer, and one where all ar
     barriers.add(buffer, read_in_compute());
     barriers.add(buffer, read_in_compute());
     CHECK(barriers.buffers.size() == 1);
-    barriers.images.clear(), barriers.buffers.clear();
+    barriers.images.clear();
+    barriers.buffers.clear();
 }
 
 TEST_CASE_METHOD(OnDevice, "parts of an image that overlap are used in one way only") {

@@ -58,7 +58,10 @@ std::string grey16_png() {
     };
     const std::string row("\0\0\0\x80\0\xFF\xFF", 7);
     uint32_t a = 1, b = 0;
-    for (const char c : row) a += uint8_t(c), b += a;
+    for (const char c : row) {
+        a += uint8_t(c);
+        b += a;
+    }
     const std::string zlib = std::string("\x78\x01\x01\x07\x00\xF8\xFF", 7) + row + big_endian(b << 16 | a);
     return std::string("\x89PNG\r\n\x1A\n") +
            chunk("IHDR" + big_endian(3) + big_endian(1) + std::string("\x10\0\0\0\0", 5)) + chunk("IDAT" + zlib) +

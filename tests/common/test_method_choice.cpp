@@ -33,7 +33,8 @@ struct Grey : Chapter {
     Model load_model(const std::filesystem::path&) override { return {}; }
     ImageView written(const Frame& frame) const override { return frame.linear(); }
     void frame(Frame& frame) override {
-        ++frames, trials += tries_knobs;
+        ++frames;
+        trials += tries_knobs;
         const float light = lights.method.is("tiled") ? 0.8f : 0.3f;
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(light))}}, [](Raster&) {});
         encode_srgb(frame);

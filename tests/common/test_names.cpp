@@ -89,9 +89,13 @@ TEST_CASE("a knob's usage: what it takes and its default") {
 
 TEST_CASE("passes named after a module are its cost") {
     std::vector<PassTime> times(4);
-    times[0].name = "shadow_map", times[0].gpu_ms = 1;
-    times[1].name = "clear_shadow", times[1].gpu_ms = 2;
-    times[2].name = "light_shadow_mask", times[2].gpu_ms = 4;
-    times[3].name = "sh", times[3].gpu_ms = 8;
+    times[0].name = "shadow_map";
+    times[0].gpu_ms = 1;
+    times[1].name = "clear_shadow";
+    times[1].gpu_ms = 2;
+    times[2].name = "light_shadow_mask";
+    times[2].gpu_ms = 4;
+    times[3].name = "sh";
+    times[3].gpu_ms = 8;
     CHECK(module_ms("shadow", times) == 3.0);
 }

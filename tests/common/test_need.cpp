@@ -115,7 +115,8 @@ TEST_CASE("need: an estimate has the picture's mean as its expected value, and k
     for (size_t i = 0; i < 300; ++i) {
         errors[i] = i % 10 == 0 ? 0.5 : 0.01 * double(random() % 10);
         chances[i] = 1.0 + double(random() % 8) + 10.0 * errors[i];
-        mean += errors[i] / 300, all += chances[i];
+        mean += errors[i] / 300;
+        all += chances[i];
     }
     for (double& chance : chances) chance /= all;
     double sum = 0;
@@ -204,7 +205,8 @@ TEST_CASE_METHOD(NeedTest,
         chapter.excess.value = excess;
         const auto written = [&](const char* method) {
             const std::string before = chapter.method.text();
-            chapter.method.set(method), chapter.detail.value = 1;
+            chapter.method.set(method);
+            chapter.detail.value = 1;
             Frame frame(check_device());
             render(chapter, frame, question.picture);
             chapter.method.set(before);

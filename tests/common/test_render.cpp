@@ -74,17 +74,22 @@ TEST_CASE_METHOD(RenderTest, "a level of an image can be looked at as a picture"
 
 TEST_CASE_METHOD(RenderTest,
                  "history: valid where the frame before wrote it, at this size, and nothing was forgotten") {
-    draw(), draw(), draw();
+    draw();
+    draw();
+    draw();
     CHECK(chapter.valid == std::vector<bool>{false, true, true});
     const VkImage before = chapter.blur.light.before().handle;
     draw();
     CHECK(chapter.blur.light.before().handle != before);  // they change places
-    draw({8, 8}), draw({8, 8});
+    draw({8, 8});
+    draw({8, 8});
     chapter.forget_history();
-    draw({8, 8}), draw({8, 8});
+    draw({8, 8});
+    draw({8, 8});
     CHECK(chapter.valid == std::vector<bool>{false, true, true, true, false, true, false, true});
     chapter.writes_history = false;
-    draw({8, 8}), draw({8, 8});
+    draw({8, 8});
+    draw({8, 8});
     CHECK(chapter.valid[8]);
     CHECK_FALSE(chapter.valid[9]);  // a frame did not write it
 }

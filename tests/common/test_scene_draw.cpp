@@ -122,9 +122,17 @@ TEST_CASE("inside keeps every box of which a point shows, and drops most of the 
     };
     // Depth 1 near and 0 at infinity, 0 at 40 m, and without perspective.
     glm::mat4 infinite(0.0f), finite(0.0f), flat(1.0f);
-    infinite[0][0] = 1.2f, infinite[1][1] = -1.6f, infinite[2][3] = -1.0f, infinite[3][2] = 0.1f;
-    finite = infinite, finite[2][2] = 0.1f / (40 - 0.1f), finite[3][2] = 40 * 0.1f / (40 - 0.1f);
-    flat[0][0] = 0.1f, flat[1][1] = -0.1f, flat[2][2] = 0.02f, flat[3][2] = 0.9f;
+    infinite[0][0] = 1.2f;
+    infinite[1][1] = -1.6f;
+    infinite[2][3] = -1.0f;
+    infinite[3][2] = 0.1f;
+    finite = infinite;
+    finite[2][2] = 0.1f / (40 - 0.1f);
+    finite[3][2] = 40 * 0.1f / (40 - 0.1f);
+    flat[0][0] = 0.1f;
+    flat[1][1] = -0.1f;
+    flat[2][2] = 0.02f;
+    flat[3][2] = 0.9f;
     int shown = 0, dropped = 0, hidden = 0;
     for (int i = 0; i < 3000; ++i) {
         const glm::mat4 look = glm::lookAt(somewhere(20), somewhere(20), glm::normalize(somewhere(1)));
@@ -140,12 +148,15 @@ TEST_CASE("inside keeps every box of which a point shows, and drops most of the 
         }
         const bool kept = may_show(box, matrix);
         if (shows && !kept) FAIL_CHECK("a box that shows was dropped, run " << i);
-        shown += shows, hidden += !shows, dropped += !kept;
+        shown += shows;
+        hidden += !shows;
+        dropped += !kept;
     }
     CHECK(shown > 300);
     CHECK(dropped > 0.9 * hidden);
     Bounds around;  // the eye within, no corner seen
-    around.add({-500, -500, -500}), around.add({500, 500, 500});
+    around.add({-500, -500, -500});
+    around.add({500, 500, 500});
     CHECK(may_show(around, finite));
     TestScene test(
         {object_at(quad_file, {0, 0, -5}), object_at(quad_file, {0, 0, 5}), object_at(quad_file, {0, 0, -50})});

@@ -40,7 +40,8 @@ TEST_CASE("a hidden object has no items, nor have its children; shown again they
 TEST_CASE("moved objects take their children along, and the device is told of no others") {
     std::vector<SceneObject> objects{object_at(quad_file, {0, 0, 0}), object_at(quad_file, {1, 0, 0}),
                                      object_at(quad_file, {3, 3, 0})};
-    objects[0].name = "parent", objects[1].parent = "parent";
+    objects[0].name = "parent";
+    objects[1].parent = "parent";
     TestScene test(objects);
     const uint64_t before = test.scene.placed;
     const Scene::Move move{0, {0, 2, 0}, {0, 0, 90}, glm::vec3(1)};

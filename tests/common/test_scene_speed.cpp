@@ -59,7 +59,9 @@ TEST_CASE("a frame of 5,000 items of 200 meshes: placed, culled, sorted and reco
     const Pipeline pipeline =
         graphics({.vertex = "../tests/common/data/scene.vert", .fragment = "../tests/common/data/scene.frag"});
     glm::mat4 matrix(1.0f);  // shows about half of them
-    matrix[0][0] = 0.5f, matrix[2][2] = 0.05f, matrix[3][2] = 0.5f;
+    matrix[0][0] = 0.5f;
+    matrix[2][2] = 0.05f;
+    matrix[3][2] = 0.5f;
     std::vector<double> parts[4];
     Frame frame(gpu);
     for (int run = 0; run < 15; ++run) {

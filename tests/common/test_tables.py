@@ -137,6 +137,7 @@ class Lessons(unittest.TestCase):
         texts = lesson_tests.of_chapters(lessons())
         self.assertGreater(sum(len(lesson_tests.named_in(text)) for text in texts), 100)
         self.assertEqual([line for text in texts for line in lesson_tests.check_named(text)], [])
+        self.assertTrue(lesson_tests.SENTENCE.search('the shadow is gone (`"peter-panning: a bias*"`).'))
 
     def test_names_are_matched_as_catch2_does(self):
         with mock.patch.object(lesson_tests, "cases", lambda _: [("one, two", "[a][b]"), ("Three of four", "")]):

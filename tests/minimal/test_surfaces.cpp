@@ -131,7 +131,8 @@ TEST_CASE("09: the minimal tones, codes, lens and noise") {
     const Table noise = results_of("09_post_effects.frag", "float noise(uvec2 pixel)", pixels, 1);
     for (size_t i = 0; i < noise.size(); ++i) {
         const double value = noise[i][0] - 0.5;
-        mean += value / 1e4, square += value * value / 1e4;
+        mean += value / 1e4;
+        square += value * value / 1e4;
         if (i) beside += value * (noise[i - 1][0] - 0.5) / 1e4;
     }
     CHECK(mean == Approx(0).margin(0.01));

@@ -152,7 +152,8 @@ glm::dvec3 water_at(double x, double z, double time) {
     glm::dvec3 place(x, 0, z);
     for (const auto& w : waves) {
         const double k = std::hypot(w[0], w[1]), phase = w[0] * x + w[1] * z - std::sqrt(9.81 * k) * time;
-        place.x += w[2] * w[3] * w[0] / k * std::cos(phase), place.z += w[2] * w[3] * w[1] / k * std::cos(phase);
+        place.x += w[2] * w[3] * w[0] / k * std::cos(phase);
+        place.z += w[2] * w[3] * w[1] / k * std::cos(phase);
         place.y += w[2] * std::sin(phase);
     }
     return place;
@@ -191,7 +192,8 @@ TEST_CASE("15: rays meet the minimal water, which reflects and absorbs as measur
         const glm::vec3 d =
             glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, -0.4), random.uniform(-1, 1)));
         Row row{random.uniform(-9, 9), random.uniform(2, 8), random.uniform(-9, 9)};
-        append(row, d), row.push_back(random.uniform(0, 10));
+        append(row, d);
+        row.push_back(random.uniform(0, 10));
         inputs.push_back(row);
     }
     const Table found =
@@ -226,7 +228,8 @@ TEST_CASE("17: the minimal planet is an ellipsoid, seen from near and from far")
         const glm::dvec3 from = away * glm::dvec3(random.direction());
         const glm::dvec3 aim(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8));
         Row row;
-        append(row, glm::vec3(from)), append(row, glm::vec3(glm::normalize(aim - from)));
+        append(row, glm::vec3(from));
+        append(row, glm::vec3(glm::normalize(aim - from)));
         inputs.push_back(row);
     }
     const Table found = results_of("17_planets.frag", "float planet_distance(vec3 from, vec3 direction)", inputs, 1,
@@ -265,7 +268,8 @@ TEST_CASE("17: the minimal rings send and pass the light of single scattering") 
         constexpr int layers = 20000;
         for (int j = 0; j < layers; ++j) {
             const double t = depth * (j + 0.5) / layers, part = depth / layers / (4 * mu);
-            back += part * std::exp(-t / mu0 - t / mu), through += part * std::exp(-t / mu0 - (depth - t) / mu);
+            back += part * std::exp(-t / mu0 - t / mu);
+            through += part * std::exp(-t / mu0 - (depth - t) / mu);
         }
         CAPTURE(depth, mu0, mu);
         CHECK(lit[i][0] == Approx(back).epsilon(1e-3));

@@ -114,7 +114,10 @@ double distance(const Lobe& lobe, const Means& means, const Params& p) {
         const double off = std::abs(lobe.at(l) / (means.a + means.b) - ours);
         sum += off * off * off / most;
     };
-    over_square([&](double a, double b) { add(cosine.sample(a, b)), add(lobe.sample(a, b)); });
+    over_square([&](double a, double b) {
+        add(cosine.sample(a, b));
+        add(lobe.sample(a, b));
+    });
     return sum / (samples * samples);
 }
 

@@ -1,7 +1,7 @@
-"""The tests that lessons name: `build/tests/test_NN_name "NAME*"`, and `"NAME*"` alone for the chapter's own program.
+"""The tests that lessons name: `build/tests/test_NN_name "[NN.tag]"`, and `[NN.tag]` alone for the chapter's own program.
 
-Names are matched as Catch2 does, against the sources: nothing has to be built. A comma separates names, and a test's
-own comma is written `\\,`; a short tag in brackets, such as [14.split_sum], has neither.
+Prose has tags alone, for a test's name is a sentence. A command may have a name: it is matched as Catch2 does, against the
+sources, so that nothing has to be built. A comma separates names, and a test's own comma is written `\\,`.
 """
 
 import re
@@ -14,7 +14,8 @@ from tree import ROOT, chapters
 CASE = re.compile(r'\bTEST_CASE(?:_METHOD)?\s*\(\s*(?:\w+\s*,\s*)?((?:"(?:[^"\\]|\\.)*"\s*)+)(?:,\s*((?:"(?:[^"\\]|\\.)*"\s*)+))?\)', re.S)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"', re.S)
 COMMAND = re.compile(r'build/tests/(test_\w+)\s+"([^"]+)"')
-ALONE = re.compile(r'`"([^"`]+)"(?:\s+-s)?`|\btests? "([^"`]+)"')
+ALONE = re.compile(r"`(\[\d\d\.\w+\])`")
+SENTENCE = re.compile(r'`"[^"`]*\*[^"`]*"`')  # a test's name in prose, with Catch2's wildcard
 
 
 @dataclass(frozen=True)
@@ -60,10 +61,8 @@ def named_in(lesson: Path) -> list[Named]:
     text = (ROOT / lesson).read_text()
     own = next((f"test_{chapter}" for chapter in chapters() if chapter[:2] == lesson.stem[:2]), "")
     found = [(match.start(), match[1], match[2]) for match in COMMAND.finditer(text)]
-    inside = {position for position, _, spec in found for position in (text.index(f'"{spec}"', position),)}
     if own:
-        found += [(match.start(), own, match[1] or match[2]) for match in ALONE.finditer(text)
-                  if match.start() + 1 not in inside]
+        found += [(match.start(), own, match[1]) for match in ALONE.finditer(text)]
     return [Named(lesson, text.count("\n", 0, at) + 1, program, " ".join(spec.split()))
             for at, program, spec in sorted(found)]
 
@@ -74,6 +73,9 @@ def of_chapters(names: list[Path]) -> list[Path]:
 
 
 def check_named(lesson: Path) -> list[str]:
-    """A line for each name that no test has."""
-    return [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{part}\""
-            for one in named_in(lesson) for part in parts(one.spec) if not matched(one.program, part)]
+    """A line for each name that no test has, and for each sentence where a tag belongs."""
+    wrong = [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{part}\""
+             for one in named_in(lesson) for part in parts(one.spec) if not matched(one.program, part)]
+    text = (ROOT / lesson).read_text()
+    return wrong + [f"{lesson}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}: name the test by its tag, such as `[14.furnace]`"
+                    for match in SENTENCE.finditer(text)]

@@ -81,7 +81,10 @@ std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> polygon) {
                 if (at == plane.at[a] || at == plane.at[b] || at == plane.at[c]) continue;
                 if (plane.area(a, b, p) < 0 || plane.area(b, c, p) < 0 || plane.area(c, a, p) < 0) continue;
                 const double from_ac = plane.area(c, a, p);
-                if (from_ac > depth && plane.opens_to(ring, k, b)) deepest = k, depth = from_ac;
+                if (from_ac > depth && plane.opens_to(ring, k, b)) {
+                    deepest = k;
+                    depth = from_ac;
+                }
             }
             if (deepest == size) {
                 triangles.push_back({a, b, c});

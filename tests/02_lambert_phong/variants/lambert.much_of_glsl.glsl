@@ -19,7 +19,8 @@ float along(Pair pair) {
     n /= 3u;
     mat3 frame = mat3(1.0) / two;
     vec3 scaled = frame * vec3(sum) / vec3(1.0, 2.0, 4.0) * two;
-    scaled.x /= float(cells.x) / 3.0, scaled.yz *= 1.0;
+    scaled.x /= float(cells.x) / 3.0;
+    scaled.yz *= 1.0;
     float angle = atan(0.0, 1.0) + atan(0.0) + mod(float(cells.y), two) + smoothstep(0.0, 1.0, 0.0);
     return n == 1u ? clamp(scaled.x, -1.0, 1.0) + angle : max(min(1, 2), 3) / 0.5;
 }

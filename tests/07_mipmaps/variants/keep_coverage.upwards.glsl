@@ -9,7 +9,10 @@ float keep_coverage(float wanted, float cutoff) {
     int lowest = 1;
     for (int code = 1; code < 256; ++code) {
         left -= float(texels_with(code));
-        if (abs(left - wanted) < best) best = abs(left - wanted), lowest = code + 1;
+        if (abs(left - wanted) < best) {
+            best = abs(left - wanted);
+            lowest = code + 1;
+        }
     }
     return 255.0 * cutoff / (float(lowest) - 0.5);
 }

@@ -52,10 +52,15 @@ struct Everything : ModelChapter {
         Drawings all;
         if (world.is("julia"))
             all.push_back(julia);
-        else
-            all.push_back(terrain), all.push_back(planet);
+        else {
+            all.push_back(terrain);
+            all.push_back(planet);
+        }
         all.insert(order.is("before") ? all.begin() : all.end(), objects);
-        if (world.is("terrain")) all.push_back(atmosphere), all.push_back(fog);
+        if (world.is("terrain")) {
+            all.push_back(atmosphere);
+            all.push_back(fog);
+        }
         return all;
     }
 

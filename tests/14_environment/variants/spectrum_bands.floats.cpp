@@ -14,8 +14,10 @@ glm::vec3 spectrum_bands(const std::vector<float>& samples, float rate_hz) {
     glm::vec3 sum(0), n(0);
     for (int k = 0; k <= 1024; ++k)
         for (int b = 0; b < 3; ++b)
-            if (const float f = k * (rate_hz / 2048.0f); f >= edges[b] && f < edges[b + 1])
-                sum[b] += std::norm(X[k] / 512.0f), n[b] += 1;
+            if (const float f = k * (rate_hz / 2048.0f); f >= edges[b] && f < edges[b + 1]) {
+                sum[b] += std::norm(X[k] / 512.0f);
+                n[b] += 1;
+            }
     return glm::sqrt(sum / glm::max(n, 1.0f));
 }
 

@@ -14,9 +14,11 @@ glm::vec3 spectrum_bands(const std::vector<float>& samples, float rate_hz) {
         double re = 0, im = 0;
         for (int n = 0; n < 2048; ++n) {
             const double a = 2 * M_PI * (k * n % 2048) / 2048, w = std::pow(std::sin(M_PI * n / 2048), 2);
-            re += w * samples[n] * std::cos(a), im -= w * samples[n] * std::sin(a);
+            re += w * samples[n] * std::cos(a);
+            im -= w * samples[n] * std::sin(a);
         }
-        square[band] += (re * re + im * im) / 512 / 512, count[band]++;
+        square[band] += (re * re + im * im) / 512 / 512;
+        count[band]++;
     }
     glm::vec3 out(0);
     for (int b = 0; b < 3; ++b)
