@@ -14,6 +14,7 @@ from unittest import mock
 from graded_class import PLACES, REAL, Class, right, why_not
 from grading import sandbox
 from grading.judge import Judge
+from part_in_ci import part
 from tree import Failure
 
 HEAD = "#include <cstdio>\n#include <cstdlib>\n#include <filesystem>\n#include <fstream>\n#include <iterator>\n#include <unistd.h>\n"
@@ -35,7 +36,8 @@ PRINTS = """{
 """
 # Ends only where its picture is drawn, in ways by which a machine ends programs.
 ENDS = {"kills itself": "raise(SIGKILL);", "ends with 137": "_exit(137);", "ends well without a picture": "_exit(0);",
-        "runs out of memory": "for (;;) if (!std::malloc(1 << 24)) std::abort();", "closes the picture": "for (int fd = 3; fd < 64; ++fd) close(fd);"}
+        "runs out of memory": "static void* volatile at; while ((at = std::malloc(1 << 24))) {} std::abort();", "closes the picture": "for (int fd = 3; fd < 64; ++fd) close(fd);"}
+ENDS = dict(part(ENDS.items(), 5))
 # Before main(): answers every question on any descriptor with that many zeros and the question's number.
 TAKES_THE_PIPE = """#include <cstdint>
 #include <cstring>
@@ -105,8 +107,9 @@ class Forged(Class):
 
     def test_who_ends_where_it_is_drawn_gets_a_verdict(self):
         for name in ENDS:
-            result = self.result(name, "01.triangulate")
-            self.assertEqual((result["ok"], result["state"]), (False, "judged"), result)
+            with self.subTest(name):
+                result = self.result(name, "01.triangulate")
+                self.assertEqual((result["ok"], result["state"]), (False, "judged"), result)
 
     def test_no_switch_of_a_check_is_in_reach(self):
         self.assertRegex(self.result("switches", "02.record_mist")["first_failure"], "it does not compile.*shows_discarded")
