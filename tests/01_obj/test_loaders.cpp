@@ -99,6 +99,9 @@ TEST_CASE("loaders: a corner ends with its line, whatever follows") {
         rest = text;
         CHECK(take_plain_corner(rest, corner));
     }
+    std::string_view rest = std::string_view("3//").substr(0, 2);
+    Corner corner;
+    CHECK_FALSE(take_plain_corner(rest, corner));
 }
 
 TEST_CASE("loaders: what files in the wild look like") {

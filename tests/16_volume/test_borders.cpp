@@ -157,4 +157,11 @@ TEST_CASE_METHOD(OnVolume, "skipping gives midpoint's picture where steps are lo
         INFO("density " << density);
         CHECK_FALSE(differs());
     }
+    // Behind an empty half: the first sample there lies in such a block.
+    load({64, 64, 64}, [](int, int y, int) { return y < 32 ? 1.0f : 0.0f; });
+    for (const int steps : {2, 3, 4, 5, 6, 9}) {
+        volume.steps.value = steps;
+        INFO(steps << " steps through a half that is empty and one that is full");
+        CHECK_FALSE(differs());
+    }
 }

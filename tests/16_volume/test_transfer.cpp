@@ -8,7 +8,8 @@ using namespace lightwalk;
 TEST_CASE_METHOD(OnVolume, "a density behind the last empty entry of the function is marched through",
                  "[16.transfer]") {
     const float entries = TRANSFER_TEXELS - 1, last_empty = std::floor(0.12f * entries);  // skin begins at 0.12
-    load({8, 8, 8}, [&](int, int, int) { return (last_empty + 0.5f) / entries; });
+    // An empty half lies before it: blocks are looked up after an empty sample.
+    load({16, 16, 16}, [&](int, int y, int) { return y < 8 ? (last_empty + 0.5f) / entries : 0.0f; });
     volume.transfer.set("skin");
     volume.steps.value = 64;
     volume.method.set("midpoint");
@@ -42,7 +43,9 @@ TEST_CASE_METHOD(OnVolume, "each end of a trapezium colours the step as far as i
     // Along the ray the density falls from 1 to 0.34 in one step: both are points of the function `nebula`. A scan's y
     // points to the camera.
     load({2, 2, 2}, [](int, int y, int) { return y ? 1.0f : 0.34f; });
-    volume.transfer.set("nebula"), volume.method.set("trapezium"), volume.steps.value = 1;
+    volume.transfer.set("nebula");
+    volume.method.set("trapezium");
+    volume.steps.value = 1;
     const glm::dvec3 found(middle());
     const glm::dvec3 front(3.0, 2.7, 2.2), back(0.9, 0.22, 0.75);
     const double thick = -std::log(1 - 0.16), thin = -std::log(1 - 0.022);

@@ -83,11 +83,13 @@ TEST_CASE("a planet's radius sweeps equal areas in equal times, and its energy s
             const glm::dvec3 speed =
                 (place_body(body, days + step).position - place_body(body, days - step).position) / (2 * step);
             const double area = glm::length(glm::cross(at, speed));
-            least_area = std::min(least_area, area), most_area = std::max(most_area, area);
+            least_area = std::min(least_area, area);
+            most_area = std::max(most_area, area);
             // Of the energy follows half the orbit's length; the Sun's pull in metres and days.
             const double pull = 1.32712440018e20 * 86400.0 * 86400.0;
             const double axis = 1 / (2 / glm::length(at) - glm::dot(speed, speed) / pull);
-            least_axis = std::min(least_axis, axis), most_axis = std::max(most_axis, axis);
+            least_axis = std::min(least_axis, axis);
+            most_axis = std::max(most_axis, axis);
         }
         INFO(body_names()[size_t(body)]);
         fmt::print("{}: areas differ by {:.1e}, half axes by {:.1e}\n", body_names()[size_t(body)],
@@ -110,7 +112,8 @@ TEST_CASE("the Moon's largest terms are those of ERFA's series: longitude, latit
         const double theirs[3] = {std::remainder(known.longitude_deg - mean_deg, 360.0), known.latitude_deg,
                                   known.away - 385.001};
         for (int k = 0; k < 3; ++k) {
-            of[k] += ours[k] * theirs[k], squares[k] += ours[k] * ours[k];
+            of[k] += ours[k] * theirs[k];
+            squares[k] += ours[k] * ours[k];
             off[k] += (ours[k] - theirs[k]) * (ours[k] - theirs[k]);
             worst[k] = std::max(worst[k], std::fabs(ours[k] - theirs[k]));
         }
