@@ -64,6 +64,9 @@ std::vector<Timeline::Shown> Timeline::shown(double time_s) const {
 std::vector<double> Timeline::turns(size_t scene) const {
     const FilmScene& of = scenes.at(scene);
     std::set<double> all{of.from_s};
+    for (const CameraKey& key : of.camera.keys())
+        if (const double at_s = key.time_s - of.clock_s + of.from_s; at_s > of.from_s)
+            all.insert(std::min(at_s, of.to_s - 0.01));
     for (const Track& track : of.knobs)
         for (size_t i = 1; i < track.times_s.size(); ++i)
             if (const double at_s = track.times_s[i] - of.clock_s + of.from_s;

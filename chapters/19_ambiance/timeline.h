@@ -107,7 +107,8 @@ struct Timeline {
     };
     std::vector<Shown> shown(double time_s) const;
 
-    /// When a scene may need something that it did not need before: at its beginning, and where a track jumps. In order.
+    /// When a scene may need something that it did not need before: at its beginning, where a track jumps, and at
+    /// its camera's keys, from which other things are seen. In order.
     std::vector<double> turns(size_t scene) const;
 
     /// How far the picture is faded, each from 0 to 1.

@@ -121,6 +121,14 @@ TEST_CASE("a scene turns where it begins and where a track jumps, not where one 
     CHECK(film.turns(0) == std::vector<double>{10, 12, 15});
 }
 
+TEST_CASE("a scene turns at its camera's keys, from which other things are seen") {
+    const Timeline film = read("\"scenes\": [" + scene("a", 10, 20, R"(, "clock_s": 3, "camera": {"keys": [
+        {"time_s": 3, "position": [0, 0, 9], "target": [0, 0, 0]}, {"time_s": 7, "position": [9, 0, 9], "target": [0, 0, 0]},
+        {"time_s": 13, "position": [9, 0, 0], "target": [0, 0, 0]}]})") +
+                               "]");
+    CHECK(film.turns(0) == std::vector<double>{10, 14, 20 - 0.01});
+}
+
 TEST_CASE("tracks of the whole film run in its time, and their errors name their line") {
     const Timeline film = read(R"("knobs": {"post.grain": "white", "post.grain_by": [[0, 0.02], [50, 0]]})");
     REQUIRE(film.knobs.size() == 2);
