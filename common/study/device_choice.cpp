@@ -15,14 +15,22 @@ namespace {
 constexpr double clearly_less = 0.9;  // of two runs' times
 constexpr size_t longest_entry = 4096;
 
-DeviceChoice measured(Choice& knob, const std::function<double()>& measure) {
-    DeviceChoice choice{.knob = knob.path(), .value = knob.options.front(), .line = ""};
+// Values that draw one picture, the default first; none where no device's choice is wanted.
+std::vector<std::string> ways_of(const Choice& knob) {
+    if (knob.name == "shaded") return knob.options;
+    // Light volumes, or a dispatch over tiles: one G-buffer.
+    if (knob.path() == "gbuffer.method" && knob.is("packed")) return {"packed", "tiled"};
+    return {};
+}
+
+DeviceChoice measured(Choice& knob, const std::vector<std::string>& ways, const std::function<double()>& measure) {
+    DeviceChoice choice{.knob = knob.path(), .value = ways.front(), .line = ""};
     double first_ms = 0, least_ms = 0;
-    for (const std::string& option : knob.options) {
+    for (const std::string& option : ways) {
         knob.set(option);
         const double ms = measure();
         choice.line += fmt::format("{}{} {:.2f} ms", choice.line.empty() ? "" : ", ", option, ms);
-        if (option == knob.options.front()) first_ms = least_ms = ms;
+        if (option == ways.front()) first_ms = least_ms = ms;
         if (ms < std::min(least_ms, clearly_less * first_ms)) {
             least_ms = ms;
             choice.value = option;
@@ -48,13 +56,15 @@ std::vector<DeviceChoice> choose_by_device(const KnobList& knobs, const std::str
     std::vector<DeviceChoice> all;
     for (KnobBase* const one : knobs) {
         auto* const knob = dynamic_cast<Choice*>(one);
-        if (!knob || knob->name != "shaded" || knob->pinned || knob->changed()) continue;
+        if (!knob || knob->pinned || knob->changed()) continue;
+        const std::vector<std::string> ways = ways_of(*knob);
+        if (ways.empty()) continue;
         const auto file = kept_file("choice by device, 1\n" + device + "\n" + knob->path(), ".choice");
         std::optional<DeviceChoice> choice = kept_choice(*knob, file);
         if (!choice) {
             const std::string before = knob->text();
             try {
-                choice = measured(*knob, measure);
+                choice = measured(*knob, ways, measure);
             } catch (const std::exception&) {  // drawing says so itself
                 knob->set(before);
                 continue;

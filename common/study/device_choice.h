@@ -10,7 +10,8 @@ struct DeviceChoice {
     std::string line;   ///< both times
 };
 
-/// Sets the defaults of the choices `shaded` that neither the command line nor the scene has set. `device` names what
+/// Sets the defaults of the choices `shaded`, and of a packed G-buffer's lights, that neither the command line nor the
+/// scene has set. `device` names what
 /// is kept, `measure` gives the milliseconds of a small picture with the knobs as they are. The first value stays
 /// unless another takes less than 0.9 of its time.
 std::vector<DeviceChoice> choose_by_device(const KnobList& knobs, const std::string& device,

@@ -157,3 +157,28 @@ TEST_CASE("device choice: measured once and kept; what a person or a scene has s
     CHECK(choose(near_tie, device + " other")[0].value == "raster");
     CHECK(choose_by_device(near_tie, check_device()).empty());  // software
 }
+
+TEST_CASE("device choice: a packed G-buffer is lit by volumes or by tiles, and no other method is tried") {
+    struct Buffer : Module {
+        using Module::Module;
+        Choice method{*this, "method", {"forward", "fat", "packed", "tiled"}, "packed", "how"};
+    };
+    struct Stored : Grey {
+        Buffer gbuffer{*this, "gbuffer"};
+    };
+    const std::string device = "buffers " + std::to_string(getpid());
+    const auto choose = [&](Stored& chapter) {
+        return choose_by_device(chapter.all_knobs(), device,
+                                [&] { return chapter.gbuffer.method.is("tiled") ? 2.0 : 12.0; });
+    };
+    Stored chapter;
+    const std::vector<DeviceChoice> chosen = choose(chapter);
+    REQUIRE(chosen.size() == 1);
+    CHECK(chosen[0].knob == "gbuffer.method");
+    CHECK(chosen[0].line == "packed 12.00 ms, tiled 2.00 ms");
+    CHECK(chapter.gbuffer.method.is("tiled"));
+    CHECK_FALSE(chapter.gbuffer.method.changed());
+    Stored forward;
+    forward.gbuffer.method.change_default("forward");
+    CHECK(choose(forward).empty());
+}
