@@ -1,12 +1,10 @@
-// Checks of the exercises about water and transparent surfaces.
+// Checks of the exercises about water.
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "01_obj/camera_view.h"
 #include "15_terrain_water/exercises.h"
-#include "15_terrain_water/transparency_truth.h"
 #include "15_terrain_water/water_truth.h"
 #include "common/check/check.h"
 
@@ -147,107 +145,6 @@ CHECK_EXERCISE("15.fresnel_water", "From below, Snell's law gives the cosine in 
     const Table results = check.probe(probe);
     check.property(probe, results, "expected a share of the light: not below 0, and not above 1",
                    [](auto, auto out) { return out[0] >= 0 && out[0] <= 1 + 1e-6; });
-}
-
-CHECK_EXERCISE("15.wboit_weight", "Square and cube by multiplying; clamp x before it is multiplied by alpha.") {
-    Probe probe{
-        .include = "15_terrain_water/wboit_weight.glsl",
-        .signature = "float wboit_weight(int equation, float alpha, float distance_m, float depth)",
-        .inputs = {},
-        .truth = [](std::span<const double> in) { return Row{truth::wboit_weight(int(in[0]), in[1], in[2], in[3])}; },
-        .bound = {.absolute = 1e-7, .relative = 1e-3},
-        .hint = [](auto in, auto out) -> std::string {
-            const int equation = int(in[0]);
-            if (equation == 0) return "Equation 0 is a plain mean.";
-            // What each mistake would have made of it.
-            const auto is = [&](double other) { return std::fabs(out[0] - other) <= 1e-3 * std::fabs(other) + 1e-7; };
-            const double w = truth::wboit_weight(equation, in[1], in[2], in[3]);
-            const double x = truth::wboit_weight(equation, 1, in[2], in[3]);
-            if (in[1] != 1 && is(x)) return "The clamped x is multiplied by alpha.";
-            if (in[1] != 1 && is(std::clamp(in[1] * x, 0.01, 3000.0)))
-                return "x alone is clamped, and multiplied by alpha after that.";
-            if (equation == 4 && is(truth::wboit_weight(4, in[1], in[2], 1 - in[3])))
-                return "depth is 0 at the near plane: 1 - d is great where the fragment is near.";
-            for (const int other : {1, 2, 3, 4})
-                if (other != equation && is(truth::wboit_weight(other, in[1], in[2], in[3])))
-                    return fmt::format("That is the weight of `equation` {}.", other);
-            if (w == 0.01 * in[1] || w == 3000 * in[1]) return "x stays within 0.01 and 3000.";
-            const char* divisors[] = {"", "z / 5 squared, z / 200 to the power of 6",
-                                      "z / 10 cubed, z / 200 to the power of 6",
-                                      "z / 200 to the power of 4, and 0.03 on top", "(1 - d) cubed, times 3000"};
-            return fmt::format("Equation {} has {}.", equation, divisors[equation]);
-        }};
-    Random random(7);
-    for (int equation = 0; equation < 5; ++equation) {
-        for (const double z : {1.0, 5.0, 20.0, 200.0, 1000.0, 0.2, 0.05})
-            for (const double alpha : {0.5, 1.0, 0.0})
-                probe.inputs.push_back({double(equation), alpha, z, 1 - 0.05 / z});
-        probe.inputs.push_back({double(equation), 0.5, 1, 1.000001});
-        for (int i = 0; i < 40; ++i)
-            probe.inputs.push_back(
-                {double(equation), random.uniform(0, 1), random.logarithmic(0.1, 500), random.uniform(0, 1)});
-    }
-    check.probe(probe);
-}
-
-CHECK_EXERCISE("15.sort_back_to_front", "std::stable_sort the numbers 0, 1, 2 ... by distance, the greatest first.") {
-    Random random(9);
-    const auto place = [&] {
-        return glm::vec3(random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50));
-    };
-    struct Case {
-        std::string name;
-        std::vector<glm::vec3> middles;
-        glm::vec3 eye{0};
-        std::vector<uint32_t> order = {};  // the only right one, where two are equally far
-    };
-    std::vector<Case> cases{
-        {"no surface", {}},
-        {"one surface", {{1, 2, 3}}},
-        {"surfaces at 1, 3 and 2 m", {{0, 0, -1}, {0, 0, -3}, {0, 0, -2}}},
-        {"one 5 m to the side, one 3 m ahead", {{0, 0, -3}, {5, 0, -1}}},
-        {"one 9 m behind the eye, one 3 m ahead", {{0, 0, -3}, {0, 0, 9}}},
-        {"three equally far", {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}, {}, {0, 1, 2}},
-        {"three equally far, in another order", {{0, 0, 2}, {-2, 0, 0}, {0, 2, 0}}, {}, {0, 1, 2}},
-        {"two equally far, one nearer between them", {{3, 4, 0}, {0, 0, 1}, {0, -5, 0}, {0, 0, -9}}, {}, {3, 0, 2, 1}},
-        {"an eye away from the origin", {{10, 0, 0}, {11, 0, 0}}, {12, 0, 0}}};
-    Case many{"200 surfaces", {}, place()};
-    for (int i = 0; i < 200; ++i) many.middles.push_back(place());
-    Case equal{"100 surfaces in five places", {}, place()};
-    for (int i = 0; i < 100; ++i) equal.middles.push_back(i < 5 ? place() : equal.middles[size_t(i) % 5]);
-    Case large{"10,000 surfaces", {}, place()};
-    for (int i = 0; i < 10000; ++i) large.middles.push_back(place());
-    cases.insert(cases.end(), {many, equal, large});
-    for (const Case& one : cases) {
-        const std::string what = "sort_back_to_front(" + one.name + ")";
-        check.call(what, [&]() -> std::string {
-            const std::vector<uint32_t> got = sort_back_to_front(one.middles, one.eye);
-            if (got.size() != one.middles.size())
-                return fmt::format("{} gave {} numbers, expected {}", what, got.size(), one.middles.size());
-            std::vector<bool> seen(got.size());
-            for (const uint32_t i : got) {
-                if (i >= seen.size() || seen[i])
-                    return fmt::format("{} gave the number {} twice or beyond the last", what, i);
-                seen[i] = true;
-            }
-            for (size_t i = 1; i < got.size(); ++i) {
-                const float before = glm::length(one.middles[got[i - 1]] - one.eye),
-                            after = glm::length(one.middles[got[i]] - one.eye);
-                if (before < after * 0.999999f)
-                    return fmt::format("{}: number {}, {:.3f} m away, comes before number {}, {:.3f} m away", what,
-                                       got[i - 1], before, got[i], after);
-                const bool tie = one.order.empty() ? one.middles[got[i - 1]] == one.middles[got[i]] : before == after;
-                if (tie && got[i - 1] > got[i])
-                    return fmt::format("{}: numbers {} and {} are equally far, and have changed places", what, got[i],
-                                       got[i - 1]);
-            }
-            return "";
-        });
-        if (check.failed) return;
-    }
-    check.expect_no_square("sort_back_to_front", 1000, [&](size_t count) {
-        sort_back_to_front({large.middles.begin(), large.middles.begin() + long(count)}, large.eye);
-    });
 }
 
 CHECK_EXERCISE("15.mirror_view",
