@@ -106,17 +106,22 @@ CHECK_EXERCISE("07.to_linear", "Codes are not light, vectors or variances: decod
         srgb.inputs.push_back({c / 255.0, std::min(c + 1, 255) / 255.0, std::min(c + 2, 255) / 255.0});
     check.probe(srgb);
 
-    Probe normal{
-        .include = srgb.include,
-        .signature = "vec3 normal_to_linear(vec4 code)",
-        .inputs = {{0.5, 0.5, 1, 0}, {1, 0.5, 0.5, 0}, {0.5, 0.5, 0.5, 0}, {0.5, 0.5, 1, 1}, {0.5, 0.5, 1, 0.5}},
-        .truth = [](std::span<const double> in) { return row_of(truth::normal_to_linear(four(in))); },
-        .bound = {.absolute = 1e-5},
-        .hint = [](auto in, auto) -> std::string {
-            if (in[0] == 0.5 && in[1] == 0.5 && in[2] == 0.5)
-                return "This code has no direction: use (0, 0, 1), times the length.";
-            return in[3] > 0 ? "The mean is shorter than 1 here: its length is 1 - a a." : "Normalise the direction.";
-        }};
+    Probe normal{.include = srgb.include,
+                 .signature = "vec3 normal_to_linear(vec4 code)",
+                 .inputs = {{0.5, 0.5, 1, 0},
+                            {1, 0.5, 0.5, 0},
+                            {0.5, 0.5, 0.5, 0},
+                            {0.5, 0.5, 1, 1},
+                            {0.5, 0.5, 1, 0.5},
+                            {0.53, 0.5, 0.5, 0}},
+                 .truth = [](std::span<const double> in) { return row_of(truth::normal_to_linear(four(in))); },
+                 .bound = {.absolute = 1e-5},
+                 .hint = [](auto in, auto) -> std::string {
+                     if (in[0] == 0.5 && in[1] == 0.5 && in[2] == 0.5)
+                         return "This code has no direction: use (0, 0, 1), times the length.";
+                     return in[3] > 0 ? "The mean is shorter than 1 here: its length is 1 - a a."
+                                      : "Normalise the direction.";
+                 }};
     Random random;
     for (int i = 0; i < 500; ++i) {
         const glm::vec3 n = 0.5f + 0.45f * random.direction();

@@ -31,6 +31,9 @@ CHECK_EXERCISE("13.reproject", "Pixels to -1 to 1, the matrix, the division by w
                         return "The camera has moved: the surface was elsewhere.";
                     return "";
                 }};
+    // A surface right before the camera, and one right behind it.
+    for (const double w : {0.004, -0.004})
+        probe.inputs.push_back({50, 40, 0.3, 200, 300, w, 0, 0, 0, 0, w, 0, 0, 0, 0, w, 0, 0, 0, 0, w});
     Random random;
     for (int i = 0; i < 400; ++i) {
         const glm::dvec2 size = i % 3 ? glm::dvec2(640, 360) : glm::dvec2(200, 300);
@@ -70,6 +73,8 @@ CHECK_EXERCISE("13.keep_or_reject", "Outside, or behind something: even the fart
                            {40, 30, 80, 60, 0.5, 0},
                            {40, 30, 80, 60, 0.5, 0.52},
                            {40, 30, 80, 60, 0.5, 0.53},
+                           {40, 30, 80, 60, 0.5, 0.5256},  // 5.1% of what was expected, 4.9% of what was found
+                           {40, 30, 80, 60, 4, 4.204},
                            {40, 30, 80, 60, 1, 0.1}},
                 .truth =
                     [](std::span<const double> in) {
