@@ -1,7 +1,9 @@
 // The bound of chunks: no point is drawn further from the ground than land.error_px, nor is a skyline.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "common/check/probe.h"
 #include "land_fixture.h"

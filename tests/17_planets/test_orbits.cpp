@@ -1,6 +1,7 @@
 // Orbits against positions of the library ERFA 2.0 (planets: J. Simon et al., 1994; the Moon: J. Meeus, 1998), and Kepler's laws.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../catch.h"

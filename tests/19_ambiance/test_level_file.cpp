@@ -1,7 +1,9 @@
 // The music's levels as an asset, and how long a state that follows must be warmed up.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "../catch.h"
 #include "14_environment/sound_file.h"
