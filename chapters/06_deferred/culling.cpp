@@ -46,7 +46,10 @@ void Culling::begin(Frame& frame, const Scene& scene, const View& view, const st
     planes_ = view_planes(to_clip_, margin_m(scene.bounds, view.eye));
     listed_ = false;
     list_count_ = 0;
-    group(frame, method.is("none") ? std::vector<Batch>() : batches);
+    size_t objects = 0;
+    for (const Batch& batch : batches) objects += batch.count;
+    const bool pays = !method.is("none") && objects >= static_cast<size_t>(least.value);
+    group(frame, pays ? batches : std::vector<Batch>());
     if (culls() && method.is("frustum_cpu")) find();
     host_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

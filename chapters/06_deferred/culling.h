@@ -18,7 +18,7 @@ std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float mar
 // [culling]
 /// For a view: begin(), then passes() for each pass over its objects, which states the module in `.with` and draws
 /// batches by draw(). Culling changes no picture.
-/// Large (16 functions, 17 members): one member for each list that its dispatches share.
+/// Large (16 functions, 18 members): one member for each list that its dispatches share.
 struct Culling : Module {
     Culling(Module& owner, std::string name) : Module(owner, std::move(name), "culling") {}
 
@@ -33,6 +33,7 @@ struct Culling : Module {
                   {"box", "sphere"},
                   "box",
                   "Bounds of objects that are tested against the view: a box, or the sphere around it"};
+    Knob<int> least{*this, "least", 0, {0, 1000000}, "Number of objects from which on they are left out"};
 
     /// `batches`: all that the view draws; none: nothing is culled.
     void begin(Frame& frame, const Scene& scene, const View& view, const std::vector<Batch>& batches);

@@ -49,7 +49,10 @@ bool Taa::set_up(Frame& frame, glm::uvec2 size, const Seen& seen) {
     for (Image& image : behind_)
         is_new |=
             image.fit(device, {.name = path() + " behind", .format = VK_FORMAT_R32_SFLOAT, .size = size, .kept = true});
-    const bool same = before_ && before_->size == seen.view.size && scene_ == seen.scene;
+    const std::filesystem::path file = seen.scene ? seen.scene->file.file : std::filesystem::path();
+    const bool same = before_ && before_->size == seen.view.size && scene_ == seen.scene && scene_file_ == file;
+    scene_ = seen.scene;
+    scene_file_ = file;
     remembered_.written = true;
     return remembered_.valid && same && !is_new;
 }
@@ -92,7 +95,6 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
     });
     if (seen.scene) moving_.keep(frame, *seen.scene);
     before_ = now;
-    scene_ = seen.scene;
 }
 // [/record]
 

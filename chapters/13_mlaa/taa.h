@@ -76,6 +76,7 @@ struct Taa : Module {
     Moving moving_;
     std::optional<View> before_;
     const Scene* scene_ = nullptr;
+    std::filesystem::path scene_file_;  ///< another scene may be loaded at the same address
     Pipeline still_ = compute({.shader = "13_mlaa/taa.comp", .macros = {{"MOVING", "0"}}});
     Pipeline follow_ = compute({.shader = "13_mlaa/taa.comp", .macros = {{"MOVING", "1"}}});
     Pipeline show_ = compute({.shader = "13_mlaa/taa_show.comp"});

@@ -87,6 +87,7 @@ void Editor::open_document(Chapter& chapter, Document next) {
     selection.clear();
     document.mark_all_changed();
     chapter.camera = document.settings().camera;
+    chapter.forget_history();
     give_knobs(chapter);
 }
 

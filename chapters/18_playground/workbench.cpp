@@ -9,6 +9,8 @@ namespace lightwalk {
 Workbench::Workbench(Module& owner) : World(owner) {
     objects.gbuffer.method.change_default("forward");
     objects.maps.method.change_default("normal");
+    objects.culling.method.change_default("occlusion");
+    objects.culling.least.change_default("4000");
     objects.shading.with = {light, substances, paint};
     objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
     sky.map.change_default("plain");

@@ -12,10 +12,14 @@ struct Sample {
 };
 
 struct OnTaa : OnModules {
-    Taa taa{owner, "taa"};
+    Mlaa by{owner, "mlaa"};
+    Taa& taa = by.taa;
     Camera camera;
+    Scene* scene = nullptr;
     Image picture, depth;
     int drawn = 0;
+
+    OnTaa() { by.method.set("taa"); }
 
     /// One frame of world(x, y), each pixel sampled where its shift says.
     template <class World>
@@ -30,7 +34,7 @@ struct OnTaa : OnModules {
         const auto light = [&](int x, int y) { return at(x, y).light; };
         filter_frame(picture, size, half_texels(size, light, 0.25f), [&] {
             frame.upload("depth", depth, std::as_bytes(std::span(depths)));
-            taa.record(frame, picture, {view, depth});
+            by.record(frame, picture, {view, depth, scene});
         });
         return read_linear(gpu, picture);
     }

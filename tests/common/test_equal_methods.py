@@ -45,8 +45,8 @@ EQUAL = [
     Equal("gbuffer.volumes", ("on", "off"), codes=1),
     Equal("cull", ("fixed", "geometry"), codes=1),
     # docs/06a: from the frame before, hidden objects; the picture is the same from the first frame on.
-    Equal("culling.method", ("none", "frustum_cpu", "frustum_gpu", "occlusion"), frames=3),
-    Equal("culling.method", ("none", "frustum_cpu", "occlusion"), sets=("gbuffer.method=forward",)),
+    Equal("culling.method", ("none", "frustum_cpu", "frustum_gpu", "occlusion"), sets=("culling.least=0",), frames=3),
+    Equal("culling.method", ("none", "frustum_cpu", "occlusion"), sets=("gbuffer.method=forward", "culling.least=0")),
     Equal("prepass", ("on", "off")),
     Equal("overdraw", ("1", "3")),
     # docs/07: for a texture with powers of two as sides, 2x2 means; single_pass rounds to codes later than box does.

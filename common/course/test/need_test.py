@@ -8,7 +8,8 @@ where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KN
 process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
 choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
 the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
-does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes", too slow for a suite, and writes all choices to
+does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes" and the chapter's further studies, too slow for a
+suite: "studies": {"study_NAME.json": {"size": ..., "budgets": ..., "scenes": ...}}. It writes all choices to
 build/needs/NN_name.auto.json, which a lesson quotes from docs/studies/tables. Under "large" the rule may not draw whole
 pictures where crops decide. The first scene also tests --explain --json.
 """
@@ -20,7 +21,8 @@ import statistics
 from pathlib import Path
 
 from charts.measured import here
-from charts.study import SceneEntry, study_of
+from charts.study import SceneEntry
+from charts.timings import request_of
 from shots.golden import compare
 from shots.rendering import render, run_program, text
 from test.results import table
@@ -53,9 +55,9 @@ def set_options(knobs: dict) -> list[str]:
     return [word for name, value in knobs.items() for word in ("--set", f"{name}={text(value)}")]
 
 
-def measure(chapter: str, needs: dict, crops: bool) -> dict:
-    """The study of the scenes of `needs`: all candidates, and the rule's choice for each budget."""
-    study = study_of(chapter)
+def measure(chapter: str, needs: dict, crops: bool, of: str = "study.json") -> dict:
+    """The study `of` the scenes of `needs`: all candidates, and the rule's choice for each budget."""
+    study = request_of(chapter, of)
     asked = {**study, "size": needs["size"], "scenes": needs["scenes"], "budgets": needs["budgets"], "crops": crops,
              "curves": study.get("candidates", study["curves"]), "error_metric": "flip_mean",
              "truth": {"set": study["truth"]["set"], "exact": True}}
@@ -63,7 +65,7 @@ def measure(chapter: str, needs: dict, crops: bool) -> dict:
         asked.pop(key, None)
     folder = BUILD / "needs"
     folder.mkdir(parents=True, exist_ok=True)
-    name = f"{chapter}.{'large' if crops else 'small'}"
+    name = f"{chapter}.{Path(of).stem}.{'large' if crops else 'small'}"
     file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
     file.write_text(json.dumps(asked, indent=1))
     return run_study(chapter, out, LIGHTWALK_STUDY_FILE=str(file))
@@ -158,6 +160,8 @@ def measured_rows(chapter: str, needs: dict) -> list[dict]:
     if "large" in needs:
         large = rows_of_study(measure(chapter, {**needs, **needs["large"]}, crops=True))
         rows += [{**row, "case": row["case"] + ", large"} for row in large]
+    for study, more in needs.get("studies", {}).items():
+        rows += [{**row, "case": row["case"] + f", {study}"} for row in rows_of_study(measure(chapter, more, False, study))]
     return rows + [median_row(rows)]
 
 
@@ -165,6 +169,8 @@ def main(chapter: str) -> list[str]:
     needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
     if os.environ.get("LIGHTWALK_NEEDS") == "all":
         needs["scenes"] += needs.get("more_scenes", [])
+    else:
+        needs.pop("studies", None)
     for _ in range(TRIES):
         rows = measured_rows(chapter, needs)
         if rows[-1]["ok"]:

@@ -10,12 +10,14 @@ where nothing is asserted of "either". Loaders: the course's own read every floa
 """
 
 import json
+from functools import partial
+from pathlib import Path
 
 from charts.study import SceneEntry, study_of
 from shots.rendering import run_program, text
 from test.need_test import run_study, sweep
 from test.results import table
-from tree import BUILD, chapter_program, run_on_chapter, say
+from tree import BUILD, ROOT, chapter_program, run_on_chapter, say
 
 SIZE = [480, 270]  # or the study's "test_size": where its frames are slow, a test can do with fewer pixels
 OWN_LOADERS = ("textbook", "scan", "parallel")
@@ -54,15 +56,18 @@ def rows_of(chapter: str) -> list[dict]:
     rows = [{"case": "a second run, with one thread", "inputs": f"{len(errors[0])} points", "worst": len(differ),
              "bound": "0 differ", "ok": not differ and len(errors[0]) == len(errors[1]),
              "text": f"{differ[0][0]} {differ[0][1]} differs" if differ else "the same errors"}]
-    return [*rows, *([whole_row(chapter)] if "test_scenes" in study else []), *frame_rows(study, first)]
+    whole = [ROOT / "chapters" / chapter / "study.json"] if "test_scenes" in study else []
+    whole += sorted((ROOT / "chapters" / chapter).glob("study_*.json"))
+    return [*rows, *map(partial(whole_row, chapter), whole), *frame_rows(study, first)]
 
 
-def whole_row(chapter: str) -> dict:
-    """study.json can be read with the scenes that this test omits: the study refuses zero rounds only after reading."""
+def whole_row(chapter: str, file: Path) -> dict:
+    """A study that this test does not run, or not with all of its scenes, can be read: zero rounds are refused only after
+    reading."""
     done = run_program([chapter_program(chapter), "--study", BUILD / "study" / f"whole.{chapter}.json"],
-                       LIGHTWALK_STUDY_ROUNDS="0")
+                       LIGHTWALK_STUDY_ROUNDS="0", LIGHTWALK_STUDY_FILE=str(file))
     read = "LIGHTWALK_STUDY_ROUNDS is 0" in done.stderr
-    return {"case": "study.json with all of its scenes", "inputs": "1 file", "worst": "read" if read else "refused",
+    return {"case": f"{file.name} with all of its scenes", "inputs": "1 file", "worst": "read" if read else "refused",
             "bound": "read", "ok": read, "text": "read" if read else done.stderr.strip()[-300:]}
 
 
