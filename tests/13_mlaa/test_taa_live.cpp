@@ -1,4 +1,7 @@
 // Temporal anti-aliasing while something changes: the size of the picture, the method, the scene, the camera, its knobs.
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
 
 #include "taa_fixture.h"

@@ -2,6 +2,9 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <filesystem>
+
 #include "../common/module_fixture.h"
 #include "01_obj/obj.h"
 #include "14_environment/ground_shadow.h"

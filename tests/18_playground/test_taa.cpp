@@ -1,4 +1,7 @@
 // Temporal anti-aliasing in the editor: no trace of a scene that is gone, and pictures that depend on their time alone.
+#include <chrono>
+#include <filesystem>
+
 #include "common/app/read_picture.h"
 #include "driven_editor.h"
 
