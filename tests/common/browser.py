@@ -41,11 +41,20 @@ class Driven:
     def wait(self, expression: str, timeout_s: float = TIMEOUT_S):
         """The value of a JavaScript expression once it is true. Raises RuntimeError where it never is."""
         end = time.monotonic() + timeout_s
-        while not (value := self.evaluate(expression)):
+        while not (value := self.there(expression)):
             if time.monotonic() > end:
                 raise RuntimeError(f"never true within {timeout_s} s: {expression}")
             time.sleep(0.05)
         return value
+
+    def there(self, expression: str):
+        """The value, or None while the page that was asked makes room for another."""
+        try:
+            return self.evaluate(expression)
+        except RuntimeError as error:
+            if "navigated or closed" in str(error) or "context was destroyed" in str(error):
+                return None
+            raise
 
 
 class Browser(Driven):

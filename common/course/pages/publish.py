@@ -25,10 +25,10 @@ WIDEST = 800
 MOST_BYTES = 60_000_000
 FILM = "assets/films/ambiance.film"
 # The film's seconds that the start page shows: valley, sea, chronosphere, harbour, Julia set, Saturn, head, car, knot, courtyard, clouds.
-BEST_S = [[48.5, 50.5], [57, 58.4], [70, 71.5], [124, 125.5], [90, 91.5], [26, 27.5], [109, 110.5], [153, 154.5], [141, 142.5],
-          [205, 206.5], [42, 43.5]]
+BEST_S = [[48.5, 50], [57, 58.2], [70, 71.2], [124, 125.2], [90, 91.2], [26, 27.2], [109, 110], [153, 154.2], [141, 142],
+          [205, 206.2], [42, 43]]
 DRAWN_AS = ["--cut", "short", "--size", "640x360", "--fps", "24", "--samples", "1", "--codec", "h264"]
-ENCODED_AS = ["-an", "-c:v", "libx264", "-preset", "slow", "-crf", "29", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
+ENCODED_AS = ["-an", "-c:v", "libx264", "-preset", "veryslow", "-crf", "31", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
 
 
 def write(folder: Path, film: bool = True) -> int:
@@ -108,6 +108,8 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
         text = re.sub(r'\b(src|href)="([^":]+\.(?:png|jpg))"', lambda found: renamed(found, path, smaller), path.read_text(encoding="utf-8"))
         if later:
             text = re.sub(r'<script src="[./]*search/search_index\.js"></script>', "", text)
+        if "arithmatex" not in text:  # a page without formulas
+            text = re.sub(r'<(?:script src|link rel="stylesheet" href)="[^"]*katex\.min\.(?:js"></script|css")>', "", text)
         text = re.sub(r"<img (?![^>]*loading=)", '<img loading="lazy" decoding="async" ', text)
         head = f'<meta http-equiv="Content-Security-Policy" content="{meta_policy()}">'
         text = text.replace("<head>", f"<head>{head}", 1).replace("</body>", f'<script src="{up}offline.js"></script></body>', 1)
