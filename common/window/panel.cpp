@@ -38,8 +38,10 @@ Requests Panel::draw(PanelState& state, float scale) {
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     const float own = static_cast<float>(width(scale, static_cast<uint32_t>(whole.x)));
     if (own == 0.0f) return requests;
+    const float errors = errors_px(state.errors, own, 0.4f * whole.y);
+    draw_errors(state.errors, {whole.x - own, whole.y - errors}, {own, errors});
     ImGui::SetNextWindowPos({whole.x - own, 0.0f});
-    ImGui::SetNextWindowSize({own, whole.y});
+    ImGui::SetNextWindowSize({own, whole.y - errors});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |

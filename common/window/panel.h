@@ -33,7 +33,8 @@ struct PanelState {
     double frame_ms = 0;               ///< from one picture to the next, wall clock
     bool clock_runs = false;
     float time_s = 0;
-    glm::uvec2 picture{0};  ///< pixels
+    glm::uvec2 picture{0};              ///< pixels
+    std::vector<std::string> errors{};  ///< the picture is the last one that worked
 };
 
 /// A text cut to fit the screen: a compiler may quote a line of megabytes.
@@ -55,8 +56,8 @@ class Panel {
 
     Requests draw(PanelState& state, float scale);
 
-    /// In red over the picture, which is the last one that worked.
-    void draw_errors(const std::vector<std::string>& errors, const Area& picture);
+    /// Over the picture, where the panel, whose lower end has the errors, is hidden.
+    void draw_errors_instead(const PanelState& state, const Area& picture, float scale);
 
     /// The divider to drag and the names of the two sides. True if it was moved.
     bool draw_divider(SplitView& split, const Area& picture);
@@ -67,6 +68,9 @@ class Panel {
     void look(PanelState& state, Requests& requests);
     void times(PanelState& state, Requests& requests);
     void footer(PanelState& state, Requests& requests);
+    /// In a window of this width at most: all text, or most_px with a scrollbar.
+    float errors_px(const std::vector<std::string>& errors, float width_px, float most_px) const;
+    void draw_errors(const std::vector<std::string>& errors, ImVec2 corner, ImVec2 size) const;
     const Overlay& overlay_;
     std::string title_;
     KnobSections knobs_;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "common/window/event_log.h"
 #include "common/window/panel.h"
 
@@ -31,16 +34,27 @@ std::string shortened(const std::string& text) {
     return result.substr(0, std::max<size_t>(result.size(), 1) - 1);
 }
 
-void Panel::draw_errors(const std::vector<std::string>& errors, const Area& picture) {
-    if (errors.empty()) return;
-    const float left = static_cast<float>(picture.corner.x), width = static_cast<float>(picture.size.x),
-                height = static_cast<float>(picture.size.y);
+float Panel::errors_px(const std::vector<std::string>& errors, float width_px, float most_px) const {
+    if (errors.empty()) return 0.0f;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float wrap = width_px - 2.0f * style.WindowPadding.x - style.ScrollbarSize;
+    float sum = 2.0f * style.WindowPadding.y + ImGui::GetTextLineHeightWithSpacing();
+    ImGui::PushFont(overlay_.mono);
+    for (const std::string& error : errors)
+        sum += ImGui::CalcTextSize(shortened(error).c_str(), nullptr, false, wrap).y + style.ItemSpacing.y;
+    ImGui::PopFont();
+    return std::min(std::ceil(sum), most_px);
+}
 
-    ImGui::SetNextWindowPos({left + 8.0f, height - 8.0f}, ImGuiCond_Always, {0.0f, 1.0f});
-    ImGui::SetNextWindowSizeConstraints({width - 16.0f, 0.0f}, {width - 16.0f, 0.6f * height});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 0.92f});
-    ImGui::Begin("errors", nullptr, (over_picture & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+void Panel::draw_errors(const std::vector<std::string>& errors, ImVec2 corner, ImVec2 size) const {
+    if (errors.empty()) return;
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.16f, 0.03f, 0.03f, 1.0f});
+    ImGui::Begin("errors", nullptr, over_picture & ~ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     ImGui::PushFont(overlay_.mono);
     ImGui::PushStyleColor(ImGuiCol_Text, error_color);
     ImGui::PushTextWrapPos();
@@ -49,7 +63,15 @@ void Panel::draw_errors(const std::vector<std::string>& errors, const Area& pict
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ImGui::TextColored(quiet_color, "The picture is the last one that worked.");
+    log_place("errors");
     ImGui::End();
+}
+
+void Panel::draw_errors_instead(const PanelState& state, const Area& picture, float scale) {
+    if (width(scale, static_cast<uint32_t>(ImGui::GetIO().DisplaySize.x)) > 0) return;
+    const float width_px = static_cast<float>(picture.size.x), height_px = static_cast<float>(picture.size.y),
+                own_px = errors_px(state.errors, width_px, 0.6f * height_px);
+    draw_errors(state.errors, {static_cast<float>(picture.corner.x), height_px - own_px}, {width_px, own_px});
 }
 
 bool Panel::draw_divider(SplitView& split, const Area& picture) {

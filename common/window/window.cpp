@@ -184,11 +184,12 @@ Requests Window::build_panel(bool picture_is_new) {
                      .frame_ms = frame_ms_,
                      .clock_runs = clock_.runs,
                      .time_s = clock_.time_s,
-                     .picture = picture_size()};
+                     .picture = picture_size(),
+                     .errors = errors()};
     const std::string asked_before = automatic_.wanted;
     Requests requests = panel_.draw(state, display_.scale());
     const Area area = picture_area();
-    panel_.draw_errors(errors(), area);
+    panel_.draw_errors_instead(state, area, display_.scale());
     if (picture_.split.on() && panel_.draw_divider(picture_.split, area)) requests.changed = true;
     const float scale = display_.scale(), dock = static_cast<float>(area.corner.x);
     if (tool_ && tool_->draw_panels(area, dock, scale)) requests.changed = true;

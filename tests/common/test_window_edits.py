@@ -6,7 +6,7 @@ import time
 import unittest
 from pathlib import Path
 
-from window_case import CHAPTER, HEIGHT, WIDTH, WindowTest
+from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest
 from window_session import ROOT
 
 FRAGMENT = "shaders/01_obj/clay.frag"
@@ -27,9 +27,10 @@ class Edits(WindowTest):
         line = next(i for i, text in enumerate((self.course / FRAGMENT).read_text().splitlines(), 1) if "color =" in text)
         self.edit("color = ", "color = no_such_thing + ")
         self.session.wait_for_line(rf"error: {FRAGMENT}:{line}: .*no_such_thing.*", since)
-        shown = self.session.settled(0, 0, WIDTH, HEIGHT)
+        shown = self.session.settled(WIDTH, 0, PANEL, HEIGHT)
         red = sum(1 for i in range(0, len(shown), 3) if shown[i] > 180 and shown[i + 1] < 130 and shown[i + 2] < 130)
-        self.assertGreater(red, 200, "no red text on the screen")
+        self.assertGreater(red, 200, "no red text beside the picture")
+        self.assertGreaterEqual(self.session.areas["errors"][0], WIDTH)
         self.assert_last_good_picture_stays()
         since = self.session.said()
         self.edit("color = no_such_thing + ", "color = ")
