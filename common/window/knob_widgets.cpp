@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <climits>
 #include <cmath>
 
 #include "common/window/event_log.h"
@@ -47,7 +48,8 @@ bool widget(Knob<float>& knob, const char* id) {
 }
 
 bool widget(Knob<int>& knob, const char* id) {
-    const auto [lower, upper] = knob.range;
+    constexpr int most = INT_MAX / 2;  // ImGui ends the program at a slider for more
+    const int lower = std::max(knob.range.lower, -most), upper = std::min(knob.range.upper, most);
     return ImGui::SliderInt(id, &knob.value, lower, upper, with_unit("%d", knob.unit).c_str(),
                             slider_flags(static_cast<float>(lower), static_cast<float>(upper)));
 }
