@@ -135,6 +135,8 @@ WaterNow Water::now(const Frame& frame, const View& view) const {
 void Water::update(Frame& frame) {
     if (method.is("none")) return;
     if (method.is("fft")) ocean.record(frame);
+    const float towards_rad = glm::radians(method.is("fft") ? ocean.wind_deg.value : wind_deg.value);
+    waterline.record(frame, *scene_, level_m, -glm::vec2(std::cos(towards_rad), std::sin(towards_rad)));
     foam_tile_.fit(
         frame.gpu.device,
         {.name = path() + " foam", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(256), .mips = 1, .kept = true});
@@ -173,6 +175,13 @@ void Water::bind(Pass& pass) const {
     }
 }
 
+// No rings where nothing crosses the water.
+Macros Water::around_objects() const {
+    Macros variant;
+    if (!waterline.exists()) variant.set("WATERLINE_METHOD", "WATERLINE_METHOD_NONE");
+    return variant;
+}
+
 // [follow_rays]
 // The surface is drawn once more before its own pass, as the rays that leave it: that is compute's work.
 void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
@@ -184,8 +193,9 @@ void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
     RasterTargets targets{
         .color = {clear(rays_, glm::vec4(0.0f))}, .depth = canvas.depth_target(), .reads = {black_}, .with = {*this}};
     if (method.is("fft")) targets.reads = {ocean.moved(), ocean.sloped()};
-    frame.raster("water rays", targets,
-                 [&](Raster& pass) { pass.use(rays_of_).draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1)); });
+    frame.raster("water rays", targets, [&](Raster& pass) {
+        pass.use(rays_of_, around_objects()).draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
+    });
     tracer->record(frame, view, rays_, met_);
 }
 // [/follow_rays]
@@ -213,7 +223,7 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     const ImageView mirror_image = mirrored ? ImageView(mirror.image()) : ImageView(by_rays ? met_ : behind_);
     std::vector<Resource> reads{behind_, behind_depth_, foam_tile_, black_, mirror_image};
     if (method.is("fft")) reads.insert(reads.end(), {ocean.moved(), ocean.sloped()});
-    Macros variant;
+    Macros variant = around_objects();
     if ((reflection.is("planar") && !mirrored) || (reflection.is("rays") && !by_rays))
         variant.set("WATER_REFLECTION", "WATER_REFLECTION_CUBE");
     frame.raster(

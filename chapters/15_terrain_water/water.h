@@ -3,6 +3,7 @@
 #include "14_environment/image_light.h"
 #include "15_terrain_water/mirror.h"
 #include "15_terrain_water/ocean.h"
+#include "15_terrain_water/waterline.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -70,11 +71,14 @@ struct Water : Drawing {
     Knob<float> foam_m{*this, "foam_m", 4.0f, {0.01f, 1000.0f}, "Side of a tile of foam", "m"};
     Ocean ocean{*this, "ocean"};
     Mirror mirror{*this, "mirror"};
+    Waterline waterline{*this, "waterline"};
 
     WaterRays* tracer = nullptr;  ///< for reflection by rays; null: these meet nothing but the surroundings
 
     void prepare(Gpu&, Scene& loaded) override;
-    bool animated() const override { return method.is("sines") || method.is("gerstner") || method.is("fft"); }
+    bool animated() const override {
+        return !(method.is("none") || (method.is("flat") && waterline.method.is("none")));
+    }
     /// Whether its reflection looks into the surroundings' cube: a mirror image, and no reflection, do without.
     bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
@@ -96,6 +100,7 @@ struct Water : Drawing {
     /// Whether the view has a mirror image.
     bool is_mirrored(const View& view) const;
     WaterNow now(const Frame& frame, const View& view) const;
+    Macros around_objects() const;
     void follow_rays(Frame& frame, const View& view, Canvas& canvas);
     const ImageLight& light_;
     const Scene* scene_ = nullptr;

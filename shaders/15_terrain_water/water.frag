@@ -62,10 +62,11 @@ vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
 
 // [foam]
 // Share of the water that foam covers. `jacobian`: 1 at rest, below 0 where the surface folds. `depth_m`: of the water.
-float foam_share(vec2 at, float jacobian, float depth_m, float spacing) {
+// `around`: share of foam around an object.
+float foam_share(vec2 at, float jacobian, float depth_m, float spacing, float around) {
     float folded = smoothstep(water_now.foam, water_now.foam - 0.5, jacobian);
     float shore = water_now.shore_m > 0.0 ? 1.0 - smoothstep(0.0, water_now.shore_m, depth_m) : 0.0;
-    float amount = max(folded, 0.8 * shore);
+    float amount = max(max(folded, 0.8 * shore), around);
     if (amount <= 0.0) return 0.0;
     float level = log2(max(spacing * water_now.foam_scale * float(textureSize(foam_tile, 0).x), 1.0));
     float bubbles = textureLod(foam_tile, at * water_now.foam_scale, level).r;
@@ -107,7 +108,8 @@ void main() {
     if (!below) light += glitter(normal, to_eye, max(facet.variance, 2e-5));
 
     // 4. Foam where the surface folds and along the shore.
-    float white = foam_share(at_rest, jacobian(facet.slopes), depth_m, facet.spacing);
+    float white = foam_share(at_rest, jacobian(facet.slopes), depth_m, facet.spacing,
+                             0.8 * waterline_foam(position.xz));
     vec3 lit = water_now.sky + water_now.sun * max(dot(below ? -normal : normal, water_now.to_sun), 0.0) / 3.14159265;
     light = mix(light, 0.8 * lit, below ? 0.5 * white : white);
     color = vec4(min(light, LARGEST_HALF), 1.0);

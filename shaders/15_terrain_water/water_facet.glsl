@@ -1,5 +1,6 @@
 // The water surface in a pixel: its normal at the pixel's resolution, and the variance of finer detail.
 #include "15_terrain_water/water_surface.glsl"
+#include "15_terrain_water/waterline.glsl"
 
 struct Facet {
     vec3 normal;     // towards the eye
@@ -13,6 +14,9 @@ struct Facet {
 Facet facet_at(vec2 at_rest, vec3 to_eye, bool below) {
     float spacing = max(length(dFdx(at_rest)), length(dFdy(at_rest)));
     WaterPoint p = water_at(at_rest, 0.5 * spacing);
+    vec2 rings = ring_slope(at_rest + p.moved.xz, 0.5 * spacing);
+    p.slopes[0].y += rings.x;
+    p.slopes[2].y += rings.y;
     vec3 normal = gerstner_normal(p.slopes);
     if (below) normal = -normal;
     // A facet that is turned away shows its neighbour's front.
