@@ -20,21 +20,30 @@ void quantise(std::vector<float>& heights, double bits) {
         height = static_cast<float>(least + step * std::round((double(height) - least) / step));
 }
 
+// The first one that is shown.
+std::filesystem::path height_map_of(const SceneFile& scene) {
+    for (const SceneObject& object : scene.objects)
+        if (is_height_map_file(object.model) && !object.hidden) return object.model;
+    return {};
+}
+
 }  // namespace
 
 void Ground::prepare(Gpu& gpu, Scene& scene) {
     source_ = {};
     made_.forget();
-    for (const SceneObject& object : scene.file.objects) {
-        if (!is_height_map_file(object.model)) continue;
-        source_ = aside([&] { return read_height_map(find_asset(object.model)); });
-        if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
-        texels_ = Image(gpu.device, {.name = "elevations",
-                                     .format = VK_FORMAT_R32_SFLOAT,
-                                     .size = {uint32_t(source_.width), uint32_t(source_.height)}});
-        gpu.upload(texels_, std::as_bytes(std::span(source_.elevation_m)));
-        return;
-    }
+    file_ = height_map_of(scene.file);
+    if (file_.empty()) return;
+    source_ = aside([&] { return read_height_map(find_asset(file_)); });
+    if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
+    texels_ = Image(gpu.device, {.name = "elevations",
+                                 .format = VK_FORMAT_R32_SFLOAT,
+                                 .size = {uint32_t(source_.width), uint32_t(source_.height)}});
+    gpu.upload(texels_, std::as_bytes(std::span(source_.elevation_m)));
+}
+
+void Ground::follow(Gpu& gpu, Scene& scene) {
+    if (height_map_of(scene.file) != file_) prepare(gpu, scene);
 }
 
 LandSource Ground::land_source() const {

@@ -53,6 +53,8 @@ struct Ground : Module {
     bool stands_for(const std::filesystem::path& file, Model&) const override { return is_height_map_file(file); }
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return precision.text(); }
+    /// prepare(), where the scene has another height map than the one that is shown.
+    void follow(Gpu& gpu, Scene& scene);
 
     /// Updates everything that changed since the last frame; does nothing without a height map.
     void record(Frame& frame, bool with_errors);
@@ -75,7 +77,7 @@ struct Ground : Module {
     void make_heights(Frame& frame, const LandSource& from);
     void make_errors(Frame& frame);
     HeightMap source_;
-    std::string file_;
+    std::filesystem::path file_;  ///< of the scene's object
     Image texels_, heights_, slopes_, bounds_, errors_;
     LandMap map_{};
     Made<LandSource, unsigned> made_;  ///< toggles

@@ -132,7 +132,7 @@ std::vector<EntryId> scatter(Document& document, const Bounds& where, int count,
 Said remove(Document& document, const std::vector<EntryId>& ids) {
     const std::vector<EntryId> chosen = movable(document, ids);
     if (chosen.empty() && std::count(ids.begin(), ids.end(), root_entry))
-        return "camera, environment, sky, water, fog and effects belong to the scene: they cannot be deleted";
+        return "camera, environment, sky, terrain, water, fog and effects belong to the scene: they cannot be deleted";
     if (chosen.empty()) return ids.empty() ? "nothing is selected" : "what is selected is locked";
     document.begin(chosen.size() == 1 ? "delete " + document.at(chosen[0]).name()
                                       : fmt::format("delete {} entries", chosen.size()));

@@ -72,7 +72,7 @@ void LoadingPanel::want(const fs::path& file, bool adds) {
                              clean_name(one.file.filename().string()));
         if (one.file.extension() == ".json")
             for (const SceneObject& object : read_scene(one.file).objects) {
-                if (object.model.empty() || object.hidden) continue;
+                if (object.model.empty() || object.hidden || is_height_map_file(object.model)) continue;
                 const fs::path model = find_asset(object.model);
                 if (std::find(one.models.begin(), one.models.end(), model) == one.models.end())
                     one.models.push_back(model);
@@ -118,7 +118,7 @@ void LoadingPanel::carry_on_loading(Gpu& gpu) {
     view_.changed = true;  // the panels of this frame were made before
     if (done.adds) {
         const Camera& camera = view_.chapter.camera;
-        editor.add_model(done.file, placed_model(landing_on(scene, camera, done.ray), camera, box));
+        editor.add_model(done.file, placed_model(landing_on(scene, camera, done.ray, view_.terrain()), camera, box));
         log_event("added " + clean_name(done.file.filename().string()));
     } else {
         view_.chapter.opens = done.file;

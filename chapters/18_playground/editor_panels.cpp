@@ -111,13 +111,15 @@ void EditorWindow::scatter_lights() {
 }
 
 void EditorWindow::add_light(Light::Kind kind) {
-    const Landing landing = landing_on(scene, camera, placing_ray(view_));
+    const Landing landing = landing_on(scene, camera, placing_ray(view_), view_.terrain());
     editor.add_light(placed_light(kind, landing, scene, view_now));
 }
 
 // An image becomes the diffuse map of what is selected.
 void EditorWindow::choose_file(const std::filesystem::path& file, bool adds) {
-    if (is_image(file))
+    if (is_height_map_file(file) && !is_image(file))
+        settings_.put_terrain(asset_name(file).string());
+    else if (is_image(file))
         properties_.set_map(editor.selection.ids, "diffuse", asset_name(file).string());
     else
         loading_.want(file, adds);

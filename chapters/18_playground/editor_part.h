@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 
+#include "15_terrain_water/ground_heights.h"
 #include "18_playground/playground.h"
 #include "common/window/window_tool.h"
 
@@ -16,6 +17,7 @@ struct EditorView {
     bool changed = false;                        ///< the picture has to be drawn again
     AutoChoices* automatic;                      ///< the window's, for knobs in panels
     std::function<void(const KeyPress&)> press;  ///< a key's action, for menus
+    GroundHeights terrain() const { return gpu ? read_heights(*gpu, chapter.bench.ground) : GroundHeights{}; }
     /// Lets the person choose an image file for `what`.
     std::function<void(const std::string& what, const std::function<void(const std::filesystem::path&)>& take)> pick;
 };

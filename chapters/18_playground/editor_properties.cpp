@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "18_playground/file_browser.h"
+#include "18_playground/terrain_entry.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -48,6 +49,7 @@ void PropertiesPanel::draw() {
     }
     ImGui::PopID();
     ImGui::EndChild();
+    log_place("properties");
 }
 
 // Of all selected entries, objects and lights alike.
@@ -79,6 +81,7 @@ void PropertiesPanel::draw_switches(EntryId id) {
 }
 
 void PropertiesPanel::draw_object(EntryId id) {
+    if (is_terrain(editor.document.at(id))) return ImGui::TextColored(quiet_color, "tuned under terrain, in the tree");
     const float size = std::max(glm::length(scene.bounds.empty() ? glm::vec3(1.0f) : scene.bounds.extent()), 1e-3f);
     focus_next(wants_keyboard);
     edit_numbers(object_property("position"), "position", "Position in the parent's space, in metres", 0.001f * size);

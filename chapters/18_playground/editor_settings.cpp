@@ -1,7 +1,8 @@
-// Scene-wide entries of the tree: camera, surroundings, water, fog and effects.
+// Scene-wide entries of the tree: camera, surroundings, terrain, water, fog and effects.
 #include "18_playground/editor_settings.h"
 
 #include "18_playground/file_browser.h"
+#include "18_playground/terrain_entry.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -22,6 +23,7 @@ const std::vector<Facet>& facets() {
         {"camera", "The scene's own view, which it is opened with", icon::camera, {}},
         {"environment", "Light from all around", icon::image, {"environment", "backdrop"}},
         {"sky", "Sun, air and planet", icon::cloud, {"atmosphere", "sky"}},
+        {"terrain", "Ground of a height map, under a sky", icon::terrain, {"ground", "land", "sun_shadow"}},
         {"water", "A surface of waves", icon::water, {"water"}},
         {"fog", "Air that scatters light, below a height", icon::fog, {"fog"}},
         {"effects", "Bloom, anti-aliasing, tones and lens", icon::effects, {"bloom", "mlaa", "post"}}};
@@ -40,6 +42,7 @@ std::vector<std::string> SettingsPanel::names() {
 bool SettingsPanel::is_there(const std::string& facet) const {
     if (facet == "environment") return bool(scene.file.environment);
     if (facet == "sky") return view_.chapter.bench.air.is("sky");
+    if (facet == "terrain") return terrain_of(editor.document) != no_entry;
     if (facet == "water") return !view_.chapter.bench.water.method.is("none");
     if (facet == "fog") return !view_.chapter.bench.fog.method.is("none");
     if (facet == "effects") return !view_.chapter.bloom.method.is("none") || !view_.chapter.antialias.method.is("none");
@@ -97,6 +100,7 @@ void SettingsPanel::draw() {
         const bool changed = chosen == "camera"        ? draw_camera(settings)
                              : chosen == "environment" ? draw_environment(settings)
                                                        : false;
+        if (chosen == "terrain") draw_terrain();
         if (changed) set(chosen, settings);
         return draw_knobs();
     }
@@ -177,5 +181,31 @@ bool SettingsPanel::draw_environment(SceneSettings& settings) {
                               0.5f, -360.0f, 360.0f);
     return changed;
 }
+
+void SettingsPanel::draw_terrain() {
+    const EntryId now = terrain_of(editor.document);
+    const std::string shown = now == no_entry ? "" : editor.document.at(now).object()->model.string();
+    std::string file = shown;
+    label_left("height map");
+    ImGui::SetNextItemWidth(-pick_px());
+    if (text_field("##height map", file, "none") && file != shown) put_terrain(file);
+    pick_button(view_, "terrain", [this](const std::string& chosen_file) { put_terrain(chosen_file); });
+}
+
+// One step: the knobs that it turns belong to the same gesture.
+void SettingsPanel::put_terrain(const std::string& file) try {
+    const bool first = terrain_of(editor.document) == no_entry;
+    if (file.empty()) return set_terrain(editor.document, "", 0.0f, editor.gesture);
+    const HeightMap map = read_height_map(find_asset(file));
+    const float reach_m = 4.0f * side_m(map);
+    set_terrain(editor.document, file, reach_m, editor.gesture);
+    Camera& camera = view_.chapter.camera;
+    camera.far_m = std::max(camera.far_m, reach_m);
+    view_.changed = true;
+    if (!first) return;
+    const auto knobs = terrain_knobs(map, scene.bounds);
+    for (KnobBase* knob : view_.chapter.all_knobs())
+        if (const auto found = knobs.find(knob->path()); found != knobs.end()) knob->set(found->second);
+} catch (const InputError& e) { editor.notice = e.what(); }
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Scene-wide entries: camera, surroundings, water, fog and effects.
+// Scene-wide entries: camera, surroundings, terrain, water, fog and effects.
 #pragma once
 #include "18_playground/editor_fields.h"
 #include "18_playground/editor_files.h"
@@ -14,6 +14,8 @@ class SettingsPanel : public EditorPart {
     void draw_rows();  ///< in the tree
     void draw();
     static std::vector<std::string> names();
+    /// A height map's ground below the scene, under a sky; empty: none.
+    void put_terrain(const std::string& file);
 
     std::string chosen;  ///< one of names(); empty: the scene itself
 
@@ -23,6 +25,7 @@ class SettingsPanel : public EditorPart {
     bool draw_camera(SceneSettings& settings);
     void draw_output_shape();
     bool draw_environment(SceneSettings& settings);
+    void draw_terrain();
     void set(const std::string& what, const SceneSettings& settings);
     EditorFields& fields_;
     SceneFiles& files_;

@@ -36,6 +36,10 @@ fs::path recent_list() {
     return folder.empty() ? folder : folder / "recent_files";
 }
 
+const char* image_folder(const std::string& what) {
+    return what == "environment" ? "environments" : what == "terrain" ? "terrain" : "textures";
+}
+
 }  // namespace
 
 bool can_be_opened(const fs::path& file) { return is_model_file(file) || lower(file.extension().string()) == ".json"; }
@@ -49,8 +53,9 @@ Listing list_folder(const fs::path& folder, const std::string& filter) {
         const bool is_folder = entry->is_directory(one);
         const fs::path name = entry->path().filename();
         if (one || name.string().starts_with('.')) continue;
-        if (!is_folder && (!entry->is_regular_file(one) || !(can_be_opened(name) || is_image(name)) ||
-                           !has_words(name.string(), filter)))
+        if (!is_folder &&
+            (!entry->is_regular_file(one) || !(can_be_opened(name) || is_image(name) || is_height_map_file(name)) ||
+             !has_words(name.string(), filter)))
             continue;
         listing.files.push_back({entry->path(), is_folder, lower(name.extension().string()) == ".json",
                                  is_folder ? 0 : entry->file_size(one)});
@@ -98,8 +103,8 @@ void FileBrowser::pick_image(const std::string& what, const Take& take) {
     image_for_ = what;
     take_image_ = take;
     shown = true;
-    if (listing_.folder.empty() || listing_.folder.filename() == "models" || listing_.folder.filename() == "scenes")
-        listing_.folder = course_root() / "assets" / (what == "environment" ? "environments" : "textures");
+    const fs::path assets = course_root() / "assets";
+    if (listing_.folder.empty() || lies_below(listing_.folder, assets)) listing_.folder = assets / image_folder(what);
     drawn_in_ = -1;  // its folder is read again
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "18_playground/terrain_entry.h"
+
 namespace lightwalk {
 namespace {
 
@@ -50,7 +52,8 @@ std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection&
     int count = 0;
     bool any_sun = false;
     for (const EntryId id : selection.ids)
-        if (const Entry* entry = document.find(id); entry && (entry->object() || entry->light())) {
+        if (const Entry* entry = document.find(id);
+            entry && (entry->object() || entry->light()) && !is_terrain(*entry)) {
             if (is_sun(*entry)) {
                 any_sun = true;
                 continue;

@@ -8,6 +8,7 @@
 #include "18_playground/commands.h"
 #include "18_playground/gltf_textures.h"
 #include "18_playground/saving.h"
+#include "18_playground/terrain_entry.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/write_files.h"
@@ -209,6 +210,10 @@ class Exporter {
         const Entry& entry = document_.at(id);
         if (entry.hidden) return -1;
         if (entry.light()) return add_light(*entry.light());
+        if (is_terrain(entry)) {
+            leave_out(left_out, "terrain");
+            return -1;
+        }
         const SceneObject& object = *entry.object();
         const glm::quat q(rotation_of(object.rotation_deg));
         json node{{"name", clean_name(object.name)},

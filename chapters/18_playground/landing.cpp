@@ -25,12 +25,14 @@ bool is_taken(const Scene& scene, const glm::vec3& place, float near_m) {
 
 }  // namespace
 
-Landing landing_on(const Scene& scene, const Camera& camera, const PickRay& ray) {
+Landing landing_on(const Scene& scene, const Camera& camera, const PickRay& ray, const GroundHeights& terrain) {
     const float target_m = glm::distance(camera.position, camera.target), most = farthest * target_m;
     const auto at = [&](float distance, const glm::vec3& normal) {
         return Landing{ray.origin + distance * ray.direction, normal, distance};
     };
     const auto hit = pick_triangle(scene, ray);
+    const float nearest = hit ? std::min(hit->distance_m, most) : most;
+    if (const auto met = terrain.met_by(ray, nearest)) return at(met->distance_m, met->normal);
     if (hit && hit->distance_m < most) return at(hit->distance_m, hit->normal);
     const float ground = scene.bounds.empty() ? camera.target.y : scene.bounds.lower.y;
     const float to_ground = ray.direction.y < 0.0f ? (ground - ray.origin.y) / ray.direction.y : -1.0f;

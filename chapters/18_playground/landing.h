@@ -1,5 +1,6 @@
 // Where a new model or light is put: on the surface that a pixel of the picture shows.
 #pragma once
+#include "15_terrain_water/ground_heights.h"
 #include "18_playground/placement.h"
 #include "common/scene/pick.h"
 #include "common/scene/view.h"
@@ -13,7 +14,7 @@ struct Landing {
 
 /// Behind the picture's edge, or far away, the ground below the scene; where there is none, a point at the distance of
 /// the camera's target.
-Landing landing_on(const Scene& scene, const Camera& camera, const PickRay& ray);
+Landing landing_on(const Scene& scene, const Camera& camera, const PickRay& ray, const GroundHeights& terrain = {});
 
 /// A model whose box touches the surface from outside. One that the view could not show keeps its shape, not its size.
 Placement placed_model(const Landing& landing, const Camera& camera, const Bounds& box);

@@ -29,6 +29,10 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     bench.substances.prepare(gpu, scene);
+    try {
+        bench.ground.follow(gpu, scene);
+        if (bench.land.in_use()) bench.land.prepare(gpu, scene);  // at once, not when the scene is loaded next
+    } catch (const InputError& e) { editor.notice = e.what(); }   // its file has changed since it was chosen
     picker.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
     maps_due_ = true;

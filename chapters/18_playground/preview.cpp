@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "15_terrain_water/height_map.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -136,7 +137,8 @@ void Thumbnails::begin(const fs::path& file) {
     scene_ = file.extension() == ".json" ? read_scene(file) : scene_of_model(file, {});
     models_.clear();
     for (const SceneObject& object : scene_->objects)
-        if (!object.model.empty() && !object.hidden) models_.push_back(find_asset(object.model));
+        if (!object.model.empty() && !object.hidden && !is_height_map_file(object.model))
+            models_.push_back(find_asset(object.model));
     std::sort(models_.begin(), models_.end());
     models_.erase(std::unique(models_.begin(), models_.end()), models_.end());
 }

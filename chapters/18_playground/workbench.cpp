@@ -18,6 +18,7 @@ Workbench::Workbench(Module& owner) : World(owner) {
     fog.method.change_default("none");
     atmosphere.in_use = sky.in_use = [this] { return air.is("sky"); };
     backdrop.in_use = [this] { return !air.is("sky"); };
+    land.in_use = sun_shadow.in_use = [this] { return air.is("sky") && ground.exists(); };
     water.in_use = [this] { return !water.method.is("none"); };
 }
 
@@ -34,6 +35,14 @@ void Workbench::record(Frame& frame) {
     std::optional<KnobScope> follows;
     if (probe.distant && probe.update.is("off")) follows.emplace(probe.update, "moved");
     probe.record(frame, scene(), light, {backdrop, objects, sky, atmosphere});
+}
+
+void Workbench::record_view(Frame& frame, const View& view) {
+    if (land.in_use()) {
+        ground.record(frame, false);
+        sun_shadow.record(frame, view, scene(), drawings());
+    }
+    water.reflect(frame, view, drawings());
 }
 // [/workbench_record]
 

@@ -1,4 +1,4 @@
-// Workbench world: objects under many lights, in surroundings or under a sky, with water.
+// Workbench world: objects under many lights, in surroundings or under a sky, with terrain and water.
 #pragma once
 #include "03_attenuation/scattered_lights.h"
 #include "06_deferred/deferred_scene.h"
@@ -8,6 +8,7 @@
 #include "14_environment/paint.h"
 #include "14_environment/probe.h"
 #include "14_environment/substances.h"
+#include "15_terrain_water/land.h"
 #include "15_terrain_water/water.h"
 #include "common/app/world.h"
 
@@ -29,16 +30,19 @@ struct Workbench : World {
     CarPaint paint{*this, "paint"};
     Atmosphere atmosphere{*this, "atmosphere"};
     Planet sky{*this, "sky", atmosphere};
+    Ground ground{*this, "ground"};  ///< of the scene's height map, under the sky
+    Land land{*this, "land", ground, atmosphere};
+    SunShadow sun_shadow{*this, "sun_shadow", atmosphere};  ///< of objects on the ground
     Water water{*this, "water", light};
     HeightFog fog{*this, "fog"};
 
-    Drawings drawings() override { return {backdrop, objects, sky, water, atmosphere, fog}; }
+    Drawings drawings() override { return {backdrop, land, objects, sky, water, atmosphere, fog}; }
     std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
     // [/workbench]
 
   protected:
     void record(Frame& frame) override;
-    void record_view(Frame& frame, const View& view) override { water.reflect(frame, view, drawings()); }
+    void record_view(Frame& frame, const View& view) override;
 
   private:
     LightList all_lights(const Frame& frame);

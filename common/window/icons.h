@@ -10,7 +10,7 @@ inline constexpr const char *folder = "\uf07c", *undo = "\uf0e2", *redo = "\uf01
                             *object = "\uf1b2", *group = "\uf247", *sun = "\uf185", *lamp = "\uf0eb", *spot = "\uf192",
                             *scatter = "\uf074", *eye = "\uf06e", *hidden = "\uf070", *lock = "\uf023",
                             *camera = "\uf03d", *effects = "\uf0d0", *image = "\uf03e", *cloud = "\uf0c2",
-                            *water = "\uf043", *fog = "\uf0c9", *scene = "\uf0e8";
+                            *water = "\uf043", *fog = "\uf0c9", *terrain = "\uf1fe", *scene = "\uf0e8";
 }  // namespace icon
 
 bool has_icons();  ///< once there is an Overlay

@@ -95,11 +95,12 @@ class EditorTest(PictureTest):
         """Turns the wheel over the properties until a widget of theirs is on the screen."""
         session = self.session
         session.wait(lambda: place in session.areas, f"a widget '{place}'")
-        for _ in range(10):
-            if session.areas[place][3] < self.size[1] - 10:
+        for _ in range(20):
+            above = session.areas[place][1] < session.areas["properties"][1]
+            if not above and session.areas[place][3] < self.size[1] - 10:
                 return
             session.move(120, self.size[1] - 60)
-            session.turn(-3)
+            session.turn(3 if above else -3)
             session.park()
             session.read_all()
         self.fail(f"{place} does not come: {session.areas[place]}")

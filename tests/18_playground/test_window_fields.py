@@ -202,7 +202,7 @@ class Fields(EditorTest):
         since = session.said()
         session.tap("entry.scene")
         session.key("Delete")
-        session.wait_for_line("notice camera, environment, sky, water, fog and effects belong to the scene.*", since)
+        session.wait_for_line("notice camera, environment, sky, terrain, water, fog and effects belong to the scene.*", since)
         session.read_all()
         left = session.areas["notice"][0]
         for place, (_, top, right, _) in session.areas.items():
