@@ -36,6 +36,7 @@ void Workbench::record(Frame& frame) {
     if (probe.distant && probe.update.is("off")) follows.emplace(probe.update, "moved");
     probe.record(frame, scene(), light, {backdrop, objects, sky, atmosphere});
 }
+// [/workbench_record]
 
 void Workbench::record_view(Frame& frame, const View& view) {
     if (land.in_use()) {
@@ -44,6 +45,5 @@ void Workbench::record_view(Frame& frame, const View& view) {
     }
     water.reflect(frame, view, drawings());
 }
-// [/workbench_record]
 
 }  // namespace lightwalk
