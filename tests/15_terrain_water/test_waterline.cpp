@@ -26,7 +26,10 @@ struct InWater : OnModules {
     Scene scene;
     std::vector<float> distances;
 
-    InWater() { line.method.set("rings"), line.texels.value = 256; }
+    InWater() {
+        line.method.set("rings");
+        line.texels.value = 256;
+    }
 
     void record(std::vector<SceneObject> objects, float time_s = 0, float level_m = 0) {
         scene.load(gpu, {.objects = std::move(objects)}, [](const auto& file) { return load_model(file); });
@@ -83,7 +86,6 @@ TEST_CASE_METHOD(InWater, "what is above the water or below it makes no rings", 
     CHECK(line.exists());
     CHECK(error_texels(
               [](glm::dvec2 at) { return glm::length(glm::max(glm::abs(at - glm::dvec2(2, 0)) - 0.5, 0.0)); }) < 1.3);
-    // An arm above the water, of one object with what crosses it, leaves the water below it free.
     line.method.set("none");
     record({standing("cube.obj", {2, 0, 0})});
     CHECK(!line.exists());

@@ -95,7 +95,8 @@ TEST_CASE("knobs of a first terrain put its middle at the scene's floor", "[terr
     const HeightMap map{.width = 3, .height = 3, .sample_m = {30, 20}, .elevation_m = {1, 2, 3, 4, 555, 6, 7, 8, 9}};
     CHECK(side_m(map) == 40);
     Bounds scene;
-    scene.add(glm::vec3(-1, 5, -1)), scene.add(glm::vec3(1, 7, 1));
+    scene.add(glm::vec3(-1, 5, -1));
+    scene.add(glm::vec3(1, 7, 1));
     const auto knobs = terrain_knobs(map, scene);
     CHECK(knobs.at("air") == "sky");
     CHECK(std::stof(knobs.at("ground.plain_m")) == Approx(5).margin(0.02));
