@@ -10,6 +10,7 @@ namespace lightwalk {
 /// own pipelines.
 struct Shading {
     const SurfacePipelines* opaque = nullptr;
+    const Pipeline* seen = nullptr;                 ///< opaque's light in compute, for chapter 05's visibility buffer
     const SurfacePipelines* transparent = nullptr;  ///< the same with blending: see_through()
     const SurfacePipelines* depth = nullptr;        ///< alone, before light is sorted into tiles
     /// For chapter 06's G-buffer: `stored` writes the inputs of the lights, `rest` adds all other light once per pixel,

@@ -10,14 +10,8 @@ namespace lightwalk {
 LitScene::LitScene(Module& owner, std::string name, std::optional<Shading> fixed)
     : Drawing(owner, name), surfaces(owner, name, "05_shadow_maps/surface.frag"), shadow(owner, "shadow") {
     surfaces.shadows = &shadow;
-    if (fixed)
-        shading = std::move(*fixed);
-    else
-        shaded_.emplace(
-            *this, "shaded", std::vector<std::string>{"raster", "visibility"}, "raster",
-            "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
-            "compute, once for each pixel of a visibility buffer; raster for displaced meshes and for several samples "
-            "per pixel");
+    if (!fixed || fixed->seen) shaded_.emplace(*this);
+    if (fixed) shading = std::move(*fixed);
 }
 
 std::vector<const Module*> LitScene::made_of() const {
@@ -26,10 +20,11 @@ std::vector<const Module*> LitScene::made_of() const {
     return all;
 }
 
-// A shading that somebody else gave is a fragment shader.
+// A shading that somebody else gave may be a fragment shader alone.
 // [visibility]
 bool LitScene::shades_seen(const Canvas& canvas) const {
-    return shaded_ && shaded_->is("visibility") && !shading.opaque && VisibilityBuffer::suits(maps, canvas);
+    return shaded_ && shaded_->is("visibility") && (!shading.opaque || shading.seen) &&
+           VisibilityBuffer::suits(maps, canvas);
 }
 
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
@@ -53,7 +48,8 @@ void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void(
     for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
     seen_.record(frame, surfaces.scene(), maps, drawn, canvas);
     sort();
-    seen_.shade(frame, surfaces.scene(), maps, once, canvas, shade_seen_, surfaces.given());
+    seen_.shade(frame, surfaces.scene(), maps, once, canvas, shading.seen ? *shading.seen : shade_seen_,
+                surfaces.given(), shading.reads);
 }
 // [/visibility]
 

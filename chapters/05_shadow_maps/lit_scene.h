@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [lit_scene]
-/// SurfaceScene with shadows: beside its modules the owner gets shadow.*, and, unless the shading is fixed, the choice of
-/// where opaque surfaces are shaded.
+/// SurfaceScene with shadows: beside its modules the owner gets shadow.*, and the choice of where opaque surfaces are
+/// shaded, unless the shading is fixed and has fragment shaders alone.
 struct LitScene : Drawing, ItemCaster {
     LitScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -39,7 +39,7 @@ struct LitScene : Drawing, ItemCaster {
     void draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
 
   private:
-    std::optional<Choice> shaded_;
+    std::optional<ShadedChoice> shaded_;
     Casting casting_;
     VisibilityBuffer seen_;
     Pipeline shade_seen_ = compute({.shader = "05_shadow_maps/surface_seen.comp"});

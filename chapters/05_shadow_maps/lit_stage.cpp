@@ -24,7 +24,7 @@ void LitStage::record(Frame& frame) {
         shading = {
             .opaque = &sphere_shadow.ringed, .transparent = &sphere_shadow.ringed_transparent, .with = {sphere_shadow}};
     else if (!plain)
-        shading.opaque = &shown_;
+        shading = {.opaque = &shown_, .seen = &shown_seen_};
     if (!plain) {
         rays.record(frame, scene(), &objects.maps);
         shading.with.emplace_back(rays);

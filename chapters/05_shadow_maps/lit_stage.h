@@ -45,6 +45,7 @@ struct LitStage : World {
   private:
     std::vector<Light> lamps();
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
+    Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});
 };
 
 }  // namespace lightwalk

@@ -9,6 +9,12 @@ const Pipeline one_color = compute({.shader = "05_shadow_maps/background.comp"})
 
 }  // namespace
 
+ShadedChoice::ShadedChoice(Module& module)
+    : Choice(module, "shaded", {"raster", "visibility"}, "raster",
+             "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
+             "compute, once for each pixel of a visibility buffer; raster for displaced meshes and for several samples "
+             "per pixel") {}
+
 Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas) {
     image.fit(frame.gpu.device, {.name = "visible", .format = VK_FORMAT_R32G32_UINT, .size = canvas.size()});
     ComputeAccess access{.writes = {image}};
@@ -42,9 +48,12 @@ void VisibilityBuffer::record(Frame& frame, const Scene& scene, const Maps& maps
 
 // [shade]
 void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches,
-                             Canvas& canvas, const Pipeline& pipeline, const std::vector<With>& with) const {
+                             Canvas& canvas, const Pipeline& pipeline, const std::vector<With>& with,
+                             const std::vector<Resource>& reads) const {
     const ImageView color = canvas.color(frame);
-    frame.compute("shade seen", {.reads = {seen_}, .writes = {color}, .with = with}, [&](Compute& pass) {
+    ComputeAccess access{.reads = reads, .writes = {color}, .with = with};
+    access.reads.emplace_back(seen_);
+    frame.compute("shade seen", access, [&](Compute& pass) {
         for (const Batch& batch : batches) {
             const DrawItem& item = batch.item();
             pass.use(pipeline, maps.variant(item)).set("visible", seen_, nearest_clamp).set("result", color);

@@ -19,7 +19,7 @@ class VisibilityBuffer {
     /// Colour into the canvas, wherever one of these batches is visible: a dispatch for each, by a pipeline with
     /// 05_shadow_maps/shade_seen.glsl in its shader.
     void shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas,
-               const Pipeline& pipeline, const std::vector<With>& with) const;
+               const Pipeline& pipeline, const std::vector<With>& with, const std::vector<Resource>& reads = {}) const;
 
     const Image& image() const { return seen_; }
 
@@ -29,6 +29,11 @@ class VisibilityBuffer {
     SurfacePipelines holes_{{.fragment = "05_shadow_maps/visible_cutout.frag"}};
 };
 // [/visibility_buffer]
+
+/// Where opaque surfaces are shaded.
+struct ShadedChoice : Choice {
+    explicit ShadedChoice(Module& module);
+};
 
 /// A visibility buffer of the canvas's size with nothing in it, to be drawn into. The canvas has its background where
 /// nothing was drawn yet.

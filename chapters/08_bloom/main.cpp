@@ -3,15 +3,22 @@
 
 #include "01_obj/model_chapter.h"
 #include "04_surface_maps/surfaces.h"
+#include "05_shadow_maps/seen_surfaces.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
+struct SeenWorld : Surfaces {
+    using Surfaces::Surfaces;
+    SeenSurfaces seen{*this, "objects", objects};
+    Drawings drawings() override { return {seen}; }
+};
+
 struct BloomChapter : ModelChapter {
     Bloom bloom{*this, "bloom"};
-    Surfaces world{*this};
+    SeenWorld world{*this};
     Choice source{
         *this, "source", {"scene", "spot"}, "scene", "Picture that blooms: the scene, or a single bright pixel"};
     Knob<float> spot_x{*this,

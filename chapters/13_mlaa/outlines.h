@@ -12,7 +12,7 @@ namespace lightwalk {
 struct Outlines : World {
     explicit Outlines(Module& owner);
 
-    LitScene objects{*this, "objects", Shading{.opaque = &surface_, .transparent = &glass_}};
+    LitScene objects{*this, "objects", Shading{.opaque = &surface_, .seen = &seen_, .transparent = &glass_}};
     HalfPlane half_plane{*this, "half_plane"};
     Choice subject{*this,
                    "world",
@@ -49,6 +49,7 @@ struct Outlines : World {
   private:
     const Drawings subjects_{objects, julia, terrain, head, half_plane};
     const SurfacePipelines surface_{{.fragment = "13_mlaa/surface.frag"}};
+    const Pipeline seen_ = compute({.shader = "13_mlaa/surface_seen.comp"});
     const SurfacePipelines glass_ =
         see_through("13_mlaa/surface.frag", {{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}});
     Pipeline clip_ = compute({.shader = "13_mlaa/clip.comp"});

@@ -4,12 +4,12 @@ namespace lightwalk {
 
 LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
     : Drawing(owner, name),
-      lit(owner, name, Shading{}),
+      lit(owner, name, Shading{.seen = &seen_}),
       screen_occlusion(owner, "screen_occlusion"),
       substances(owner, "substance"),
       paint(owner, "paint"),
       rays(owner, "rays") {
-    shading = {.opaque = &surface_, .transparent = &glass_, .with = {light, substances, paint}};
+    shading = {.opaque = &surface_, .seen = &seen_, .transparent = &glass_, .with = {light, substances, paint}};
 }
 
 std::vector<const Module*> LitAround::made_of() const {
@@ -23,6 +23,7 @@ void LitAround::update(Frame& frame) {
     paint.record(frame);
     const bool by_rays = occlusion.is("rays"), on_screen = occlusion.is("screen_space");
     shading.opaque = by_rays ? &occluded_ : on_screen ? &screen_occluded_ : &surface_;
+    shading.seen = by_rays ? &occluded_seen_ : on_screen ? nullptr : &seen_;
     std::erase_if(shading.with,
                   [this](const With& one) { return &one.get() == &rays || &one.get() == &screen_occlusion; });
     if (on_screen) shading.with.emplace_back(screen_occlusion);

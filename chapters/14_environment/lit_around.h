@@ -40,9 +40,13 @@ struct LitAround : Drawing, ItemCaster {
 
   private:
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
+    Pipeline seen_ = compute({.shader = "14_environment/surface_seen.comp"});
     SurfacePipelines occluded_{{.fragment = "14_environment/surface.frag",
                                 .macros = Macros{{"OCCLUDED", "1"}}.replace_file("14_environment/unoccluded.glsl",
                                                                                  "14_environment/occluded.glsl")}};
+    Pipeline occluded_seen_ = compute({.shader = "14_environment/surface_seen.comp",
+                                       .macros = Macros{{"OCCLUDED", "1"}}.replace_file(
+                                           "14_environment/unoccluded.glsl", "14_environment/occluded.glsl")});
     SurfacePipelines screen_occluded_{{.fragment = "14_environment/surface.frag",
                                        .macros = Macros{{"SCREEN_OCCLUDED", "1"}}.replace_file(
                                            "14_environment/all_open.glsl", "14_environment/screen_occlusion.glsl")}};

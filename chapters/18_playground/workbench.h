@@ -24,8 +24,9 @@ struct Workbench : World {
     ImageLight light{*this, "environment"};
     SceneProbe probe{*this, "probe"};  ///< of the sky, or of the room where that is asked
     Backdrop backdrop{*this, "backdrop", light};
-    DeferredScene objects{*this, "objects",
-                          Shading{.opaque = &surface_, .transparent = &glass_, .stored = &write_, .rest = &rest_}};
+    DeferredScene objects{
+        *this, "objects",
+        Shading{.opaque = &surface_, .seen = &seen_, .transparent = &glass_, .stored = &write_, .rest = &rest_}};
     Substances substances{*this, "substance"};
     CarPaint paint{*this, "paint"};
     Atmosphere atmosphere{*this, "atmosphere"};
@@ -49,6 +50,7 @@ struct Workbench : World {
     LightsWithScattered all_lights_;
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     SurfacePipelines surface_{{.fragment = "14_environment/surface.frag"}};
+    Pipeline seen_ = compute({.shader = "14_environment/surface_seen.comp"});
     SurfacePipelines glass_ = see_through("14_environment/surface.frag", all_);
     SurfacePipelines write_{{.fragment = "18_playground/write.frag"}};
     SurfacePipelines rest_ = DeferredScene::added("18_playground/rest.frag", all_);

@@ -1,4 +1,4 @@
-// The frame of a compute shader that shades a visibility buffer: the includer defines seen_radiance(), which reads
+// The frame of a compute shader that shades a visibility buffer: the includer defines seen_color(), which reads
 // varyings as a fragment shader does.
 #define SEEN
 #include "04_surface_maps/plain_draw.glsl"
@@ -102,14 +102,14 @@ vec2 moved_down(vec2 moved, float time_s) {
     return moving_uv(uv + uv_down, maps.wobble, maps.scroll, time_s) - moved;
 }
 
-// Towards the eye, linear.
-vec3 seen_radiance(vec4 frag_coord);
+// Radiance towards the eye, linear, and an alpha.
+vec4 seen_color(vec4 frag_coord);
 
 // [shade]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
     vec4 frag_coord;
     if (any(greaterThanEqual(pixel, size)) || !look_up(pixel, size, view.view_projection, frag_coord)) return;
-    imageStore(result, pixel, vec4(seen_radiance(frag_coord), 1.0));
+    imageStore(result, pixel, seen_color(frag_coord));
 }
 // [/shade]

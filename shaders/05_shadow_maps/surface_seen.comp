@@ -3,8 +3,8 @@
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 
-vec3 seen_radiance(vec4 frag_coord) {
-    MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
+vec4 seen_color(vec4 frag_coord) {
+    MappedSurface m = seen_surface();
     Lit lit = light_mapped(m, item, frag_coord);
-    return radiance_of(m, lit.diffuse, lit.specular, ambient);
+    return vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), 1.0);
 }

@@ -2,4 +2,4 @@
 #include "05_shadow_maps/shade_seen.glsl"
 #include "12_skin/matt.frag"
 
-vec3 seen_radiance(vec4 frag_coord) { return matt_radiance(); }
+vec4 seen_color(vec4 frag_coord) { return vec4(matt_radiance(), 1.0); }

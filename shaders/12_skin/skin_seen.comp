@@ -2,8 +2,8 @@
 #include "05_shadow_maps/shade_seen.glsl"
 #include "12_skin/skin.frag"
 
-vec3 seen_radiance(vec4 frag_coord) {
+vec4 seen_color(vec4 frag_coord) {
     vec4 color, light, after;
     shade_skin(color, light, after);
-    return color.rgb;
+    return vec4(color.rgb, 1.0);
 }

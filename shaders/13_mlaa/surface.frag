@@ -1,15 +1,8 @@
-// A surface with all its maps and shadows. Light is clipped to the displayable range here, if that is to happen
-// before pixels are mixed.
-#include "04_surface_maps/reflection.glsl"
-#include "05_shadow_maps/shadow.glsl"
+// A surface of the picture to filter, as it is drawn.
+#include "13_mlaa/clipped.glsl"
 #include "common/put_surface.glsl"
 
 void main() {
     MappedSurface m = seen_surface();
-    Lit lit = light_mapped(m, item, gl_FragCoord);
-    vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
-#if CLIP == CLIP_BEFORE
-    radiance = min(radiance, 1.0);
-#endif
-    put_surface(min(radiance, LARGEST_HALF), m.alpha);
+    put_surface(clipped_radiance(m, gl_FragCoord), m.alpha);
 }

@@ -22,10 +22,19 @@ vec4 bump_noise(vec3 p) {
     return found;
 }
 
+// Change of a position on the surface from this pixel to the next ones.
+#ifdef SEEN
+vec3 across(vec3 position) { return position_across(); }
+vec3 down(vec3 position) { return position_down(); }
+#else
+vec3 across(vec3 position) { return dFdx(position); }
+vec3 down(vec3 position) { return dFdy(position); }
+#endif
+
 // J. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978: the normal less the gradient's part along the surface.
 // `bumps_per_m` bumps in a metre, `depth` of a bump as a share of its width. Bumps below two pixels are left out.
 vec3 bumped(vec3 normal, vec3 position, float bumps_per_m, float depth) {
-    float pixels = 1.0 / max(bumps_per_m * max(length(dFdx(position)), length(dFdy(position))), 1e-9);
+    float pixels = 1.0 / max(bumps_per_m * max(length(across(position)), length(down(position))), 1e-9);
     vec3 gradient = depth * clamp(pixels - 1.0, 0.0, 1.0) * bump_noise(position * bumps_per_m).xyz;
     return normalize(normal - (gradient - dot(gradient, normal) * normal));
 }

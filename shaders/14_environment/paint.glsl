@@ -25,7 +25,7 @@ vec3 paint_albedo(float n_dot_v, int row) {
 // a pixel, all of them together are a lobe.
 vec3 flake_light(vec3 position, vec3 normal, vec3 to_eye) {
     float cell_m = 0.001 * paint.flake_mm;
-    vec3 along_x = dFdx(position), along_y = dFdy(position);
+    vec3 along_x = across(position), along_y = down(position);
     float pixel_m = sqrt(max(dot(along_x, along_x), dot(along_y, along_y)));
     vec3 mean = prefiltered_along(position, reflect(-to_eye, normal), paint.flake_roughness);
     float apart = clamp(1.5 - pixel_m / cell_m, 0.0, 1.0);

@@ -1,19 +1,13 @@
 // A surface with all its maps, lit by the scene's lights and by its surroundings. Car paint is a layer below a clear
 // coat. For occlusion by rays, occluded.glsl replaces unoccluded.glsl.
-#include "04_surface_maps/reflection.glsl"
-#include "14_environment/leaving.glsl"
+#include "14_environment/lit_around.glsl"
 #include "common/put_surface.glsl"
 #include "14_environment/unoccluded.glsl"
 
 // [surface]
 void main() {
     CoatedSurface c = coated_surface();
-    Leaving light = leaving(c);
-    c.m.substance.mixed.specular = c.f0;
-    c.m.surface.shininess = shininess_of(c.m.surface.shininess, c.alpha);
-    Lit lit = light_mapped(c.m, item, gl_FragCoord);
-    light.body += c.albedo * lit.diffuse;
-    light.coat += c.m.substance.mixed.specular * lit.specular;
+    Leaving light = lit_around(c, gl_FragCoord);
 #ifdef TRANSPARENT
     // Reflections cover the background; alpha lets the rest through.
     float n_dot_v = clamp(dot(c.m.surface.normal, c.m.surface.to_eye), 1e-3, 1.0);
