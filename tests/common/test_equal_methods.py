@@ -99,8 +99,8 @@ def usable(equal: Equal, knobs: dict) -> tuple | None:
     """Settings beside the knob; None if the chapter lacks a requirement."""
     if equal.knob not in knobs or not set(equal.values) <= set(knobs[equal.knob].get("options", equal.values)):
         return None
-    needed = tuple(one for one in equal.sets if one != MESH)
-    return equal.sets if all(one.split("=")[0] in knobs for one in needed) else None
+    needed = (one.split("=") for one in equal.sets if one != MESH)
+    return equal.sets if all(name in knobs and value in knobs[name].get("options", value) for name, value in needed) else None
 
 
 def is_default(setting: str, knobs: dict) -> bool:
