@@ -1,5 +1,8 @@
 #include "19_ambiance/part.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -8,6 +11,7 @@
 #include "01_obj/world_view.h"
 #include "19_ambiance/worlds.h"
 #include "common/base/error.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
@@ -66,7 +70,20 @@ void FilmPart::load(Gpu& gpu) {
         file = find_asset(film_scene_.file);
     } catch (const InputError& e) { throw InputError("{}: {}", film_scene_.where, e.what()); }
     SceneFile read = read_scene(file);
-    for (const auto& [name, value] : read.knobs) knob(name, file.string()).set(value);
+    std::set<std::string> left_out;  // modules of the scene's chapter that no film's scene has
+    for (const auto& [name, value] : read.knobs) {
+        KnobBase* found = nullptr;
+        try {
+            found = &knob(name, file.string());
+        } catch (const InputError&) {
+            if (read.knobs_of.empty()) throw;
+            left_out.insert(name.substr(0, name.find('.')));
+        }
+        if (found) found->set(value);
+    }
+    if (!left_out.empty())
+        warn_once(fmt::format("{}: a film's scene lacks {} of chapter {}; left out", file.string(),
+                              fmt::join(left_out, ", "), read.knobs_of));
     apply_knobs(film_scene_.clock_s);
     scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) {
         Model own;
