@@ -3,18 +3,20 @@ files, reading without a network; from files and from a server of files."""
 
 import html
 import json
+import os
 import re
 import shutil
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from browser import CHROMIUM, Browser
 from contrast import CONTRAST
 from part_in_ci import part
 from site_page import COLORS, DRAWN, DRAWN_BY, LAMBERT, PICTURE, SQUARE, Solving, first_bytes, remove, serve, site
 
-from pages import drawn_pictures, knob_links, publish, running, states
+from pages import docs, drawn_pictures, knob_links, publish, running, states
 from shots.golden import golden_path
 from tree import UsageError, lessons
 
@@ -271,6 +273,20 @@ class OnDisk(unittest.TestCase):
             with self.assertRaisesRegex(UsageError, "it has other files in it"):
                 publish.write(Path(folder))
             self.assertEqual([path.name for path in Path(folder).iterdir()], ["mine"])
+
+    def test_a_folder_named_from_here_is_taken_from_here(self):
+        """As the workflow names it; mkdocs has a folder of its own in mind."""
+        def build_site(source, made):
+            self.assertTrue(source.is_absolute() and made.is_absolute(), source)
+            made.mkdir()
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(docs, "write_sources", Path.mkdir), \
+                mock.patch.object(docs, "build_site", build_site), mock.patch.object(docs, "finish"):
+            os.chdir(folder)
+            self.assertEqual(docs.make(Path("site")), 0)
+            self.assertTrue(Path(folder, "site").is_dir())
+            os.chdir(before)
 
 
 if __name__ == "__main__":
