@@ -24,7 +24,7 @@ SceneObject standing(const char* model, const glm::vec3& position, const glm::ve
 struct InWater : OnModules {
     Waterline line{owner, "waterline"};
     Scene scene;
-    std::vector<float> distances;
+    std::vector<float> to_line;
 
     InWater() {
         line.method.set("rings");
@@ -37,7 +37,7 @@ struct InWater : OnModules {
         begin({16, 16}, time_s);
         line.record(frame, scene, level_m, {1, 0});
         frame.end();
-        distances = line.exists() ? read<float>(line.distances().mip(0)) : std::vector<float>();
+        to_line = line.exists() ? read<float>(line.distances().mip(0)) : std::vector<float>();
     }
 
     /// The largest error of a distance, in texels, where the truth is below the map's reach.
@@ -49,7 +49,7 @@ struct InWater : OnModules {
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const double right = truth(glm::dvec2(map.corner) + texel_m * (glm::dvec2(x, y) + 0.5));
-                const double found = double(distances[size_t(y) * size_t(side) + size_t(x)]);
+                const double found = double(to_line[size_t(y) * size_t(side) + size_t(x)]);
                 if (right < most_m) largest = std::max(largest, std::fabs(found - right) / texel_m);
             }
         return largest;

@@ -234,13 +234,13 @@ TEST_CASE("the tree by keys: what the scene has once, then entries; folded and u
     CHECK(editor.document().at(active()).light());
     editor.key(GLFW_KEY_UP);
     CHECK(active() == editor.named("right"));
-    for (int i = 0; i < 8; ++i) editor.key(GLFW_KEY_UP);
+    for (int i = 0; i < 9; ++i) editor.key(GLFW_KEY_UP);
     CHECK(active() == root_entry);
     CHECK(editor.window.editor.selected_items(editor.window.scene) == std::vector<uint32_t>{0, 0});  // not everything
     editor.key(GLFW_KEY_UP);
     CHECK(active() == root_entry);
-    for (int i = 0; i < 7; ++i)
-        editor.key(GLFW_KEY_DOWN);  // scene, camera, environment, sky, water, fog, effects, left
+    for (int i = 0; i < 8; ++i)
+        editor.key(GLFW_KEY_DOWN);  // scene, camera, environment, sky, terrain, water, fog, effects, left
     CHECK(active() == editor.named("left"));
     editor.key(GLFW_KEY_H, GLFW_MOD_SHIFT);
     CHECK(editor.document().at(active()).hidden);
