@@ -29,7 +29,9 @@ glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension, con
     const int32_t axes[3] = {side, up, ahead}, signs[3] = {side_sign, up_sign, ahead_sign};
     for (int i = 0; i < 3; ++i)
         if (axes[i] >= 0 && axes[i] < 3) turn[axes[i]][i] = signs[i] < 0 ? -1.0f : 1.0f;
-    if (std::abs(glm::determinant(glm::mat3(turn))) < 0.5f) turn = glm::mat4(1);
+    // Assimp 5.4 turns the root itself; 5.2 leaves it alone.
+    if (std::abs(glm::determinant(glm::mat3(turn))) < 0.5f || !scene.mRootNode->mTransformation.IsIdentity())
+        turn = glm::mat4(1);
     const float scale = centimetres > 1e-6 && centimetres < 1e6 ? static_cast<float>(0.01 * centimetres) : 0.01f;
     return glm::scale(turn, glm::vec3(scale));
 }

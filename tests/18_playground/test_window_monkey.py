@@ -43,7 +43,8 @@ class Monkey(EditorTest):
                     self.session.xdotool(*words)
                     self.assertIsNone(self.session.process.poll(), " ".join(words))
                     self.session.read_all()
-        self.assertEqual([line for line in self.session.errors if line], [])
+        said = [line for line in self.session.errors if line and not line.startswith("drawing: ")]  # how far a slow picture is
+        self.assertEqual(said, [])
         for file in self.folder.glob("*.json*"):
             json.loads(file.read_text())
 

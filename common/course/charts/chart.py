@@ -31,6 +31,7 @@ from charts.study_file import StudyError, figures, load, markdown_table  # noqa:
 from tree import BUILD, warn, write_atomically  # noqa: E402
 
 WIDTH_IN = 10  # of every chart: shown at a page's 800 pixels, 11 points are 12 pixels high
+LETTERS = 120  # of a command's line in its usual size
 STYLE = {"font.family": "DejaVu Sans", "font.size": 11, "axes.edgecolor": "#9aa3ad", "axes.linewidth": 0.8,
          "axes.labelcolor": INK, "xtick.color": QUIET, "ytick.color": QUIET, "text.color": INK,
          "svg.hashsalt": "lightwalk", "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False}
@@ -98,7 +99,9 @@ def heading(figure, chart: Chart, height: float, says: list[str], measured: list
         figure.text(0.022, 1 - (0.64 + 0.24 * i) / height, line, fontsize=11.5, va="center")
     for i, line in enumerate(measured):
         figure.text(0.022, 1 - (0.66 + 0.24 * len(says) + 0.18 * i) / height, line, color=QUIET, va="center", fontsize=9.5)
-    figure.text(0.022, 0.18 / height, chart.study.data["command"], fontsize=9, color=QUIET, family="DejaVu Sans Mono", va="center")
+    command = chart.study.data["command"]
+    figure.text(0.022, 0.18 / height, command, fontsize=9 * min(1, LETTERS / len(command)), color=QUIET, family="DejaVu Sans Mono",
+                va="center")
 
 
 def notes_of(chart: Chart) -> list[str]:
