@@ -34,7 +34,7 @@ def weights(x: float, y: float) -> list[float]:
 
 
 def run(program: Path, *arguments, display: str = "") -> subprocess.CompletedProcess:
-    environment = os.environ | {"DISPLAY": display, "VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC": "true"}
+    environment = os.environ | {"DISPLAY": display, "XDG_RUNTIME_DIR": "/tmp", "VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC": "true"}
     return subprocess.run([program, BUILD, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           timeout=120, env=environment)
 
@@ -111,7 +111,8 @@ class Vulkan(unittest.TestCase):
         self.assertGreaterEqual(len(named), 4)
         if "SYNC-HAZARD-READ-AFTER-WRITE" in found:  # the names of some rules change from release to release
             self.assertEqual(len(set(found) & named), len(set(found)), f"{set(found) - named} are not on the page")
-        self.assertGreaterEqual(len(found), 4, done.stdout)
+        links = re.findall(r"#VUID-[\w-]+\)", done.stdout)  # newer layers name a rule there alone
+        self.assertGreaterEqual(len(found) or len(links), 4, done.stdout)
 
 
 if __name__ == "__main__":
