@@ -147,16 +147,16 @@ class Panel:
             if self.pixels(doubling) - self.pixels(low) < 20:  # too thin for the words: they stand on it
                 places = places[4:]
             places = places if right else places[1::2]
-            notes.append(self.note("below: less than the truth is sure of", places, 9, points))
+            notes.append(self.note("below: less than the truth is sure of", places, 9, points, notes))
         return notes
 
     def pixels(self, error: float) -> float:
         """The height at which an error lies in the figure."""
         return self.main.transData.transform((self.main.get_xlim()[0], error))[1]
 
-    def note(self, text: str, places: tuple, size: float, points: list):
+    def note(self, text: str, places: tuple, size: float, points: list, others: list = ()):
         """Words about a line, at the first of those places (share of the width, value, and from there in points) where
-        they cover the fewest points and the least of the curves."""
+        they cover none of the other words, the fewest points and the least of the curves."""
         renderer = self.main.figure.canvas.get_renderer()
         at, between = self.pixels_of(points)
         best = None
@@ -165,7 +165,9 @@ class Panel:
                                       textcoords="offset points", ha="right" if side else "left", fontsize=size,
                                       color=QUIET, gid="label")
             box = note.get_window_extent(renderer)
-            covered = (sum(box.padded(11).contains(*pixel) for pixel in at), sum(box.contains(*pixel) for pixel in between))
+            covered = (sum(box.overlaps(other.get_window_extent(renderer)) for other in others),
+                       sum(box.padded(11).contains(*pixel) for pixel in at),
+                       sum(box.contains(*pixel) for pixel in between))
             if best is None or covered < best[0]:
                 if best:
                     best[1].remove()
