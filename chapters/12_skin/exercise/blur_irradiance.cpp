@@ -19,7 +19,7 @@ namespace lightwalk::exercise {
 //   between the variance of sum[i] and that of its source. The irradiance has the
 //   variance 0.
 // - smooth_mm: the standard deviation that the source of the level already has, in the
-//   channel where it is least; 0 for the irradiance. It is the same in both dispatches.
+//   channel where it is smallest; 0 for the irradiance. It is the same in both dispatches.
 //
 // The pass declares all images that it reads and all that it writes; an image of which
 // both is true appears in both lists. Dispatches of one pass may run at the same time

@@ -5,9 +5,9 @@
 namespace lightwalk::exercise {
 
 // [mirror_view]
-// `view_projection` takes a place in the world (metres, +y up) to clip space: y down, depth z/w
+// `view_projection` takes a point in the world (metres, +y up) to clip space: y down, depth z/w
 // = 1 at the near plane and 0 at the far plane or at infinity. The water lies at y = water_m,
-// and the eye is above it. Returns a matrix that takes a place in the world to where the camera
+// and the eye is above it. Returns a matrix that takes a point in the world to where the camera
 // sees its mirror image in the water. The matrix has three properties:
 //
 // 1. Left and right are swapped. Where view_projection puts (x, 2 water_m - y, z) at (a, b, .,
@@ -15,10 +15,10 @@ namespace lightwalk::exercise {
 //    counter-clockwise triangles into clockwise ones, which would be culled, and the swap turns
 //    them back. The water finds its reflection at its own pixel, counted from the other edge.
 // 2. The near plane is the water, because the ground of the lake would otherwise hide the
-//    reflected scene. Let the result take a place to (x, y, z, w). Then w - z is 0 for places
-//    in the water's plane, above 0 for places above the water, and below 0 for places below it,
+//    reflected scene. Let the result take a point to (x, y, z, w). Then w - z is 0 for points
+//    in the water's plane, above 0 for points above the water, and below 0 for points below it,
 //    which the device clips.
-// 3. The far plane clips nothing that shows. For every place above the water that the camera
+// 3. The far plane clips nothing that shows. For every point above the water that the camera
 //    sees mirrored, z is at least 0. Along each ray of the mirrored eye z/w falls with the
 //    distance.
 //

@@ -7,7 +7,7 @@
 namespace lightwalk::exercise {
 
 // [sort_back_to_front]
-// `middles` holds the middle of each transparent surface, `eye` the place of the camera; both
+// `middles` holds the middle of each transparent surface, `eye` the camera's position; both
 // in metres, world space, and finite. Returns the numbers 0 to middles.size() - 1, each once:
 // the surface that is farthest from the eye comes first, the nearest last.
 //

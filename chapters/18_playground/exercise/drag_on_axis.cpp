@@ -6,7 +6,7 @@ namespace lightwalk::exercise {
 
 // [drag_on_axis]
 // An arrow of the gizmo begins at `pivot` and goes along `axis` (unit length); `ray` is that of
-// the mouse (unit length). In space, two lines rarely meet. Returns the place on the axis that
+// the mouse (unit length). In space, two lines rarely meet. Returns the point on the axis that
 // is closest to the line of the ray, in metres from the pivot, negative behind it. With w =
 // ray.origin - pivot, d = ray.direction, b = dot(axis, d) and s = 1 - b² it is
 //

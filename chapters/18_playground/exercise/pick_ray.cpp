@@ -5,11 +5,11 @@
 namespace lightwalk::exercise {
 
 // [pick_ray]
-// `cursor_px` is a place in the picture, in pixels from its upper left corner; the middle of
+// `cursor_px` is a point in the picture, in pixels from its upper left corner; the middle of
 // the first pixel is (0.5, 0.5). The picture has `size` pixels. In clip space, after the
 // division by w, x runs from -1 at the left edge to 1 at the right edge, y from -1 at the top
 // to 1 at the bottom, and depth from 1 at the near plane to 0 at the far plane. `clip_to_world`
-// takes a place (x, y, depth, 1) from there to the world, in metres; the result has a w, by
+// takes a point (x, y, depth, 1) from there to the world, in metres; the result has a w, by
 // which it is to be divided.
 //
 // Returns the ray that begins on the near plane under the cursor and goes away from the camera,

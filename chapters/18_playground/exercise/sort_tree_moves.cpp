@@ -5,7 +5,7 @@
 namespace lightwalk::exercise {
 
 // [sort_tree_moves]
-// In the tree, the nodes `selected` (places in `nodes`, in any order, some perhaps twice) are
+// In the tree, the nodes `selected` (indices into `nodes`, in any order, some perhaps twice) are
 // dragged onto the node `new_parent` (-1: out of all others, into the world). Returns which
 // nodes get this parent, and the transform that each of them then has in the parent's space.
 // The result is in the order of `nodes`, whatever the order in which they were clicked.

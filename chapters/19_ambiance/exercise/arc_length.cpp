@@ -5,7 +5,7 @@
 namespace lightwalk::exercise {
 
 // [arc_length]
-// `points` are places of a curve at n + 1 evenly spaced parameters 0, 1/n, 2/n ... 1 (n is at
+// `points` are points of a curve at n + 1 evenly spaced parameters 0, 1/n, 2/n ... 1 (n is at
 // least 1). Returns the parameter from 0 to 1 at which `share` of the length of the curve is
 // covered, where the curve counts as straight between two neighbouring points, and the
 // parameter as rising evenly along each of those lines.

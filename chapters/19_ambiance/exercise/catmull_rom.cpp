@@ -5,7 +5,7 @@
 namespace lightwalk::exercise {
 
 // [catmull_rom]
-// The place at parameter t of the Catmull-Rom curve through four keys p0 p1 p2 p3, which it
+// The point at parameter t of the Catmull-Rom curve through four keys p0 p1 p2 p3, which it
 // passes at the knots t0 <= t1 <= t2 <= t3. Called with t1 <= t <= t2 alone: there the curve
 // runs from p1 to p2.
 //
@@ -17,8 +17,8 @@ namespace lightwalk::exercise {
 //     b1 = mix(a1, a2, t0, t2)    b2 = mix(a2, a3, t1, t3)
 //     curve = mix(b1, b2, t1, t2)
 //
-// Neighbouring keys may stand at the same place, where a camera rests. Their knots are equal
-// then. A mix that would divide by the difference of their knots, 0, returns this place
+// Neighbouring keys may stand at the same point, where a camera rests. Their knots are equal
+// then. A mix that would divide by the difference of their knots, 0, returns this point
 // instead, so that no NaN comes out. Right within 1e-9 of the largest coordinate.
 // [/catmull_rom]
 glm::dvec3 catmull_rom(const FourKeys& keys, double t) {

@@ -7,7 +7,7 @@ namespace lightwalk::exercise {
 // [centripetal_knots]
 // The knots of a centripetal Catmull-Rom curve through `points` (any number of them): the first
 // is 0, and from one to the next they rise by the square root of the distance between their
-// points. Points at the same place have the same knot. A result for each point. Right within
+// points. Equal points have the same knot. A result for each point. Right within
 // 1e-9 of the last knot.
 // [/centripetal_knots]
 std::vector<double> centripetal_knots(const std::vector<glm::dvec3>& points) {

@@ -1,5 +1,5 @@
 // Exercise 04.above_horizon: find the fault in the clipping of a lamp by the horizon.
-// As handed out, a lamp that sinks into the floor loses light in steps, a corner of it at a time.
+// Starter: a lamp that sinks into the floor loses light in steps, one corner at a time.
 
 // [above_horizon]
 // An edge of a lamp runs straight from `end` to `other`, seen from a surface point at the

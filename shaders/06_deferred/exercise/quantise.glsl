@@ -1,5 +1,5 @@
 // Exercise 06.quantise: find the fault in the packing of an octahedral code.
-// As handed out, floors and walls that face along +x or +y exactly are lit as if they faced the other way.
+// Starter: floors and walls that face exactly along +x or +y are lit as if they faced the opposite direction.
 
 // [quantise]
 // quantise() stores the two numbers of an octahedral code, -1 to 1 or by rounding a little

@@ -1,5 +1,5 @@
 // Exercise 06.screen_box: find the fault in the bounds of a box on the screen.
-// As handed out, a wall right beside the camera vanishes when something stands behind it: see the shot alley.
+// Starter: a wall right beside the camera vanishes if something stands behind it: see the shot alley.
 
 // [screen_box]
 // Returns the rectangle of pixels that a box may cover, and the depth of its nearest point.

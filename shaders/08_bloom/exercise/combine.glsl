@@ -5,8 +5,8 @@
 // [combine]
 // Returns the radiance of a pixel of the picture with its bloom.
 // - `radiance` is the pixel before bloom; it may be infinite or NaN, so use
-//   finite_light(radiance) in its place. `spread`, the blurred light, is finite and 0
-//   or more.
+//   finite_light(radiance) instead. `spread`, the blurred light, is finite and 0 or
+//   more.
 // - If `mixes` is false, only bright light was blurred. Add strength * spread (strength
 //   0 or more).
 // - If `mixes` is true, all light of the picture was blurred, and adding it would make

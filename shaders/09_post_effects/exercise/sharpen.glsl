@@ -9,7 +9,7 @@
 // right, and kernel[1][1] to the pixel itself. The kernel need not be symmetric.
 //
 // texel(at) reads one pixel. It is valid only inside of the picture, from ivec2(0) to
-// picture_size() - 1: use the nearest pixel inside in place of a neighbour outside. A
+// picture_size() - 1: use the nearest pixel inside instead of a neighbour outside. A
 // kernel may have negative weights, but light is not negative: a channel below 0
 // becomes 0.
 // [/sharpen]

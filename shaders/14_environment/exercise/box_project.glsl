@@ -1,5 +1,5 @@
 // Exercise 14.box_project: a cube of the surroundings that is right away from its middle.
-// Starter: the surroundings are taken for infinitely far away, and a room's reflections move with the camera.
+// Starter: the surroundings are treated as infinitely distant, and a room's reflections move with the camera.
 
 // [box_project]
 // A cube of the surroundings was drawn from `center`. The room around it is a box with the

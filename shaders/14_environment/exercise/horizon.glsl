@@ -1,4 +1,4 @@
-// Exercise 14.horizon: how a depth on the way raises the horizon, or lowers it.
+// Exercise 14.horizon: how a depth along the search raises the horizon, or lowers it.
 // Starter: nothing raises the horizon, and everything is open.
 
 // [horizon]
@@ -7,7 +7,7 @@
 // where there was none, 1 straight towards the camera. At this step a surface is found
 // `away_m` metres away; the cosine of its direction is `found`.
 //
-// What is far away hides less. With s = away_m / radius_m, at most 1, mix `found` with -1:
+// Distant surfaces hide less. With s = away_m / radius_m, at most 1, mix `found` with -1:
 // found' = found + s^2 (-1 - found).
 //
 // Returns the new horizon. Where found' is above `horizon`, it is found'. Otherwise the

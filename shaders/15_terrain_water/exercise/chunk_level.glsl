@@ -10,13 +10,13 @@
 // (2x + 1, 2z + 1). The only chunk of level top_level() covers the whole map.
 //
 // A chunk is *split* if its level is above 0 and chunk_error(chunk) is greater than
-// chunk_distance(chunk) * chunk_limit(): its four chunks are then considered in its place. A
+// chunk_distance(chunk) * chunk_limit(): its four chunks are then considered instead. A
 // chunk is drawn if
 // - it is not split itself,
 // - its parent is split (the chunk of level top_level() has no parent), and
 // - chunk_in_view(chunk) is true.
 //
-// Every place of the map is then drawn exactly once, or is out of view. The parent of a split
+// Every point of the map is then drawn exactly once, or is out of view. The parent of a split
 // chunk is always split, too, so there is no need to look further up.
 //
 // atomicAdd(chunk_draw.instance_count, 1u) returns the number of chunks before this one,

@@ -8,7 +8,7 @@
 // gerstner_slopes(): the derivatives of one wave's gerstner(), without the (x, 0, z), as a
 // matrix. The first column is the derivative by x, the third that by z; the second is 0.
 //
-// gerstner_normal(): the unit normal of the surface at a place, along dP/dz cross dP/dx.
+// gerstner_normal(): the unit normal of the surface at a point, along dP/dz cross dP/dx.
 // `slopes` is the sum of gerstner_slopes() over all waves there. Level water, all slopes 0,
 // has the normal (0, 1, 0). The published shortcut, (-sum of D |k| A cos, 1 - sum of Q |k| A
 // sin), is exact for a single wave only: the tangents dP/dx and dP/dz have to be summed over

@@ -1,10 +1,10 @@
-// Exercise 15.height_blend: which of four textures shows at a place, by their weights and heights.
+// Exercise 15.height_blend: which of four textures shows at a point, by their weights and heights.
 // Starter: they fade into each other like fog.
 
 // [height_blend]
-// Four materials meet at a place. `weights` says how much of each is expected here; each weight
+// Four materials meet at a point. `weights` says how much of each is expected here; each weight
 // is 0 or more, and their sum is 1. `heights` says how high the material's own surface stands
-// at this place, 0 to 1: high on a stone, low in the gap between two stones, so that snow shows
+// at this point, 0 to 1: high on a stone, low in the gap between two stones, so that snow shows
 // in the gaps first.
 //
 // The *rank* of a material is its weight plus its height. `top` is the greatest rank among the

@@ -2,8 +2,8 @@
 // Starter: many steps for every volume.
 
 // [choose_march]
-// A ray passes 1 m of a volume; t is its way, 0 to 1. `volume` is one of three, with a density d,
-// an extinction of E per metre and a colour c:
+// A ray passes 1 m of a volume; t is the distance, 0 to 1. `volume` is one of three, with a density
+// d, an extinction of E per metre and a colour c:
 // - 0: fog, d = 0.5 + 0.3 sin(2 pi t), E = 6 d^2, c = d;
 // - 1: skin, d = 1 - 2.2 |t - 0.43|, at least 0, E = 60 exp(-((d - 0.6) / 0.03)^2), c = d;
 // - 2: bone, d = 4 (t - 0.2), limited to 0 and 1, E = 40 s^2 (3 - 2 s) with

@@ -1,4 +1,4 @@
-// Exercise 16.gradient: which way the density grows.
+// Exercise 16.gradient: the direction in which the density grows.
 // Starter: it does not grow, and surfaces are lit as if they faced nobody.
 #include "16_volume/voxel_density.glsl"
 

@@ -1,11 +1,11 @@
 // Exercise 17.flow_blend: a moving picture of clouds from two still ones.
-// Starter: the first one stands still until the second takes its place.
+// Starter: the first one stands still until the second replaces it.
 
 // [flow_blend]
 // Two pictures of the same clouds, A at the beginning and B at the end of an interval; `t` is
-// the time within it, 0 to 1. `shift` is how far the wind carries the clouds at this place
+// the time within it, 0 to 1. `shift` is how far the wind carries the clouds at this point
 // during the whole interval, in the unit of `uv`. The cloud that is at uv now was farther
-// upwind when A was taken, and will be farther downwind when B is taken. Returns the places of
+// upwind when A was taken, and will be farther downwind when B is taken. Returns the positions of
 // this cloud in A (x, y) and in B (z, w), in this order.
 vec4 flow_places(vec2 uv, vec2 shift, float t) {
     return vec4(uv, uv);

@@ -3,7 +3,7 @@
 
 // [limb_fade]
 // `opacity` (0 to 1) is what a layer of clouds hides when seen from straight above. At `mu`,
-// the cosine of the angle between the layer's normal and the direction to the camera, the way
+// the cosine of the angle between the layer's normal and the direction to the camera, the path
 // through it is 1 / mu times as long: it lets through (1 - opacity)^(1 / mu). But at mu near 0
 // the shell extends beyond the edge of the ground, and there a thin layer would look like a
 // wall in empty space. So the result is (1 - (1 - opacity)^(1 / mu)) s²(3 - 2s), where s = mu /

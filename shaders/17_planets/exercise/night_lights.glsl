@@ -2,7 +2,7 @@
 // Starter: they shine by 1 - n·l: most of the day, too.
 
 // [night_lights]
-// `city` is the radiance of a place's lamps by night, `cosine` is n·l there, -1 to 1, and
+// `city` is the radiance of the lamps at a point by night, `cosine` is n·l there, -1 to 1, and
 // `cloud` the opacity of the clouds above, 0 to 1. Returns the radiance towards the camera, the
 // product of three factors: `city`; the share of the lamps that burn; and 1 - cloud, since
 // clouds absorb the share `cloud`. By day, n·l >= 0, no lamp burns (a share of 1 - n·l would
