@@ -19,14 +19,14 @@ def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, 
     results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
     for row, name in zip(book.rows, page_names(book.rows)):
         of_student = results.get(row["student"], {})
-        chapters = [{"name": chapter, "points": number(row["chapters"][chapter], "missing"), "of": number(book.most(chapter), ""),
+        chapters = [{"name": chapter, "points": number(row["chapters"][chapter], row["nothing"] or "missing"), "of": number(book.most(chapter), ""),
                      "exercises": [exercise_entry(exercise, row["marks"][exercise], of_student.get(exercise),
                                                   submitted.get(row["student"], {}).get(exercise), starters.get(exercise, b""),
                                                   book.rules.due_of(row["student"], exercise))
                                    for exercise, of in book.rules.wanted.items() if of == chapter]} for chapter in book.chapters]
         at = book.rules.handed_in(row["student"], next((one.get("handed_in_s") for one in grades if one["student"] == row["student"]), None))
         write_atomically(out / f"{name}.html", page(
-            "feedback.html", row=row, chapters=chapters, points=number(row["points"], "missing"), of=number(row["of"], ""),
+            "feedback.html", row=row, chapters=chapters, points=number(row["points"], row["nothing"]), of=number(row["of"], ""),
             handed_in=at.strftime("%Y-%m-%d %H:%M") if at else ""), 0o600)
     return len(book.rows)
 

@@ -159,6 +159,9 @@ def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, 
     count = write_pages(out / "feedback", book, grades, submitted, starters_of(wanted))
     for student in roster.strangers[:MOST_NAMES]:
         warn(f"{printable(student)} is not in {arguments.roster}")
+    known = {one["student"] for one in grades}
+    if lost := [student for student in book.rules.students if student not in known]:
+        warn(f"{arguments.rules}: students: nobody handed in as {', '.join(printable(name, 40) for name in lost[:MOST_NAMES])}")
     warn(f"{printable(str(out))}: {', '.join(names)}, and {count} pages in feedback")
 
 

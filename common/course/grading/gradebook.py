@@ -6,8 +6,8 @@ each student a page of feedback: feedback/NAME.html.
     csv      a column for each exercise with its points, or a word instead: late, missing, look at
     json     the same, with the words of each failure
 
-In Moodle's and Canvas's numeric columns, a chapter without a submission is "-" or empty: no grade,
-where a 0 would be one. A name that a spreadsheet would take for a formula gets an apostrophe; an identifier never changes.
+In Moodle's and Canvas's numeric columns, a chapter without a submission is "-" or empty: no grade, where a 0 would be one.
+So is a chapter with an answer that was not judged, or that has to be looked at. A name that a spreadsheet would take for a formula gets an apostrophe; an identifier never changes.
 """
 
 import csv
@@ -24,6 +24,7 @@ from tree import chapter_title, write_atomically
 
 MOST_NAME_BYTES = 120  # of a page's file: file systems have 255
 FORMATS = ("moodle", "canvas", "csv", "json")
+UNKNOWN = ("not judged", "look at")  # words of marks that are still to come
 CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 
 
@@ -54,16 +55,16 @@ class Book:
         return {"student": one["student"], "name": self.roster.name(identity) if identity else name,
                 "id": next((identity[c] for c in identity if c.lower() in ("id", "identifier", "id number", "idnumber", "username")
                             and identity[c]), number),
-                "identity": identity, "error": one["error"], "marks": marks,
+                "identity": identity, "error": one["error"], "marks": marks, "nothing": nothing_of(marks.values()),
                 "points": self.total(marks.values()), "of": round(self.rules.most, 4), "chapters": {
                     chapter: self.total(marks[e] for e, of in self.rules.wanted.items() if of == chapter)
                     for chapter in self.chapters}}
 
     @staticmethod
     def total(marks) -> float | None:
-        """None where nothing was handed in."""
+        """None where nothing was handed in, and where a mark is still to come."""
         marks = list(marks)
-        if all(mark["word"] == "missing" for mark in marks):
+        if nothing_of(marks):
             return None
         return round(sum(mark["points"] or 0 for mark in marks), 6)
 
@@ -74,6 +75,12 @@ class Book:
         """Of a chapter's column: the platform's own where the class list has one that begins so, with its number."""
         title = f"Lightwalk {chapter_title(chapter)}"
         return next((column for column in self.roster.columns if column.startswith(f"Lightwalk {chapter[:2]}")), title)
+
+
+def nothing_of(marks) -> str:
+    """The word that stands instead of points; empty where there are some."""
+    words = {mark["word"] for mark in marks}
+    return next((word for word in UNKNOWN if word in words), "missing" if words <= {"missing"} else "")
 
 
 def number(value: float | None, nothing: str) -> str:
@@ -120,9 +127,11 @@ def moodle(book: Book) -> str:
     if worksheet:
         rows = [book.roster.columns]
         for row in book.rows:
-            most = re.sub(r"[^\d.]", "", row["identity"].get("Maximum grade", row["identity"].get("Maximum Grade", ""))) or row["of"]
-            points = None if row["points"] is None else round(row["points"] * float(most) / row["of"], 2) if row["of"] else 0.0
-            filled = row["identity"] | {"Grade": number(points, ""), "Feedback comments": no_formula(words_of(row)).replace("\n", "<br>")}
+            most = Roster.most(row["identity"], row["of"])
+            points = None if row["points"] is None else round(row["points"] * most / row["of"], 2) if row["of"] else 0.0
+            # The other columns are the students' words as well: a text handed in online, a name.
+            safe = {column: text if text.strip() == "-" else cell(text) for column, text in row["identity"].items()}
+            filled = safe | {"Grade": number(points, ""), "Feedback comments": no_formula(words_of(row)).replace("\n", "<br>")}
             if row["identity"]:  # Moodle knows its own numbers alone
                 rows.append([filled.get(column, "") for column in book.roster.columns])
         return as_csv(rows)
@@ -161,7 +170,7 @@ def plain_csv(book: Book) -> str:
     rows = [["student", "name", "id", "points", "of", *book.rules.wanted, "error"]]
     for row in book.rows:
         marks = [mark["word"] if mark["points"] is None else number(mark["points"], "") for mark in row["marks"].values()]
-        rows.append([cell(row["student"]), cell(row["name"]), row["id"], number(row["points"], "missing"), number(row["of"], ""),
+        rows.append([cell(row["student"]), cell(row["name"]), row["id"], number(row["points"], row["nothing"]), number(row["of"], ""),
                      *marks, cell(row["error"] or "")])
     return as_csv(rows)
 

@@ -6,6 +6,7 @@ number for the random inputs gives the same answer the same mark, unless --regra
 
 import hashlib
 import json
+import re
 from pathlib import Path
 
 from tree import UsageError, write_atomically
@@ -18,7 +19,7 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
     Raises UsageError for an unreadable file: a grade would be lost."""
     try:
         kept = json.loads(file.read_text()) if file.exists() else {}
-        before = {(student, exercise): (entry["answer"], checked(dict(entry["result"]), exercise))
+        before = {(student, exercise): (answer_of(entry), checked(dict(entry["result"]), exercise))
                   for student, entries in kept.items() for exercise, entry in entries.items()}
     except (OSError, ValueError, TypeError, AttributeError, KeyError, RecursionError) as error:
         raise UsageError(f"{file} cannot be read: {error!r}; it holds the marks that were given, so it is not replaced") from None
@@ -39,6 +40,13 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
                 kept.setdefault(student, {})[exercise] = {"answer": answer, "result": result}
     write_atomically(file, json.dumps(kept, indent=1) + "\n", 0o600)
     return changed
+
+
+def answer_of(entry: dict) -> str:
+    """Its hash. Raises ValueError for anything else."""
+    if not re.fullmatch("[0-9a-f]{64}", entry["answer"]):
+        raise ValueError(f"{entry['answer']!r} is the hash of no answer")
+    return entry["answer"]
 
 
 def checked(result: dict, exercise: str) -> dict:

@@ -5,6 +5,7 @@ A submission belongs to the row with the number in the submission's name, as the
 
     Moodle   Ann Example_123456_assignsubmission_file       "Participant 123456" in the column Identifier
     Canvas   exampleann_4711_987654_lightwalk.zip           4711 in the column ID (exampleann_LATE_4711_... where it was late)
+    ILIAS    Example_Ann_annexample_1234                    annexample in the column Login
 
 or to the row with the submission's name in a cell: a login, a number, an address, a full name.
 """
@@ -21,13 +22,19 @@ from tree import UsageError
 
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<id>\d+)_\d+_")
+ILIAS = re.compile(r"[^_]+_[^_]+_(?P<name>[^_]+)_\d+$")
 # Columns that identify a person; never grades.
 IDENTITY = ("identifier", "id", "id number", "idnumber", "sis user id", "sis login id", "login id", "username", "user name",
             "email", "email address", "student", "full name", "name", "first name", "last name", "surname", "section", "root account",
-            "integration id", "group", "groups", "department", "institution")
+            "integration id", "group", "groups", "department", "institution", "login", "lastname", "firstname", "e-mail")
+# One person's alone.
+UNIQUE = ("identifier", "id", "id number", "idnumber", "sis user id", "sis login id", "login id", "username", "user name", "login")
 NAMES = ("student", "full name", "name")
+GRADES = ("grade", "feedback comments")
+MOST_GRADES = ("maximum grade",)
 HANDED_IN = ("last modified (submission)",)
 FORMULA = ("=", "+", "-", "@")
+ROUNDED = re.compile(r"\d+[.,]\d+(E\+?\d+)?", re.I)  # what a spreadsheet makes of a long number
 
 
 class Roster:
@@ -57,22 +64,50 @@ class Roster:
             raise UsageError(f"{file}: is not UTF-8 text; export the list as CSV (UTF-8)") from None
         first = text.partition("\n")[0]
         separator = max(",;\t", key=first.count)
+        lines, reader = [], csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
         try:
-            lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+            for line in reader:
+                lines.append((reader.line_num, line))
         except csv.Error as error:
-            raise UsageError(f"{file}: is no CSV: {error}") from None
-        if not lines or not any(column.strip().lower() in IDENTITY for column in lines[0]):
+            raise UsageError(f"{file}:{reader.line_num}: is no CSV: {error}") from None
+        columns = [column.strip() for column in lines[0][1]] if lines else []
+        lower = [column.lower() for column in columns]
+        if not any(column in IDENTITY for column in lower):
             raise UsageError(f"{file}: the first line names no column of a class list, such as ID, Username or Email address")
-        columns = [column.strip() for column in lines[0]]
-        rows = [dict(zip(columns, [*line, *[""] * len(columns)])) for line in lines[1:] if any(cell.strip() for cell in line)]
-        # Canvas has a row of points, and one of its test student.
-        rows = [row for row in rows if "points possible" not in next(iter(row.values())).lower()
-                and next(iter(row.values())).strip() != "Student, Test"]
-        for number, row in enumerate(rows, 2):
+        if twice := [column for column in lower if column in IDENTITY + GRADES + MOST_GRADES and lower.count(column) > 1]:
+            raise UsageError(f"{file}: the first line names the column '{twice[0]}' twice")
+        rows, seen = [], {}
+        for number, line in lines[1:]:
+            if len(line) > len(columns):
+                raise UsageError(f"{file}:{number}: has {len(line)} cells, the first line {len(columns)}: a name with a "
+                                 f"'{separator}' stands in quotes")
+            row = dict(zip(columns, [*line, *[""] * len(columns)]))
+            first = next(iter(row.values())).strip()
+            # Canvas has rows of points and of postings, and one of its test student.
+            if first == "Student, Test" or "points possible" in first.lower() or not any(row[c].strip() for c in self.identity(columns)):
+                continue
             for column in self.identity(columns):
-                if row[column].startswith(FORMULA) and column.lower() not in NAMES:
-                    raise UsageError(f"{file}:{number}: {column}: '{printable(row[column], 40)}' would be read as a formula")
+                if wrong := wrong_with(column.lower(), row[column]):
+                    raise UsageError(f"{file}:{number}: {column}: '{printable(row[column], 40)}' {wrong}")
+                key = (column, folded(row[column]))
+                if column.lower() in UNIQUE and key[1] and seen.setdefault(key, number) != number:
+                    raise UsageError(f"{file}:{number}: {column}: '{printable(row[column], 40)}' stands in line {seen[key]} too")
+            rows.append(row)
+            if self.most(row, 1) is None:
+                raise UsageError(f"{file}:{number}: the maximum grade is no number: '{printable(self.most_text(row), 40)}'")
         return columns, rows
+
+    @staticmethod
+    def most_text(row: dict[str, str]) -> str:
+        return next((cell.strip() for column, cell in row.items() if column.lower() in MOST_GRADES), "")
+
+    @classmethod
+    def most(cls, row: dict[str, str], otherwise: float) -> float | None:
+        """The points that its platform gives at most, with a point or a comma; None where it says something else."""
+        text = cls.most_text(row)
+        if not text:
+            return otherwise
+        return float(text.replace(",", ".")) if re.fullmatch(r"[0-9]{1,9}([.,][0-9]{1,9})?", text) else None
 
     @staticmethod
     def identity(columns: list[str]) -> list[str]:
@@ -81,7 +116,8 @@ class Roster:
     def note(self, row: dict[str, str]):
         columns = self.identity(self.columns)
         for column in columns:
-            self.numbered.setdefault((column.lower(), re.sub(r"\D", "", row[column])), row)
+            if number := re.fullmatch(r"\D*(\d+)", row[column].strip()):
+                self.numbered.setdefault((column.lower(), number[1]), row)
         for name in {folded(row[column]) for column in columns} | {folded(self.name(row))}:
             self.named.setdefault(name, []).append(row)
 
@@ -92,6 +128,8 @@ class Roster:
                 if row := self.numbered.get((column, match["id"])):
                     return row
                 name = match["name"]
+        if (match := ILIAS.match(student)) and "login" in map(str.lower, self.columns):
+            name = match["name"]
         fits = self.named.get(folded(name), [])
         return fits[0] if len(fits) == 1 else None
 
@@ -99,7 +137,8 @@ class Roster:
         """Of a person, as it is printed."""
         lower = {column.lower(): cell for column, cell in row.items()}
         whole = next((lower[column] for column in NAMES if lower.get(column)), "")
-        return printable(whole or " ".join(filter(None, (lower.get("first name"), lower.get("last name") or lower.get("surname"))))
+        return printable(whole or " ".join(filter(None, (lower.get("first name") or lower.get("firstname"),
+                                                           lower.get("last name") or lower.get("surname") or lower.get("lastname"))))
                          or next((cell for cell in row.values() if cell), "nobody"))
 
     def handed_in_s(self, student: str) -> float | None:
@@ -114,6 +153,17 @@ class Roster:
 
     def of(self, student: str) -> dict[str, str]:
         return self.found.get(student, {})
+
+
+def wrong_with(column: str, text: str) -> str:
+    """Empty where nothing is, for a cell of a column that names a person."""
+    if text.startswith(FORMULA) and column not in NAMES:
+        return "would be read as a formula"
+    if re.search(r"[\r\n\0]", text.strip()):
+        return "is more than one line: a quote is not closed"
+    if column in UNIQUE and ROUNDED.fullmatch(text.strip()):
+        return "was rounded by a spreadsheet: export the list again"
+    return ""
 
 
 def folded(name: str) -> str:

@@ -17,6 +17,7 @@ import datetime
 import json
 from pathlib import Path
 
+from grading.submission import printable
 from tree import UsageError
 
 KEYS = {"": {"points", "late", "due", "chapters", "exercises", "students"}, "chapters": {"weight", "due"},
@@ -58,7 +59,7 @@ class Rules:
 
     def read(self, file: Path) -> dict:
         try:
-            given = json.loads(file.read_text(encoding="utf-8-sig"))
+            given = json.loads(file.read_text(encoding="utf-8-sig"), object_pairs_hook=self.no_key_twice)
         except OSError as error:
             raise UsageError(f"{file}: {error.strerror}") from None
         except (ValueError, RecursionError) as error:
@@ -66,8 +67,14 @@ class Rules:
         self.known(given, "", "")
         return given
 
+    def no_key_twice(self, pairs: list[tuple]) -> dict:
+        names = [name for name, _ in pairs]
+        if twice := [name for name in names if names.count(name) > 1] if len(set(names)) < len(names) else []:
+            self.wrong(f"the key '{twice[0]}' stands there twice")
+        return dict(pairs)
+
     def wrong(self, what: str):
-        raise UsageError(f"{self.file}: {what}")
+        raise UsageError(f"{self.file}: {printable(what, 400)}")
 
     def known(self, value, key: str, name: str):
         if not isinstance(value, dict):
