@@ -96,7 +96,8 @@ TEST_CASE("waves and their gradients are those of double precision") {
     CHECK(worst_slope < 3e-5);
 }
 
-TEST_CASE("the normal is that of the displaced surface, to 0.01 degrees, and the sphere's where nothing is displaced") {
+TEST_CASE("the normal is that of the displaced surface, to 0.01 degrees, and the sphere's where nothing is displaced",
+          "[14.sphere_normal]") {
     Random random;
     Table inputs;
     for (int i = 0; i < 200; ++i) {

@@ -82,7 +82,7 @@ TEST_CASE("a file's samples come back as the mean of its channels, at its own ra
     }
 }
 
-TEST_CASE("a file that is no whole piece of music is refused in words") {
+TEST_CASE("a file that is no whole piece of music is refused in words", "[14.whole_file]") {
     using Catch::Matchers::Contains;
     const Folder folder;
     const std::string whole = encoded(22050, {noise_and_tone(6).samples});

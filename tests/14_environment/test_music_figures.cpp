@@ -32,13 +32,15 @@ double over_phases(size_t count) {
 
 }  // namespace
 
-TEST_CASE("bass needs a long window: 60 Hz in 512 samples depends on the phase by 22%, in 2,048 by 0.1%") {
+TEST_CASE("bass needs a long window: 60 Hz in 512 samples depends on the phase by 22%, in 2,048 by 0.1%",
+          "[14.long_window]") {
     CHECK(over_phases(512) == Approx(1.22).margin(0.01));
     CHECK(over_phases(1024) == Approx(1.03).margin(0.01));
     CHECK(over_phases(2048) < 1.0015);
 }
 
-TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -25 dB without one, -67 dB with Hann's") {
+TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -25 dB without one, -67 dB with Hann's",
+          "[14.hann]") {
     const std::vector<float> between = tone_samples(100.5, 2048);
     const auto rectangle = truth::amplitudes(between, [](size_t, size_t) { return 1.0; });
     const auto hann = truth::amplitudes(between);
@@ -53,7 +55,8 @@ TEST_CASE("a window trades a wider peak for less leakage: 10 bins off -25 dB wit
 }
 
 TEST_CASE(
-    "the bands have 10, 160 and 683 bins at 48 kHz: of the same noise their sums differ by 70, their means by none") {
+    "the bands have 10, 160 and 683 bins at 48 kHz: of the same noise their sums differ by 70, their means by none",
+    "[14.band_means]") {
     Sound noise{.rate_hz = 48000};
     uint32_t state = 3;
     for (int i = 0; i < 96000; ++i) {
