@@ -5,7 +5,10 @@ layout(location = 0) out vec4 color;
 layout(push_constant) uniform Frame { vec4 eye, to_sun, c; };
 const float escape = 4.0, closest = 0.001;
 
-vec4 squared(vec4 q) { return vec4(q.x * q.x - dot(q.yzw, q.yzw), 2.0 * q.x * q.yzw); }
+// The product of two quaternions; their order matters.
+vec4 times(vec4 a, vec4 b) {
+    return vec4(a.x * b.x - dot(a.yzw, b.yzw), a.x * b.yzw + b.x * a.yzw + cross(a.yzw, b.yzw));
+}
 
 // A lower bound of the distance from a point to the set (J. Hart et al., 1989): |z'| grows with each step by 2 |z|.
 float distance_at(vec3 place) {
@@ -13,7 +16,7 @@ float distance_at(vec3 place) {
     float slope = 1.0;
     for (int i = 0; i < 40 && dot(z, z) < escape * escape; ++i) {
         slope *= 2.0 * length(z);
-        z = squared(z) + c;
+        z = times(z, z) + c;
     }
     float square = dot(z, z);
     return square < escape * escape ? 0.0 : 0.25 * sqrt(square) / max(slope, 1e-12) * log(square);
