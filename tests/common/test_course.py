@@ -14,7 +14,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import INTERRUPTIBLE, LESSON, REAL, SHOTS_02, Course
+from small_course import INTERRUPTIBLE, REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 import cli  # noqa: E402
@@ -251,97 +251,6 @@ class Shots(Course):
         self.put("drift", "!")
         self.assertIn("FLIP mean 0.500000", self.course("accept", "01.car", "--yes"))
         self.assertIn("!", (self.root / "tests/01_obj/golden/car.png").read_text())
-
-
-class Text(Course):
-    def wrong(self):
-        check = [sys.executable, self.root / "common/course", "test.text_check"]
-        done = subprocess.run(check, stdout=subprocess.PIPE, text=True)
-        self.assertEqual(done.returncode, 1 if done.stdout else 0)
-        return done.stdout
-
-    def test_the_tree_is_right(self):
-        self.assertEqual(self.wrong(), "")
-
-    def test_quotes(self):
-        self.put("docs/01_obj.md", LESSON.replace("twice", "thrice"))
-        self.assertIn("docs/01_obj.md:3: the block is not what chapters/01_obj/main.cpp says", self.wrong())
-        self.course("quote")
-        self.assertEqual((self.root / "docs/01_obj.md").read_text(), LESSON)
-        self.put("docs/01_obj.md", LESSON.replace("#frame", "#gone"))
-        self.assertIn("has no lines from [gone] to [/gone]", self.wrong())
-        self.put("docs/01_obj.md", LESSON.replace("01_obj/main.cpp#frame", "01_obj/solution/one.cpp#x"))
-        self.assertIn("would give the exercise away", self.wrong())
-
-    def test_links(self):
-        for bad in ("[a](nowhere.md)", "![a](01.png)", "[a](01_obj.md#no-such)", "<img src='x.png'>", "[a](../../x)", "[![a](01_obj.md)<br>b](nowhere.md)"):
-            self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
-            self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
-
-    def test_lessons_that_are_ahead_of_the_course(self):
-        self.put("docs/02_lambert.md", "# Two\nAs in chapter 01.\nMore in chapters 02 and 14.\n`chapter 15`\n")
-        self.assertEqual(self.wrong(), "docs/02_lambert.md:3: there is no chapter 14\n")
-
-    def test_exercises_stand_in_the_lesson_graded_and_in_full(self):
-        lesson = "# One\n## Exercises\n### 01.one (easy)\n<!-- quote: {0}#one -->\n```\n// What it does.\n```\n"
-        file = "chapters/01_obj/exercise/one.cpp"
-        self.put(file, "// [one]\n// What it does.\n// [/one]\nright\n")
-        self.put("docs/01_obj.md", lesson.format(file))
-        self.restore_afterwards(self.root / "tests/starters.txt")
-        self.course("quote")  # another starter
-        self.assertEqual(self.wrong(), "")
-        self.put("docs/01_obj.md", "# One\n## Exercises\n### 01.one (easy)\n")
-        self.assertIn(f"docs/01_obj.md: it does not quote {file}#one", self.wrong())
-        self.put("docs/01_obj.md", lesson.format(file).replace("01.one (easy)", "01.one"))
-        self.assertIn("docs/01_obj.md: there is no heading '### 01.one (easy)'", self.wrong())
-        self.put("docs/01_obj.md", lesson.format(file).replace("(easy)", "(hard)") + "### 01.two (medium)\n")
-        self.assertIn("docs/01_obj.md: a harder exercise stands before an easier one", self.wrong())
-
-    def test_charts_that_no_lesson_shows_are_not_in_the_tree(self):
-        self.put("docs/studies/01_obj.gpu.png", "")
-        self.assertEqual(self.wrong(), "docs/studies/01_obj.gpu.png: no text shows it; ./course docs draws charts from their JSON\n")
-        self.put("docs/01_obj.md", LESSON + "![a chart](studies/01_obj.gpu.png)\n")
-        self.assertEqual(self.wrong(), "")
-
-    def test_diagrams_are_what_their_scripts_draw(self):
-        script = "class D:\n    def svg(self): return '<svg/>'\n\ndef draw():\n    return D()\n"
-        self.put("docs/figures/01_ray.py", script)
-        self.assertIn("docs/images/01_ray.svg: not what its script draws", self.wrong())
-        self.put("docs/images/01_ray.svg", "<svg/>")
-        self.assertEqual(self.wrong(), "docs/images/01_ray.svg: no lesson shows it\n")
-        self.put("docs/01_obj.md", LESSON + "![a ray](images/01_ray.svg)\n")
-        self.assertEqual(self.wrong(), "")
-        self.put("docs/figures/01_ray.py", script.replace("return '<svg/>'", "raise ValueError('a label is outside')"))
-        self.assertIn("docs/figures/01_ray.py: a label is outside", self.wrong())
-        self.remove("docs/figures/01_ray.py")
-        self.assertIn("docs/images/01_ray.svg: no docs/figures/01_ray.py draws it", self.wrong())
-
-    def test_credits_both_ways(self):
-        self.put("assets/models/c.obj")
-        self.assertIn("assets/models/c.obj: assets/CREDITS.md does not name it", self.wrong())
-        self.remove("assets/models/b.obj")
-        self.assertIn("assets/CREDITS.md:3: there is no assets/models/b.obj", self.wrong())
-
-    def test_limits_without_a_measurement(self):
-        self.addCleanup(lambda: [path.unlink() for path in self.root.glob("tests/*/golden/*")])
-        self.accept()
-        self.assertEqual(self.wrong(), "")
-        measured = self.root / "tests/01_obj/golden/distances.json"
-        known = json.loads(measured.read_text())
-        self.put("tests/01_obj/golden/distances.json", json.dumps({"car": known["car"], "cat": known["car"]}))
-        self.assertIn("nobody measured how far drivers differ on bunny; ./course accept 01.bunny", self.wrong())
-        self.assertIn("golden/distances.json: cat has no golden", self.wrong())
-        self.put("tests/02_lambert/shots.json", json.dumps({"shots": [SHOTS_02["shots"][0] | {"limits": {"max_diff": 99}}]}))
-        self.assertIn("tests/02_lambert/shots.json: bunny says its own limits", self.wrong())
-
-    def test_private_paths_and_what_a_chapter_needs(self):
-        self.put("docs/02_lambert.md", "see /" + "work/main/x\n")
-        self.assertIn("a path of one machine", self.wrong())
-        self.remove("docs/02_lambert.md")
-        self.assertIn("docs/02_lambert.md: chapter 02_lambert needs it", self.wrong())
-        self.put("tests/02_lambert/shots.json", '{"shots": [{"name": "a", "caption": "", "exercises": ["02.no"]}]}')
-        self.assertIn("there is no exercise 02.no", self.wrong())
-        self.assertIn("no golden has to reject the picture of an earlier chapter", self.wrong())
 
 
 if __name__ == "__main__":

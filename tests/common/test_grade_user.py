@@ -31,7 +31,7 @@ unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
 LATER = {graded_class.OF[exercise] for exercise in [*hostile_grade.TABLES, *(one[0] for one in hostile_grade.ATTACKS.values())]}
 MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_archives", "test_grade_forged")
 IN_ALL = ("test_grade_meter", "test_grade_words", "test_grade_book", "test_grade_lists", "test_grade_trouble", "test_grade_driver",
-          "test_grade_shards", "test_grade_later", "test_live", "test_live_programs")  # by ./course test --all
+          "test_grade_shards", "test_grade_later", "test_live", "test_live_files", "test_live_programs")  # by ./course test --all
 
 
 def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
