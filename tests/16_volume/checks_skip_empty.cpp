@@ -78,6 +78,7 @@ glm::vec2 range_of(const Voxels& voxels, glm::ivec3 block, int border, bool face
 std::string hint_for(const Voxels& voxels, glm::ivec3 block, int border, glm::vec2 got, bool reordered) {
     if (std::ranges::any_of(voxels.values, [](float value) { return std::isnan(value); }))
         return "a density that is NaN counts as 0; min() and max() may keep it, or leave it out";
+    if (got.x == 1 || got.y == 1) return "a density may be above 1: begin with a number that none exceeds";
     if (reordered)
         return "with the threads in another order: is there a barrier() between each writing to thread_ranges and the "
                "reading by another thread?";
@@ -169,6 +170,8 @@ CHECK_EXERCISE("16.skip_empty",
                    border);
         if (check.failed) return;
     }
+    try_blocks(check, "densities above 1", volume(odd, [&](glm::ivec3) { return float(random.uniform(2, 9)); }), 1);
+    if (check.failed) return;
     try_blocks(check, "a volume of 1x1x20", volume({1, 1, 20}, [](glm::ivec3 p) { return float(p.z) / 20; }), 1);
     if (check.failed) return;
     try_blocks(check, "a voxel that is no number", volume(odd, [&](glm::ivec3 p) { return p == alone ? NAN : 0.25f; }),
