@@ -60,6 +60,11 @@ class Sentences(unittest.TestCase):
                     if inside and line.startswith("//"):
                         self.assertLessEqual(len(line), LONGEST, f"{tree.relative(starter)}:{number}: {exercise}")
 
+    def test_six_have_a_fault_to_find_and_six_a_choice_to_defend(self):
+        titles = [starter.read_text().partition("\n")[0] for chapter in tree.chapters() for starter in tree.exercises(chapter).values()]
+        for kind in (": find the fault in ", ": choose and defend: "):
+            self.assertGreaterEqual(sum(kind in title for title in titles), 6, kind)
+
     def test_each_sentence_is_tested(self):
         for chapter in tree.chapters():
             self.assertEqual(spec.untested(chapter), [])

@@ -3,16 +3,14 @@ grade, or none, is refused in a line; and grades that are 0, halves, or not yet 
 # Builds: nothing
 
 import json
-import tempfile
 import unittest
-from pathlib import Path
 
 from graded_class import REAL  # noqa: F401  (the way to the modules)
-from grading import marks
-from grading.gradebook import Book, write_books
+from grading import feedback, marks
 from grading.roster import Roster
 from grading.rules import Rules
-from test_grade_book import Files, class_of_three, one, result, rows_of
+from grading.submission import Submission, read
+from test_grade_book import Files, one, result, rows_of
 from tree import UsageError
 
 WORKSHEET = "Identifier,Full name,Status,Grade,Maximum Grade,Feedback comments\n"
@@ -68,6 +66,39 @@ class Lists(Files):
         roster = Roster(self.file(text), ["Example_Ann_annex_1234", "Example_Ann_other_1235"])
         self.assertEqual((roster.of("Example_Ann_annex_1234")["Login"], roster.strangers), ("annex", ["Example_Ann_other_1235"]))
         self.assertEqual(roster.name(roster.of("Example_Ann_annex_1234")), "Ann Example")
+
+
+class Several(Files):
+    def test_all_entries_of_a_number_are_one_student(self):
+        """Canvas and Moodle write an entry for each file, and for a text."""
+        first, later = "annex_4711_11_lambert.glsl", "annex_LATE_4711_12_lambert-1.glsl"
+        text, files = "Ann Example_1001_assignsubmission_onlinetext_", "Ann Example_1001_assignsubmission_file_"
+        grades = [one(later, result("02.lambert")), one(first, result("02.lambert", False), result("02.phong")),
+                  one(text, error="holds no exercise"), one(files, result("01.transform")), one("ben", error="holds no exercise")]
+        roster = "Identifier,ID,Full name\nParticipant 1001,1,Ann Example\nParticipant 1002,4711,Ann Ex\n"
+        book = self.book(roster, grades)
+        self.assertEqual([(row["name"], row["points"], row["error"]) for row in book.rows],
+                         [("Ann Ex", 2, None), ("Ann Example", 1, None), ("ben", None, "holds no exercise")])
+        self.assertEqual(book.rows[0]["marks"]["02.lambert"]["student"], later)
+        self.assertEqual(len(rows_of(self.written("moodle", book))), 1 + 3)
+        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, {first: {"02.phong": b"mine"}}, {}), 3)
+
+    def test_a_name_that_holds_anothers_number_is_nobodys(self):
+        list_of = self.file(WORKSHEET + "Participant 1001,Ann,,,10,\nParticipant 2002,Eve,,,10,\n")
+        for name in ("Eve_1001_assignsubmission_ x_2002_assignsubmission_file_", "Eve_2002_assignsubmission_file__1001_assignsubmission_.zip"):
+            self.assertEqual(Roster(list_of, [name]).strangers, [name])
+
+    def test_a_name_that_two_claim_is_nobodys(self):
+        list_of = self.file("ID,Student\n4712,Ben\n4713,Eve\n")
+        roster = Roster(list_of, ["ben_4712_1_a", "Ben", "Eve", "EVE"])
+        self.assertEqual((set(roster.found), roster.strangers), ({"ben_4712_1_a"}, ["Ben", "Eve", "EVE"]))
+        self.assertEqual([row["Student"] for row in roster.absent], ["Eve"])
+
+    def test_a_file_that_was_handed_in_again_is_known_by_its_name(self):
+        for name in ("annex_4711_12_lambert-1.glsl", "annex_4711_12_lambert (2).glsl", "lambert.glsl"):
+            (self.folder / name).write_bytes(b"mine")
+            inside = "shaders/02_lambert_phong/exercise/lambert.glsl"
+            self.assertEqual(read(Submission(name, self.folder / name), {inside}), {inside: b"mine"})
 
 
 class Grades(Files):

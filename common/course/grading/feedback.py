@@ -18,12 +18,12 @@ def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, 
     """Writes out/NAME.html for each student, and returns how many."""
     results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
     for row, name in zip(book.rows, page_names(book.rows)):
-        of_student = results.get(row["student"], {})
         chapters = [{"name": chapter, "points": number(row["chapters"][chapter], row["nothing"] or "missing"), "of": number(book.most(chapter), ""),
-                     "exercises": [exercise_entry(exercise, row["marks"][exercise], of_student.get(exercise),
-                                                  submitted.get(row["student"], {}).get(exercise), starters.get(exercise, b""),
-                                                  book.rules.due_of(row["student"], exercise))
-                                   for exercise, of in book.rules.wanted.items() if of == chapter]} for chapter in book.chapters]
+                     "exercises": [exercise_entry(exercise, mark, results.get(mark["student"], {}).get(exercise),
+                                                  submitted.get(mark["student"], {}).get(exercise), starters.get(exercise, b""),
+                                                  book.rules.due_of(mark["student"], exercise))
+                                   for exercise, mark in row["marks"].items() if book.rules.wanted[exercise] == chapter]}
+                    for chapter in book.chapters]
         at = book.rules.handed_in(row["student"], next((one.get("handed_in_s") for one in grades if one["student"] == row["student"]), None))
         write_atomically(out / f"{name}.html", page(
             "feedback.html", row=row, chapters=chapters, points=number(row["points"], row["nothing"]), of=number(row["of"], ""),

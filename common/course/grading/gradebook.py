@@ -17,7 +17,7 @@ import json
 import re
 from pathlib import Path
 
-from grading.roster import IDENTITY, Roster, known_as
+from grading.roster import IDENTITY, Roster, attempt, known_as
 from grading.rules import Rules
 from grading.submission import cell, printable
 from tree import chapter_title, write_atomically
@@ -34,20 +34,28 @@ class Book:
     def __init__(self, grades: list[dict], rules: Rules, roster: Roster):
         self.rules, self.roster = rules, roster
         self.chapters = list(dict.fromkeys(rules.wanted.values()))
-        self.rows = [self.row(one, roster.of(one["student"])) for one in grades]
+        people = {}  # all that one person handed in, where a list says so
+        for one in grades:
+            people.setdefault(id(roster.of(one["student"])) if roster.of(one["student"]) else one["student"], []).append(one)
+        self.rows = [self.row(entries, roster.of(entries[0]["student"])) for entries in people.values()]
         for row in roster.absent:
             name = roster.name(row)
             nothing = {"student": name, "error": "handed in nothing", "results": [], "alike": []}
-            self.rows.append(self.row(nothing, row))
+            self.rows.append(self.row([nothing], row))
 
-    def row(self, one: dict, identity: dict[str, str]) -> dict:
-        results = {result["exercise"]: result for result in one["results"]}
-        marks = {}
+    def row(self, entries: list[dict], identity: dict[str, str]) -> dict:
+        """Of several entries the latest that has an exercise counts for it."""
+        entries = sorted(entries, key=lambda one: (attempt(one["student"]), one.get("handed_in_s") or 0))
+        one, results, marks = entries[-1], {}, {}
+        for entry in entries:
+            for result in entry["results"]:
+                if result["state"] not in ("missing", "unchanged") or result["exercise"] not in results:
+                    results[result["exercise"]] = (entry, result)
         for exercise in self.rules.wanted:
-            result = results.get(exercise) or {"exercise": exercise, "state": "missing", "ok": False, "first_failure": None,
-                                               "hint": None}
-            word, points = self.rules.mark(one, result)
-            marks[exercise] = {"word": word, "points": points, "of": self.rules.points[exercise],
+            entry, result = results.get(exercise) or (one, {"exercise": exercise, "state": "missing", "ok": False,
+                                                            "first_failure": None, "hint": None})
+            word, points = self.rules.mark(entry, result)
+            marks[exercise] = {"word": word, "student": entry["student"], "points": points, "of": self.rules.points[exercise],
                                "said": result["first_failure"] if word in ("wrong", "late", "look at", "not judged", "over budget") else None,
                                "hint": result["hint"] if word in ("wrong", "late") and not result["ok"] else None,
                                "right": bool(result["ok"])}
@@ -55,7 +63,7 @@ class Book:
         return {"student": one["student"], "name": self.roster.name(identity) if identity else name,
                 "id": next((identity[c] for c in identity if c.lower() in ("id", "identifier", "id number", "idnumber", "username")
                             and identity[c]), number),
-                "identity": identity, "error": one["error"], "marks": marks, "nothing": nothing_of(marks.values()),
+                "identity": identity, "error": error_of(entries), "marks": marks, "nothing": nothing_of(marks.values()),
                 "points": self.total(marks.values()), "of": round(self.rules.most, 4), "chapters": {
                     chapter: self.total(marks[e] for e, of in self.rules.wanted.items() if of == chapter)
                     for chapter in self.chapters}}
@@ -75,6 +83,12 @@ class Book:
         """Of a chapter's column: the platform's own where the class list has one that begins so, with its number."""
         title = f"Lightwalk {chapter_title(chapter)}"
         return next((column for column in self.roster.columns if column.startswith(f"Lightwalk {chapter[:2]}")), title)
+
+
+def error_of(entries: list[dict]) -> str | None:
+    """Why nothing of them can be read."""
+    errors = [one["error"] for one in entries]
+    return "; ".join(dict.fromkeys(errors)) if all(errors) else None
 
 
 def nothing_of(marks) -> str:

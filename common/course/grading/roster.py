@@ -7,7 +7,8 @@ A submission belongs to the row with the number in the submission's name, as the
     Canvas   exampleann_4711_987654_lightwalk.zip           4711 in the column ID (exampleann_LATE_4711_... where it was late)
     ILIAS    Example_Ann_annexample_1234                    annexample in the column Login
 
-or to the row with the submission's name in a cell: a login, a number, an address, a full name.
+or to the row with the submission's name in a cell: a login, a number, an address, a full name. A platform writes an entry for each
+file of a student, and for text: all with the row's number are that student's. A name that fits one row twice fits none.
 """
 
 import csv
@@ -20,7 +21,8 @@ from pathlib import Path
 from grading.submission import printable
 from tree import UsageError
 
-MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_")
+# Once: a name or a file of a student's may look like another's number.
+MOODLE = re.compile(r"(?!.*_\d+_assignsubmission_.*_\d+_assignsubmission_)(?P<name>.+?)_(?P<id>\d+)_assignsubmission_")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<id>\d+)_\d+_")
 ILIAS = re.compile(r"[^_]+_[^_]+_(?P<name>[^_]+)_\d+$")
 # Columns that identify a person; never grades.
@@ -46,12 +48,16 @@ class Roster:
         self.numbered, self.named = {}, {}  # rows by (column, number), and by each name of a person
         for row in self.rows:
             self.note(row)
-        self.found = {student: row for student in students if (row := self.find(student)) is not None}
-        taken = {}
-        for student, row in self.found.items():
-            if id(row) in taken:
-                raise UsageError(f"{file}: '{taken[id(row)]}' and '{student}' are both {self.name(row)}: hand in once")
-            taken[id(row)] = student
+        claims = {}  # by row: who is it, and whether by the platform's number
+        for student in students:
+            row, by_number = self.find(student)
+            if row is not None:
+                claims.setdefault(id(row), []).append((student, row, by_number))
+        self.found = {}
+        for claimed in claims.values():
+            sure = [claim for claim in claimed if claim[2]]
+            self.found |= {student: row for student, row, _ in sure or claimed * (len(claimed) == 1)}
+        taken = {id(row) for row in self.found.values()}
         self.absent = [row for row in self.rows if id(row) not in taken]
         self.strangers = [student for student in students if self.rows and student not in self.found]
 
@@ -121,17 +127,18 @@ class Roster:
         for name in {folded(row[column]) for column in columns} | {folded(self.name(row))}:
             self.named.setdefault(name, []).append(row)
 
-    def find(self, student: str) -> dict[str, str] | None:
-        name = student
+    def find(self, student: str) -> tuple[dict[str, str] | None, bool]:
+        """A row, and whether the platform's number or login in the submission's name says so."""
+        name, by_number = student, False
         for pattern, column in ((MOODLE, "identifier"), (CANVAS, "id")):
             if match := pattern.match(student):
                 if row := self.numbered.get((column, match["id"])):
-                    return row
+                    return row, True
                 name = match["name"]
         if (match := ILIAS.match(student)) and "login" in map(str.lower, self.columns):
-            name = match["name"]
+            name, by_number = match["name"], True
         fits = self.named.get(folded(name), [])
-        return fits[0] if len(fits) == 1 else None
+        return (fits[0], by_number) if len(fits) == 1 else (None, False)
 
     def name(self, row: dict[str, str]) -> str:
         """Of a person, as it is printed."""
@@ -170,6 +177,12 @@ def folded(name: str) -> str:
     """A name as it is compared. A list may write O'Neill with one apostrophe and the folder with the other, and archives of
     some systems hold accents apart from their letters."""
     return unicodedata.normalize("NFKC", re.sub("[\u2018\u2019\u02bc\u00b4`]", "'", name)).strip().casefold()
+
+
+def attempt(student: str) -> int:
+    """The number that Canvas gives to a file, which grows from one to the next; 0 elsewhere."""
+    match = re.match(r"[^_]+_(?:LATE_)?\d+_(\d+)_", student)
+    return int(match[1]) if match else 0
 
 
 def known_as(student: str) -> tuple[str, str]:

@@ -144,8 +144,9 @@ def _exercises(path: Path, wanted: set[str]):
     elif is_archive(path.name):
         with open_regular(path) as file:
             yield from _placed(members(file, path.name, limits(wanted), printable), wanted)
-    else:  # Canvas puts a name and two numbers before a file's own
-        name = next((one for one in by_name(wanted) if path.name == one or path.name.endswith(f"_{one}")), path.name)
+    else:  # Canvas puts a name and two numbers before a file's own, and a number behind it where it was handed in again
+        own = re.sub(r"(-\d{1,3}| \(\d{1,3}\))(?=\.\w+$)", "", path.name)
+        name = next((one for one in by_name(wanted) if own == one or own.endswith(f"_{one}")), path.name)
         yield from _placed([(name, lambda most: read_below(path.parent, path.name, most))], wanted)
 
 
