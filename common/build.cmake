@@ -1,15 +1,19 @@
 # How the tree becomes targets. A new chapter is a new folder; nothing here names one.
 
-# common: two shared libraries, so that a chapter's program holds the chapter alone, and a program of checks loads no more
-# than runs a shader. Rooms use only those before them (common/course/test/order.py); the core is the first three.
+# common: three shared libraries, so that a chapter's program holds the chapter alone and compiles no checks, and a program
+# of checks loads no more than runs a shader. Rooms use only those before them (common/course/test/order.py).
 function(lightwalk_common)
-  lightwalk_library(lightwalk "base;gpu;check" run_checks)
-  lightwalk_library(lightwalk_app "image;scene;app;measure;study;judge;window" "options;lists;json_lines;scene_write")
+  lightwalk_library(lightwalk "base;gpu" "")
+  lightwalk_library(lightwalk_check "check;judge" run_checks)
+  lightwalk_library(lightwalk_app "image;scene;app;measure;study;window" "options;lists;json_lines;scene_write")
   # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
                             <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
                             <glm/gtc/matrix_transform.hpp>)
-  lightwalk_precompiled(lightwalk_app)
+  foreach(name lightwalk_check lightwalk_app)
+    lightwalk_precompiled(${name})
+    target_link_libraries(${name} PUBLIC lightwalk)
+  endforeach()
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
   target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
@@ -17,7 +21,6 @@ function(lightwalk_common)
                         Vulkan::Vulkan)
   target_link_libraries(lightwalk PRIVATE ZLIB::ZLIB glslang::glslang glslang::SPIRV
                         glslang::glslang-default-resource-limits SPIRV-Tools-static ${SPIRV_CROSS} CLI11::CLI11)
-  target_link_libraries(lightwalk_app PUBLIC lightwalk)
   target_link_libraries(lightwalk_app PRIVATE PkgConfig::stb ZLIB::ZLIB assimp::assimp glfw ${MESHOPTIMIZER} ${DRACO} ${WEBP}
                         PkgConfig::imgui CLI11::CLI11)
   file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
@@ -67,6 +70,9 @@ function(lightwalk_library name rooms plain)
   add_library(${name} SHARED ${sources})
   set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
   lightwalk_compiled_together(${name})
+  if(NOT plain_sources)
+    return()
+  endif()
   add_library(${name}_plain OBJECT ${plain_sources})
   target_include_directories(${name}_plain PRIVATE $<TARGET_PROPERTY:lightwalk,INTERFACE_INCLUDE_DIRECTORIES>)
   target_include_directories(${name}_plain SYSTEM PRIVATE
@@ -213,7 +219,7 @@ function(lightwalk_checked target name)
     target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/common/scene/view.cpp)
     list(APPEND parts exercises_01_obj called_01_obj)
   endif()
-  target_link_libraries(${target} PRIVATE lightwalk)
+  target_link_libraries(${target} PRIVATE lightwalk_check)
   foreach(part ${parts})
     if(TARGET ${part})
       target_link_libraries(${target} PRIVATE ${part})
@@ -301,11 +307,12 @@ function(lightwalk_tests)
     add_library(catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
   endif()
   target_compile_options(catch_main PRIVATE -O0 -g0)
+  target_link_libraries(catch_main INTERFACE $<LINK_ONLY:lightwalk_check>) # tests run shaders as checks do
   add_library(serve_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/judge/serve_main.cpp)
   target_compile_options(serve_main PRIVATE -O0)
-  target_link_libraries(serve_main PRIVATE lightwalk)
+  target_link_libraries(serve_main PRIVATE lightwalk_check)
   add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/check/check_main.cpp)
-  target_link_libraries(check_main PUBLIC lightwalk)
+  target_link_libraries(check_main PUBLIC lightwalk_check)
   if(Catch2_VERSION VERSION_LESS 3)
     target_link_libraries(catch_main PUBLIC Catch2::Catch2)
   else()

@@ -26,7 +26,7 @@ from mutations import host_changes  # noqa: E402
 from tree import BUILD, Failure, chapters, find_chapter, say, warn  # noqa: E402
 
 FOLDERS = ("common/gpu", "common/scene", "common/measure", "chapters")
-CORE, APP = "liblightwalk.so", "liblightwalk_app.so"
+CORE, CHECK, APP = "liblightwalk.so", "liblightwalk_check.so", "liblightwalk_app.so"
 
 
 def mutants(only: str):
@@ -110,7 +110,7 @@ class HostBench:
             return False
         self.fresh()
         if file.parts[0] == "common":
-            targets = [CORE if file.parts[1] in ("base", "gpu", "check") else APP]
+            targets = [{"base": CORE, "gpu": CORE, "check": CHECK, "judge": CHECK}.get(file.parts[1], APP)]
         else:
             targets = [f"{kind}{name}" for name in self.names if name >= file.parts[1]
                        for kind in ("chapters/", "tests/test_", "tests/check_") if (BUILD / f"{kind}{name}").exists()]

@@ -12,7 +12,7 @@ sys.path.insert(0, str(ROOT / "common" / "course"))
 
 from tree import BUILD, chapters  # noqa: E402
 
-CORE = {"lightwalk", "lightwalk_plain", "check_main"}
+CORE = {"lightwalk", "lightwalk_check", "lightwalk_check_plain", "check_main"}
 APP = {"lightwalk_app", "lightwalk_app_plain"}
 # Chapters whose checks have a module, or another one's camera.
 MORE = {"06_deferred": APP | {"lent_03_attenuation", "called_03_attenuation", "exercises_03_attenuation"},
