@@ -22,9 +22,7 @@ HAS_SOLUTION = any((ROOT / "shaders").glob("*/solution"))
 
 
 def knobs_of(chapter: str) -> dict:
-    """Shared by the tests that compare pictures of several chapters: their knobs, a process that draws, two pictures'
-    steps, and a scene with something of everything. LIGHTWALK_BUILD names the build folder, by default build/ in the
-    tree."""
+    """{name: entry of --list knobs}"""
     listed = subprocess.run([BUILD / "chapters" / chapter, "--list", "knobs", "--json"], capture_output=True, text=True,
                             stdin=subprocess.DEVNULL, timeout=120, cwd=ROOT, check=True)
     return {knob["name"]: knob for knob in json.loads(listed.stdout)}
@@ -50,7 +48,7 @@ class Drawer:
             self.drawing.close()
 
     def draw(self, *options) -> tuple[Path, str]:
-        """{name: entry of --list knobs}"""
+        """The picture, and the error: empty if the program succeeded."""
         if not self.drawing or not self.drawing.is_alive():
             if self.drawing:
                 self.drawing.close()
@@ -58,7 +56,7 @@ class Drawer:
         self.count += 1
         picture = self.folder / f"{self.chapter}_{self.count}.png"
         code, wrong, said = self.drawing.draw(list(options), picture)
-        # The picture, and the error: empty if the program succeeded.
+        # Progress messages of slow work appear on a busy machine.
         said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
@@ -78,7 +76,7 @@ def pixels_beyond(one: Path, other: Path, bound: int) -> float:
     return sum(worst.histogram()[bound + 1:]) / (worst.width * worst.height)
 
 
-# Progress messages of slow work appear on a busy machine.
+# Knobs that shorten a chapter's preparation, which takes most of a small picture's time, and bear on no comparison.
 CHEAP = {
     "12": ("skin.sky_rays=1", "skin.sky_size=16"), "13": ("skin.sky_rays=1", "skin.sky_size=16"),
     "14": ("backdrop.shadow.directions=4", "backdrop.shadow.resolution=16", "environment.prefilter.samples=4"),

@@ -1,12 +1,11 @@
-"""Shared by the tests of chapters' pictures: tests/NN_name/test_pictures.py. LIGHTWALK_BUILD names the build folder, by
-default build/ in the tree."""
+"""A fake of RenderDoc's library: it records its calls. For tests on machines with drivers that the real one refuses."""
 
 import re
 import subprocess
 from pathlib import Path
 
 HEADER = Path("/usr/include/renderdoc_app.h")
-# except for progress messages
+# Implements the functions of the header, and records the calls in $SAID.
 LIBRARY = r"""
 #include <renderdoc_app.h>
 #include <stdio.h>

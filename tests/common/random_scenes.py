@@ -1,5 +1,11 @@
 #!/usr/bin/env python3
-"""A fake of RenderDoc's library: it records its calls. For tests on machines with drivers that the real one refuses."""
+"""Random scenes: random_scenes.py [COUNT [SEED]]
+
+Draws COUNT (50) of them, each with every chapter, under core and synchronisation validation, with random values of the
+chapter's knobs. All output of a program is a finding, except a knob's refusal by its name: it is printed with the command
+that reproduces it, and its scene is kept in build/random_scenes. The same seed makes the same scenes. Exit code 1 after a
+finding.
+"""
 import json
 import os
 import random
@@ -110,7 +116,8 @@ def as_float(number: float) -> float:
 
 
 def run(program, folder, *options) -> subprocess.CompletedProcess:
-    """Implements the header's functions, and records the calls in $SAID."""
+    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
+    program that reads unwritten memory draws two pictures, reported on its stderr."""
     command = [str(program), "--size", SIZE, "--validate", "on", *options, "--screenshot", f"{folder}/picture.png"]
     drawn = {}
     for filling in FILLINGS:
@@ -127,13 +134,14 @@ def run(program, folder, *options) -> subprocess.CompletedProcess:
 
 
 def remembers(options: list) -> bool:
-    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
-    program that reads unwritten memory draws two pictures, reported on its stderr."""
+    """Whether the picture also depends on the previous frame, by design: an exposure that adapts. Screens, which show the
+    previous frame, are not among the random objects."""
     return "post.exposure=automatic" in options
 
 
 def draw(program, seed, folder) -> tuple:
-    """Progress messages of slow work appear on a busy machine."""
+    """The command that draws that scene with that chapter, and the fault: empty if it is right. One frame from a cold
+    start, and the second of two, at one time: they are equal unless the chapter remembers."""
     rng = random.Random(f"{program.name} {seed}")
     scene = Path(folder) / f"scene_{seed}.json"
     scene.write_text(json.dumps(random_scene(seed), indent=1))

@@ -1,5 +1,10 @@
-"""The command that draws that scene with that chapter, and the fault: empty if it is right. One frame from a cold start,
-and the second of two, at one time: they are equal unless the chapter remembers."""
+"""A small course for the tests of ./course: its programs are scripts, its pictures text files.
+
+Files at its root change their behaviour: "crash", "flat" (an empty picture), "drift" (words added to each picture),
+"drift.sse4.1" (to the pictures of a driver held to SSE4.1), "drift.second" (of the second driver, with the file "second" as
+manifest), "no_teeth" (a starter draws the solution's picture), "broken" (a unit test and a fuzz target fail), "no_rest" (the
+whole course does not build).
+"""
 
 import json
 import os
@@ -155,7 +160,7 @@ def make_tree(root: Path):
 
 
 def clean_environment() -> dict[str, str]:
-    """Kills part 2 during its work and drains a node; resumes it when the other has gone on. Returns the command's output."""
+    """Without the user's display, build folder and CI."""
     outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
              "GALLIUM_OVERRIDE_CPU_CAPS")
     return {name: value for name, value in os.environ.items() if name not in outer}

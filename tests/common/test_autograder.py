@@ -90,7 +90,7 @@ class Written(unittest.TestCase):
         self.assertTrue({"bubblewrap", "python3-seccomp", "python3-libarchive-c", "cmake"} <= set(packages().split()))
 
     def test_the_scripts_run_in_a_bare_system(self):
-        """Without the user's display, build folder and CI."""
+        """With a package manager and a course's command that record their calls."""
         at = self.folder.parent / "autograder"
         for name in ("source", "submission", "results", "bin"):
             (at / name).mkdir(parents=True, exist_ok=True)

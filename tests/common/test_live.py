@@ -11,6 +11,7 @@ from unittest import mock
 
 from live_case import DRAW, Live
 from live_server import receive
+from small_course import clean_environment
 
 
 class Opening(unittest.TestCase):
@@ -57,7 +58,7 @@ class Words(Live):
     def test_a_unix_socket_is_its_users_alone_and_needs_no_token(self):
         path = self.outside / "live.sock"
         process = subprocess.Popen([sys.executable, self.root / "common/course/cli.py", "serve", "--no-build", "--socket", path,
-                                    "--behind", "hub.example"], stdout=subprocess.PIPE, text=True)
+                                    "--behind", "hub.example"], env=clean_environment(), stdout=subprocess.PIPE, text=True)
         try:
             self.assertEqual(process.stdout.readline(), f"unix:{path}\n")
             self.assertEqual(path.stat().st_mode & 0o777, 0o600)
