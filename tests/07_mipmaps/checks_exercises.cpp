@@ -101,9 +101,16 @@ CHECK_EXERCISE("07.to_linear", "Codes are not light, vectors or variances: decod
             [](std::span<const double> in) {
                 return Row{truth::srgb_to_linear(in[0]), truth::srgb_to_linear(in[1]), truth::srgb_to_linear(in[2])};
             },
-        .bound = {.absolute = 2e-6, .relative = 1e-4}};
+        .bound = {.absolute = 1e-8, .relative = 5e-5},
+        .hint = [](auto in, auto) -> std::string {
+            const bool near = in[0] > 0.039 && in[2] < 0.042;
+            return near ? "The two formulas meet at 0.04045: use the linear one up to there." : "";
+        }};
     for (int c = 0; c < 256; c += 3)
         srgb.inputs.push_back({c / 255.0, std::min(c + 1, 255) / 255.0, std::min(c + 2, 255) / 255.0});
+    // Beside the threshold the two formulas differ by 9e-5 to 2.5e-4 of the value (IEC 61966-2-1).
+    srgb.inputs.push_back({0.0394, 0.04, 0.0402});
+    srgb.inputs.push_back({0.0408, 0.0409, 0.041});
     check.probe(srgb);
 
     Probe normal{.include = srgb.include,
