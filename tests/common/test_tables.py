@@ -170,6 +170,18 @@ class Measured(unittest.TestCase):
             now = measured.version_of(sorted(files), files.__getitem__, "01_a")
             self.assertEqual(now == was, change in same, change)
 
+    def test_a_study_with_a_request_of_its_own_is_of_that_one(self):
+        request = measured.request_of({"chapter": "01_a", "command": "LIGHTWALK_STUDY_FILE=chapters/01_a/study_own.json build/chapters/01_a"})
+        self.assertEqual(request, "chapters/01_a/study_own.json")
+        self.assertEqual(measured.request_of({"chapter": "01_a", "command": "./course study 01 --timings"}), "chapters/01_a/timings.json")
+        own = self.FILES | {request: '{"runs": [{"words": "--scene scenes/other.json"}]}', "assets/scenes/other.json": "{}"}
+
+        def version(**changed: str) -> str:
+            files = own | {name.replace("__", "/") + ".json": text for name, text in changed.items()}
+            return measured.version_of(sorted(files), files.__getitem__, "01_a", request)
+        self.assertEqual(version(), version(assets__scenes__s="[]"))
+        self.assertNotEqual(version(), version(assets__scenes__other="[]"))
+
     def test_each_study_says_what_it_measured(self):
         for path in (ROOT / "docs/studies").glob("*.json"):
             self.assertRegex(json.loads(path.read_text()).get("measured", ""), r"^[0-9a-f]{12}$", path.name)

@@ -1,7 +1,8 @@
 """The version of the sources that a study measured, so that a page can mark an outdated one.
 
-A study's JSON keeps under "measured" a hash of its methods' sources: the C++ and GLSL of its chapter, its study.json
-and its scenes. Borrowed modules belong to other studies. Comments, blanks, help texts and exercises do not count.
+A study's JSON keeps under "measured" a hash of its methods' sources: the C++ and GLSL of its chapter, its own request
+(study.json, study_lamps.json, timings.json) and that request's scenes. Borrowed modules belong to other studies. Comments,
+blanks, help texts and exercises do not count.
 """
 
 import hashlib
@@ -25,13 +26,14 @@ def sources(listed: list[str], chapter: str) -> list[str]:
                   Path(name).suffix in SOURCES and "/exercise/" not in name)
 
 
-def version_of(listed: list[str], read: Reader, chapter: str) -> str:
+def version_of(listed: list[str], read: Reader, chapter: str, request: str = "") -> str:
     """The hash, of twelve digits."""
-    request = f"chapters/{chapter}/study.json"
+    request = request or f"chapters/{chapter}/study.json"
     names = sources(listed, chapter)
     if request in listed:
         names.append(request)
-        names += [name for name in listed if name in re.findall(r'"(assets/scenes/[^"]+)"', read(request))]
+        scenes = {f"assets/{scene}" for scene in re.findall(r"\bscenes/[\w./-]+\.json", read(request))}
+        names += [name for name in listed if name in scenes]
     digest = hashlib.sha256()
     for name in names:
         text = read(name)
@@ -40,19 +42,26 @@ def version_of(listed: list[str], read: Reader, chapter: str) -> str:
     return digest.hexdigest()[:12]
 
 
-def here(chapter: str) -> str:
+def request_of(study: dict) -> str:
+    """The file that says what a study's JSON measured."""
+    if own := re.search(r"LIGHTWALK_STUDY_FILE=(chapters/\S+\.json)", study.get("command", "")):
+        return own[1]
+    return f"chapters/{study['chapter']}/{'timings' if '--timings' in study.get('command', '') else 'study'}.json"
+
+
+def here(chapter: str, request: str = "") -> str:
     """Of the tree as it is."""
-    if chapter not in _here:
+    if (chapter, request) not in _here:
         listed = [str(path.relative_to(ROOT)) for folder in ("chapters", "shaders", "assets/scenes")
                   for path in sorted((ROOT / folder).rglob("*")) if path.is_file()]
-        _here[chapter] = version_of(listed, lambda name: (ROOT / name).read_text(), chapter)
-    return _here[chapter]
+        _here[chapter, request] = version_of(listed, lambda name: (ROOT / name).read_text(), chapter, request)
+    return _here[chapter, request]
 
 
-_here: dict[str, str] = {}
+_here: dict[tuple[str, str], str] = {}
 
 
-def at_commit(commit: str, chapter: str) -> str:
+def at_commit(commit: str, chapter: str, request: str = "") -> str:
     """Of a commit."""
     def git(*words: str) -> str:
         return subprocess.run(["git", "-C", ROOT, *words], stdout=subprocess.PIPE, check=True).stdout.decode()
@@ -63,7 +72,7 @@ def at_commit(commit: str, chapter: str) -> str:
         if name not in texts:
             texts[name] = git("show", f"{commit}:{name}")
         return texts[name]
-    return version_of(listed, read, chapter)
+    return version_of(listed, read, chapter, request)
 
 
 def is_of_earlier(study: Path) -> bool:
@@ -73,7 +82,7 @@ def is_of_earlier(study: Path) -> bool:
         said = json.loads(study.read_text())
         names = said.get("programs", [said["chapter"]])
         return ("measured" in said and all((ROOT / "chapters" / name).is_dir() for name in names) and
-                said["measured"] != "+".join(map(here, names)))
+                said["measured"] != "+".join(here(name, request_of(said)) for name in names))
     except (OSError, ValueError, KeyError):
         return False
 

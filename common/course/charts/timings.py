@@ -77,7 +77,8 @@ def measure(chapter: str, device: str | None, size: str | None) -> dict:
                 found = json.loads(out.read_text())
             points.append(point_of(run["scene"], method, found))
     asked = f" --size {size}" if size else ""
-    return {"chapter": chapter, "programs": programs(chapter), "measured": "+".join(map(here, programs(chapter))),
+    measured = "+".join(here(name, f"chapters/{chapter}/timings.json") for name in programs(chapter))
+    return {"chapter": chapter, "programs": programs(chapter), "measured": measured,
             "command": f"./course study {chapter[:2]} --timings{asked}",
             "device": found["device"], "driver": found["driver"], "size": found["size"], "points": points}
 
