@@ -191,13 +191,17 @@ class Measured(unittest.TestCase):
     def test_errors_are_measured_again_without_the_times(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "a.json")
-            old = {"device": "d", "driver": "e", "command": "c",
+            old = {"device": "d", "driver": "e", "command": "c", "measured": "0",
                    "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 1}, "time_ms": {"median": 5}}]}
             file.write_text(json.dumps(old))
-            new = {"device": "f", "driver": "g", "command": "h",
+            new = {"chapter": chapters()[0], "device": "f", "driver": "g", "command": "h", "measured": measured.here(chapters()[0]),
                    "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
             both = study.errors_into(file, new)
             self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
+            file.write_text(json.dumps(both))  # a page still marks the times
+            self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, True))
+            file.write_text(json.dumps(both | {"errors_measured": "0"}))
+            self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, False))
 
 
 class Realisations(unittest.TestCase):

@@ -2,7 +2,8 @@
 
 A study's JSON keeps under "measured" a hash of its methods' sources: the C++ and GLSL of its chapter, its own request
 (study.json, study_lamps.json, timings.json) and that request's scenes. Borrowed modules belong to other studies. Comments,
-blanks, help texts and exercises do not count.
+blanks, help texts and exercises do not count. Errors measured again without times (./course study --errors) have theirs under
+"errors_measured".
 """
 
 import hashlib
@@ -75,15 +76,23 @@ def at_commit(commit: str, chapter: str, request: str = "") -> str:
     return version_of(listed, read, chapter, request)
 
 
-def is_of_earlier(study: Path) -> bool:
+def is_of_earlier(study: Path, key: str = "measured") -> bool:
     """True if a study's JSON measured other sources than the current ones. False if it does not say. Timings of several chapters'
-    programs have the version of each (timings.py)."""
+    programs have the version of each (timings.py). The key "errors_measured" is that of errors alone."""
     try:
         said = json.loads(study.read_text())
         names = said.get("programs", [said["chapter"]])
-        return ("measured" in said and all((ROOT / "chapters" / name).is_dir() for name in names) and
-                said["measured"] != "+".join(here(name, request_of(said)) for name in names))
+        return (key in said and all((ROOT / "chapters" / name).is_dir() for name in names) and
+                said[key] != "+".join(here(name, request_of(said)) for name in names))
     except (OSError, ValueError, KeyError):
+        return False
+
+
+def has_old_times_alone(study: Path) -> bool:
+    """True where only the times are of an earlier version: errors were measured again without them."""
+    try:
+        return "errors_measured" in json.loads(study.read_text()) and not is_of_earlier(study, "errors_measured")
+    except (OSError, ValueError):
         return False
 
 

@@ -201,7 +201,8 @@ def errors_into(file: Path, study: dict) -> dict:
         return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
     times = {key(point): point["time_ms"] for point in old["points"]}
     points = [point | {"time_ms": times.get(key(point), point["time_ms"])} for point in study["points"]]
-    return study | {"points": points, "device": old["device"], "driver": old["driver"], "command": old["command"]}
+    kept = {key: old[key] for key in ("device", "driver", "command", "measured") if key in old}
+    return study | kept | {"points": points, "errors_measured": study["measured"]}
 
 
 def device_slug(study: dict) -> str:

@@ -21,7 +21,7 @@ import re
 from pathlib import Path
 
 from charts.drawn import vector_of
-from charts.measured import is_of_earlier
+from charts.measured import has_old_times_alone, is_of_earlier
 from pages.quotes import FENCE, LINK, QUOTE
 from pages.tables import without_sources
 from tree import ROOT, Failure
@@ -34,6 +34,7 @@ COMPARE = re.compile(r"\s*<!-- compare -->\s*$")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\)$")
 STUDY = re.compile(r"(?<!!)\[([^\]]*)\]\((studies/[^)\s]+?)\.md\)")
 EARLIER = ' <span class="earlier" title="The chapter\'s code has changed since this study was measured.">(earlier version)</span>'
+OLD_TIMES = EARLIER.replace("(earlier", "(times: earlier").replace("study was", "study's times were")
 EARLIER_TABLE = '<span class="earlier">Measured with an earlier version of the code.</span>'
 PICTURES = (".png", ".svg", ".jpg", ".webp")
 
@@ -178,8 +179,10 @@ def convert_line(site: Site, text: Path, line: str) -> str:
 def with_versions(text: Path, line: str) -> str:
     """A line with a mark behind each table of a study that measured outdated sources."""
     def marked(found: re.Match) -> str:
-        study = ROOT / text.parent / found[2]
-        return found[0] + EARLIER if is_of_earlier(study.with_name(study.name + ".json")) else found[0]
+        study = ROOT / text.parent / f"{found[2]}.json"
+        if not is_of_earlier(study):
+            return found[0]
+        return found[0] + (OLD_TIMES if has_old_times_alone(study) else EARLIER)
     return STUDY.sub(marked, line)
 
 
