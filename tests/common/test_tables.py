@@ -64,6 +64,11 @@ class Tables(unittest.TestCase):
         lines = ["<!-- table: studies.json#cell={choice} ({flip_mean:.1f})", "scene=c", "all -->", "| | c |", "|---|---|", "| a | 1 |"]
         self.assertEqual(tables.check_tables(Path("lesson.md"), lines, write=True)[1][-1], "| a | fast, 8 steps (0.2) |")
 
+    def test_a_method_s_name_may_have_a_comma(self):
+        study = {"points": [{"method": one, "time_ms": {"median": i}} for i, one in enumerate(("1", "2", "1,2"))]}
+        self.assertEqual([point["method"] for point in tables.points(study, {"method": "1,2"})], ["1,2"])
+        self.assertEqual([point["method"] for point in tables.points(study, {"method": "2,1"})], ["2", "1"])
+
     def test_what_selects_no_point_or_several_is_said(self):
         for cell, words in (("method=none", "0 points are"), ("scene=a, b", "2 points are"), ("value=no", "a point has no 'no'"),
                             ("steps", "'steps' selects nothing")):

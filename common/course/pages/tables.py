@@ -82,7 +82,9 @@ class Missing(Failure):
 
 def points(study: dict, wanted: dict[str, str]) -> list[dict]:
     """The points selected, a list of values in their order. Raises Failure unless each is one."""
-    lists = [key for key in wanted if "," in wanted[key] and key not in ("scene", "value", "format", "cell")]
+    whole = {point.get("method") for point in study.get("points", [])}  # "1,000 moved" is one
+    lists = [key for key in wanted if "," in wanted[key] and key not in ("scene", "value", "format", "cell") and
+             not (key == "method" and wanted[key] in whole)]
     if lists:
         return [point for value in wanted[lists[0]].split(",")
                 for point in points(study, {**wanted, lists[0]: value.strip()})]
