@@ -1,4 +1,4 @@
-// For tests of a pixel's footprint: a body with maps that return it as colour.
+// For tests of a pixel's footprint: a body with maps that return it as colour, or the place that is read.
 #pragma replaces "10_atmosphere/ground_light.glsl"
 #pragma replaces "17_planets/body_inputs.glsl"
 #pragma replaces "17_planets/limb_fade.glsl"
@@ -22,7 +22,11 @@
 #define PLANETS_RINGS_ALPHA 0
 #define PLANETS_RINGS_TABLES 1
 #define PLANETS_RINGS_SINGLE_SCATTERING 2
+#ifdef MAP_BY_PLACE
+#define map_texel(map, uv, footprint_rad) vec4((uv).x)
+#else
 #define map_texel(map, uv, footprint_rad) vec4(footprint_rad)
+#endif
 
 struct KnownPlanets {
     int air_steps;

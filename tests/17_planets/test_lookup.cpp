@@ -69,3 +69,29 @@ TEST_CASE_METHOD(DeviceTest, "near the limb a pixel covers more of a body: of it
     limb.inputs = {{double(0.04f), 0.5}, {double(0.02f), 0.5}, {0, 0.5}, {-0.5, 0.25}};
     CHECK(worst_of(limb, run_probe(gpu, limb, 1)) == "");
 }
+
+// The clouds' opacity is the share of a turn at which they are read; they take three quarters of the light at most.
+TEST_CASE_METHOD(DeviceTest, "a cloud's shadow falls where the ray to the sun meets the clouds' sphere",
+                 "[17.cloud_shadow]") {
+    constexpr double radius = 6378e3, height = 9e3, turn = 2 * glm::pi<double>();
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) +
+                          "#define MAP_BY_PLACE\n#include \"../tests/17_planets/known_body.glsl\"\n"
+                          "#include \"17_planets/body.glsl\"\nfloat shadow(float across, float high) { "
+                          "known_body(6378e3); return cloud_shadow(overhead, vec3(across, 0.0, high), 0.001); }\n",
+                .signature = "float shadow(float across, float high)",
+                .inputs = {},
+                .truth =
+                    [](auto in) {
+                        // The triangle of the centre, the place and the cloud: its sides are the two radii.
+                        const double elevation = std::atan2(in[1], in[0]);
+                        const double away = std::acos(std::cos(elevation) * radius / (radius + height)) - elevation;
+                        return Row{1 - 0.75 * (0.5 + away / turn)};
+                    },
+                .bound = {.absolute = 3e-6},
+                .macros = known_air(earth_air())};
+    for (const double elevation : {90.0, 30.0, 10.0, 2.0, 0.5})
+        probe.inputs.push_back(
+            {double(float(std::cos(glm::radians(elevation)))), double(float(std::sin(glm::radians(elevation))))});
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+}

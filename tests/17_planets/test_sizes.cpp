@@ -113,6 +113,22 @@ TEST_CASE("Neptune's pole is where NASA's fact sheet has it, and circles about i
     CHECK(glm::degrees(std::acos(std::min(glm::dot(pole, later), 1.0))) == Approx(0.45).margin(0.05));
 }
 
+// B. Archinal et al., "Report of the IAU Working Group on Cartographic Coordinates and Rotational Elements: 2015", 2018: W is the angle
+// from the node of the body's equator on the Earth's to the prime meridian.
+TEST_CASE("Neptune's prime meridian is the IAU's, also where its term is largest", "[17.neptune_pole]") {
+    const auto meridian_deg = [](double days) {
+        const glm::dmat3 axes = place_body(BodyId::neptune, days).axes;
+        const glm::dvec3 node = glm::normalize(glm::cross(direction_of(0, 90), axes[1]));
+        return glm::degrees(std::atan2(glm::dot(glm::cross(node, axes[2]), axes[1]), glm::dot(node, axes[2])));
+    };
+    for (const double n_deg : {357.85, 450.0, 630.0}) {  // at J2000; sin N is 1, and -1
+        const double days = (n_deg - 357.85) / 52.316 * 36525;
+        const double w = 249.978 + 541.1397757 * days - 0.48 * std::sin(glm::radians(n_deg));
+        INFO(days);
+        CHECK(std::fabs(std::remainder(meridian_deg(days) - w, 360.0)) < 1e-3);
+    }
+}
+
 TEST_CASE("the edges of Saturn's rings are NASA's") {
     std::vector<double> edges;
     for (const RingPart& part : ring_parts(BodyId::saturn)) {
@@ -126,6 +142,17 @@ TEST_CASE("the edges of Saturn's rings are NASA's") {
         if (r < 92000) CHECK((part.depth >= 0.05 && part.depth <= 0.12));           // C
         if (r >= 92000 && r < 117580) CHECK((part.depth >= 1 && part.depth <= 3));  // B
         if (r == 117580) CHECK(part.depth == Approx(0.1));                          // Cassini's division
+    }
+}
+
+TEST_CASE("a strip of rings holds their depth, also of rings that are narrower than its texels") {
+    const Rings rings = rings_of(BodyId::uranus);
+    for (const int texels : {64, 1000, 4096}) {
+        double held = 0, wanted = 0;
+        for (const glm::vec4& texel : ring_strip(BodyId::uranus, texels))
+            held += double(texel.a) * double(rings.outer - rings.inner) / texels;
+        for (const RingPart& part : ring_parts(BodyId::uranus)) wanted += part.depth * (part.outer_m - part.inner_m);
+        CHECK(held == Approx(wanted).epsilon(1e-5));
     }
 }
 

@@ -1,6 +1,7 @@
 // Picking by boxes on the device: a box without a thickness is met.
 #include "../common/gpu_fixture.h"
 #include "18_playground/item_box.h"
+#include "18_playground/picking_error.h"
 #include "common/view_rays.h"
 
 using namespace lightwalk;
@@ -17,4 +18,19 @@ TEST_CASE_METHOD(DeviceTest, "a flat box is picked from above", "[18.flat_box]")
     });
     frame.end();
     for (const uint32_t id : read<uint32_t>(ImageView(ids))) CHECK(id == 1);
+}
+
+TEST_CASE("a pick is wrong where another item has an eighth of the pixel more", "[18.wrong_picks]") {
+    const auto wrong = [](size_t own, size_t other) {  // of 16 samples
+        std::vector<uint32_t> fine(16, 0);
+        std::fill_n(fine.begin(), own, 1u);
+        std::fill_n(fine.begin() + long(own), other, 2u);
+        return wrong_picks({1}, fine, {1, 1}, 4);
+    };
+    CHECK(wrong(9, 7) == 0);
+    CHECK(wrong(7, 9) == 0);
+    CHECK(wrong(6, 9) == 1);
+    CHECK(wrong(0, 16) == 1);
+    // Two pixels of 2 by 2 samples, side by side: the left one's item is the right one's.
+    CHECK(wrong_picks({2, 2}, {1, 1, 2, 2, 1, 1, 2, 2}, {2, 1}, 2) == 0.5);
 }

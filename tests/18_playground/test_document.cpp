@@ -228,3 +228,15 @@ TEST_CASE("undo of 1,000 moved objects among 10,000 takes less than 5 ms", "[18.
     fmt::print("undo of 1,000 objects: {:.2f} ms\n", best);
     CHECK(best < 5);
 }
+
+// The Unicode Standard, 3.9, table 3-7: U+D800 to U+DFFF have no form in UTF-8.
+TEST_CASE("names keep the characters on both sides of the surrogates, and no surrogate") {
+    const std::string none = "\xef\xbf\xbd", of_three = none + none + none;
+    CHECK(clean_name("\xed\x9f\xbf") == "\xed\x9f\xbf");
+    CHECK(clean_name("\xed\xa0\x80") == of_three);
+    CHECK(clean_name("\xed\xbf\xbf") == of_three);
+    CHECK(clean_name("\xee\x80\x80") == "\xee\x80\x80");
+    CHECK(clean_name("\xf4\x8f\xbf\xbf") == "\xf4\x8f\xbf\xbf");
+    CHECK(clean_name("\xf4\x90\x80\x80") == none + of_three);
+    CHECK(clean_name("\xe0\x9f\xbf") == of_three);  // a longer form of a shorter one
+}

@@ -181,6 +181,18 @@ TEST_CASE("numbers of materials come back from the export") {
     CHECK((a.diffuse == glm::vec3(0.8f, 0.2f, 0.1f) && b.diffuse == glm::vec3(0.2f, 0.7f, 0.1f)));
 }
 
+// B. Karis, "Specular BRDF reference", 2013: an exponent is 2 / alpha² - 2, alpha the square of roughness.
+TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
+    const TestFolder folder;
+    write_file(folder.path / "scene.json",
+               R"({"objects": [{"model": "models/cube.obj", "material": {"shininess": 30}}]})");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
+    CHECK(import_model(folder.path / "out.gltf").materials.at(0).roughness == Approx(0.5f));
+}
+
 TEST_CASE("what textures cut out is cut out of the export, with the opacity map in the alpha of its colours") {
     const TestFolder folder;
     Image8 holes(8, 4), wood(4, 4);

@@ -229,3 +229,23 @@ TEST_CASE("the material ball has the object's numbers and the textures of its mo
     object.material.maps["diffuse"] = "own.png";
     CHECK(material_ball(object, item).objects.at(0).material.maps.at("diffuse") == "own.png");
 }
+
+TEST_CASE("a picture's thumbnail is the middle of it, and all of its height") {
+    const TestFolder folder;
+    Image8 wide(480, 100);  // 160 pixels of it have a thumbnail's shape: the middle third
+    for (int y = 0; y < wide.height; ++y)
+        for (int x = 0; x < wide.width; ++x)
+            wide.at(x, y) = x < 160   ? glm::u8vec4(255, 0, 0, 255)
+                            : x < 320 ? glm::u8vec4(0, 255, 0, 255)
+                                      : glm::u8vec4(0, 0, 255, 255);
+    write_png(folder.path / "wide.png", wide);
+    Thumbnails thumbnails;
+    Preview preview;
+    CHECK(thumbnails.of(folder.path / "wide.png") == nullptr);
+    CHECK(thumbnails.carry_on(check_device(), preview));
+    const Image8* seen = thumbnails.of(folder.path / "wide.png");
+    REQUIRE(seen);
+    const auto size = glm::ivec2(Thumbnails::size);
+    for (const glm::ivec2 at : {glm::ivec2(0), glm::ivec2(size.x - 1, 0), glm::ivec2(0, size.y - 1), size / 2})
+        CHECK(seen->at(at.x, at.y) == glm::u8vec4(0, 255, 0, 255));
+}

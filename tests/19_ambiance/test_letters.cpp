@@ -47,3 +47,32 @@ TEST_CASE_METHOD(DeviceTest, "around its outline a letter has a shadow", "[19.le
     CHECK(double(seen.at(last + 7, 64).g) == Approx(0.5 * (1 - 0.55 * 0.45)).margin(0.05));
     CHECK(double(seen.at(last + 20, 64).g) == Approx(0.5).margin(0.002));
 }
+
+TEST_CASE("A and V stand nearer to each other than they are wide; two I do not", "[19.letters]") {
+    Typeface face;
+    face.read();
+    const auto width = [&](const std::string& text) {
+        float found = 0;
+        face.line(text, found);
+        return found;
+    };
+    CHECK(width("AV") < width("A") + width("V") - 0.03f);
+    CHECK(width("II") == Approx(2 * width("I")));
+}
+
+TEST_CASE_METHOD(DeviceTest, "a part of a picture has that part of its title", "[19.letters]") {
+    const auto drawn = [&](glm::uvec2 size, const Crop& crop) {
+        Titles titles;
+        Timeline film;
+        film.titles.push_back({.from_s = 0, .to_s = 10, .text = "IV", .size = 0.5, .at = {0.25, 0.25}});
+        frame.crop = crop;
+        frame.begin(size, 0);
+        frame.raster("grey", {.color = {clear(frame.hdr, glm::vec4(0.5f))}}, [](Raster&) {});
+        titles.record(frame, frame.hdr, film, 5);
+        frame.end();
+        return read_linear(gpu, frame.hdr);
+    };
+    const ImageRgb whole = drawn({128, 128}, {}), part = drawn({64, 48}, {.whole = {128, 128}, .origin = {32, 64}});
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x) REQUIRE(part.at(x, y) == whole.at(x + 32, y + 64));
+}

@@ -90,3 +90,29 @@ TEST_CASE("the worker makes a film's later scenes while the first is drawn, and 
     };
     CHECK(pictures(true) == pictures(false));
 }
+
+TEST_CASE("the same scenes are shown since the last cut, or the end of a cross-fade") {
+    Still still("tests/19_ambiance/short.film");  // 0 to 2, 1.5 to 3.5, 3.5 to 5 s
+    const Reel& reel = still.chapter.reel;
+    CHECK(reel.steady_from_s(1) == 0);
+    CHECK(reel.steady_from_s(1.75) == 1.5);
+    CHECK(reel.steady_from_s(3) == 2);
+    CHECK(reel.steady_from_s(4) == 3.5);
+}
+
+TEST_CASE("cameras of an edited film move as was chosen for all of them") {
+    Still still("tests/19_ambiance/path_loop.film");
+    Reel& reel = still.chapter.reel;
+    reel.choose(PathKind{Spline::linear, 0});
+    Timeline edited = reel.film();
+    CameraPath& path = edited.scenes.at(0).camera;
+    std::vector<CameraKey> keys = path.keys();
+    keys.at(1).position = {4, 2, 0};
+    path = CameraPath(keys, PathKind{});
+    REQUIRE(reel.take_cameras(edited));
+    const glm::dvec3 middle = 0.5 * (keys[0].position + keys[1].position);
+    const double half_s = 0.5 * (keys[0].time_s + keys[1].time_s);
+    CHECK(glm::distance(reel.film().scenes[0].camera.eye(half_s), middle) < 1e-9);
+    edited.scenes[0].to_s += 1;
+    CHECK_FALSE(reel.take_cameras(edited));
+}

@@ -146,8 +146,12 @@ TEST_CASE("titles come and go, and count") {
     CHECK(title_strength(title, 20.1) == 0.0f);
     CHECK(title_text(title, 10) == "0 lights");
     CHECK(title_text(title, 20) == "12,345 lights");
+    const Title falls{.from_s = 0, .to_s = 10, .text = "{} m", .count = glm::dvec2(-123, -1234567)};
+    CHECK(title_text(falls, 0) == "-123 m");
+    CHECK(title_text(falls, 10) == "-1,234,567 m");
     const Timeline film = read(R"("titles": [{"from_s": 50, "to_s": 60, "text": "the end"}])");
     CHECK(title_strength(film.titles[0], 60) == 1.0f);
+    CHECK(title_strength(film.titles[0], 60.01) == 0.0f);
 }
 
 TEST_CASE("the course's film: two scenes at most at any time, and none missing") {

@@ -1,0 +1,72 @@
+// How a volume reflects the light that reaches it, against closed forms: a white surface, a thin ramp, a lamp in thin air.
+#include "16_volume/volume_data.h"
+#include "volume_fixture.h"
+
+using namespace lightwalk;
+
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+/// White matter in sunlight; y points to the camera.
+struct OnLit : OnVolume {
+    OnLit() {
+        volume.transfer.set("even");
+        volume.method.set("midpoint");
+        volume.steps.value = 512;
+        volume.glow.value = 0;
+        volume.light.set("march");
+        volume.light_from.set("sun");
+        volume.shading.set("gradient");
+        volume.shine.value = 0;
+    }
+    /// The sun's angle from the direction to the camera.
+    void sun_at(double angle_deg) {
+        const double angle = angle_deg * pi / 180;
+        scene.set_sun({glm::vec3(float(std::sin(angle)), 0, float(std::cos(angle))), glm::vec3(2)});
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(OnLit, "a surface reflects by Lambert's cosine and by Blinn's lobe, and does not shadow itself",
+                 "[16.shading]") {
+    load({32, 32, 32}, [](int, int y, int) { return y < 16 ? 1.0f : 0.0f; });
+    volume.density.value = 200;
+    for (const double angle_deg : {0.0, 30.0, 60.0}) {
+        sun_at(angle_deg);
+        INFO(angle_deg);
+        const double lambert = 2 / pi * std::cos(angle_deg * pi / 180);
+        volume.shine.value = 0;
+        CHECK(double(middle().g) == Approx(lambert).epsilon(0.03));
+        // The half vector is halfway.
+        volume.shine.value = 0.5f;
+        const double lobe = 2 / pi * 0.5 * std::pow(std::cos(0.5 * angle_deg * pi / 180), 40);
+        CHECK(double(middle().g) == Approx(lambert + lobe).epsilon(0.03));
+    }
+}
+
+// smoothstep(0.2, 1, 0.45) is 0.232.
+TEST_CASE_METHOD(OnLit, "where the density changes slowly, little of it is a surface", "[16.shading]") {
+    load({32, 32, 32}, [](int, int y, int) { return 0.05f + 0.9f * (float(y) + 0.5f) / 32; });
+    volume.density.value = 1e-4f;
+    sun_at(0);  // behind the surface
+    const double surface = double(middle().g);
+    volume.shading.set("none");
+    const double alike = double(middle().g);
+    REQUIRE(alike > 1e-4);
+    CHECK(surface / alike == Approx(1 - 0.232).margin(0.03));
+}
+
+TEST_CASE_METHOD(OnLit, "a lamp's light does not grow nearer to it than 0.1 m", "[16.shading]") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    volume.shading.set("none");
+    volume.light_from.set("heart");
+    volume.heart.value = glm::vec3(1);
+    volume.density.value = 1e-4f;
+    volume.steps.value = 2048;
+    camera.fov_y_rad = 0.06f;
+    // Of 1 / max(r², 0.01) along 2 m through the lamp: 2 (0.1 · 100 + 1 / 0.1 - 1).
+    const double extinction = -std::log(1 - even_opacity) / double(REFERENCE_M) * 1e-4;
+    CHECK(double(middle().g) == Approx(extinction / pi * 38).epsilon(0.04));
+}
