@@ -143,7 +143,10 @@ void Frame::need_light(const std::string& who, const Image& image) const {
 
 void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
     const size_t outputs_before = outputs.size();
-    const Rendering rendering(name, targets, size, watch_.shows_discarded);
+    Rendering rendering(name, targets, size, watch_.shows_discarded);
+    // After a pipeline without colour targets, Mesa 25's rasteriser blends every target as the first one, until the
+    // frame ends (handle_graphics_pipeline in lvp_execute.c). One that is absent avoids this.
+    if (gpu.device.software() && rendering.formats.color.empty()) rendering.formats.color = {VK_FORMAT_UNDEFINED};
     const std::vector<const Given*> given = all_given(name, targets.with, root);
     const std::vector<Stated> stated = state(name, with_given(targets.reads, given), targets.writes, &targets);
     check_reads(name, stated, &rendering);

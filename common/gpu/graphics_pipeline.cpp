@@ -95,7 +95,11 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
         .depthCompareOp = compare_op(desc.depth_compare)};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
     const PerTarget<Blend> by_target = formats.mixing ? PerTarget<Blend>(formats.mixing->blend) : desc.blend;
-    for (size_t i = 0; i < formats.color.size(); ++i) blends.push_back(blend_state(by_target[i], desc.color_write[i]));
+    for (size_t i = 0; i < formats.color.size(); ++i) {
+        const bool absent = formats.color[i] == VK_FORMAT_UNDEFINED;
+        blends.push_back(absent ? VkPipelineColorBlendAttachmentState{}
+                                : blend_state(by_target[i], desc.color_write[i]));
+    }
     const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                     .attachmentCount = static_cast<uint32_t>(blends.size()),
                                                     .pAttachments = blends.data()};

@@ -9,6 +9,12 @@ namespace {
 
 constexpr uint32_t max_passes = 2048;  // of one submission: forty lights with blurred moments take a thousand
 
+// A barrier without resources: Mesa's rasteriser waits there for all it was given.
+void wait_for_all(VkCommandBuffer commands) {
+    const VkDependencyInfo nothing{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    vkCmdPipelineBarrier2(commands, &nothing);
+}
+
 }  // namespace
 
 Recording::Recording(Device& device)
@@ -56,12 +62,8 @@ VkCommandBuffer Recording::begin_pass(const std::string& name, const char* stage
     device_.begin_label(commands_, name.c_str());
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          2 * static_cast<uint32_t>(passes.size() - 1));
-    if (device_.software()) {
-        // Mesa's rasteriser, once it has drawn, writes a time when it draws next, but computes at once: wait for the
-        // time.
-        const VkDependencyInfo nothing{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-        vkCmdPipelineBarrier2(commands_, &nothing);
-    }
+    // Once it has drawn, that one writes a time when it draws next, but computes at once.
+    if (device_.software()) wait_for_all(commands_);
     return commands_;
 }
 
@@ -76,6 +78,8 @@ void Recording::end_pass() {
         check(vkCreateEvent(device_.handle, &info, nullptr, ended_.emplace_back().put(device_.handle)),
               "vkCreateEvent");
     }
+    // Mesa 25 sets an event once the commands before it are prepared, though not drawn.
+    wait_for_all(commands_);
     const VkMemoryBarrier2 all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};

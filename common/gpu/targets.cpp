@@ -161,11 +161,14 @@ void Rendering::add_barriers(Barriers& barriers) const {
 
 void Rendering::begin(VkCommandBuffer commands) const {
     const VkRect2D area{.extent = {size.x, size.y}};
+    // A format without an image is an absent target's.
+    std::vector<VkRenderingAttachmentInfo> color = color_;
+    color.resize(formats.color.size(), {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = layers,
-                               .colorAttachmentCount = static_cast<uint32_t>(color_.size()),
-                               .pColorAttachments = color_.data(),
+                               .colorAttachmentCount = static_cast<uint32_t>(color.size()),
+                               .pColorAttachments = color.data(),
                                .pDepthAttachment = depth_.imageView ? &depth_ : nullptr};
     vkCmdBeginRendering(commands, &info);
     const VkViewport viewport{.width = float(size.x), .height = float(size.y), .maxDepth = 1.0f};

@@ -143,6 +143,23 @@ TEST_CASE_METHOD(OnDevice, "every blend mode, for each target its own") {
     CHECK(blended(Blend::maximum) == glm::vec4(2, 0.25f, 4, 0.5f));
 }
 
+TEST_CASE_METHOD(OnDevice, "a pass without colour targets leaves later ones their blending", "[common.blending]") {
+    const Image a = image({.name = "a", .format = four_floats, .size = {4, 4}});
+    const Image b = image({.name = "b", .format = four_floats, .size = {4, 4}});
+    const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
+    const Pipeline depth_only = quad_pipeline({}, "depth_only.frag");
+    const Pipeline blended = quad_pipeline({.blend = {Blend::multiply, Blend::minimum}}, "paint.frag");
+    frame.raster("depth", {.depth = clear(depth, 0.25f)},
+                 [&](Raster& pass) { pass.use(depth_only).set("quad", Quad{}).draw(6); });
+    frame.raster("blend", {.color = {clear(a, glm::vec4(0.5f)), clear(b, glm::vec4(0.5f))}}, [&](Raster& pass) {
+        pass.use(blended).set("quad", Quad{}).set("paint", Paint{glm::vec4(0.75f), glm::vec4(0.75f)}).draw(6);
+    });
+    frame.end();
+    CHECK(value(depth) == 0.5f);
+    CHECK(value(a) == 0.375f);
+    CHECK(value(b) == 0.5f);
+}
+
 TEST_CASE_METHOD(OnDevice, "a target's components are written as its mask says") {
     const Image a = image({.name = "a", .format = four_floats, .size = {4, 4}});
     const Image b = image({.name = "b", .format = four_floats, .size = {4, 4}});
