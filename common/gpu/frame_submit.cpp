@@ -74,10 +74,13 @@ void Frame::wait_for(const Recording& one) {
             gpu.device, [&](uint64_t most_ns) { return vkWaitSemaphores(gpu.device.handle, &wait_info, most_ns); });
         if (waited != VK_TIMEOUT) return check(waited, one.passes.back().name.c_str());
         const size_t now = one.ended_passes();
-        if (now == ended && now < one.passes.size())
+        const double limit_s = static_cast<double>(gpu.device.timeout_ns()) / 1e9;
+        if (now == one.passes.size() && now == ended)
+            abandon_device(fmt::format("the frame did not end within {} s of its last pass", limit_s));
+        if (now == ended)
             abandon_device(
-                fmt::format("pass '{}' did not end within {:.4} s; look for a loop without an end in its shaders",
-                            one.passes[now].name, std::to_string(static_cast<double>(gpu.device.timeout_ns()) / 1e9)));
+                fmt::format("pass '{}' did not end within {} s; look for a loop without an end in its shaders",
+                            one.passes[now].name, limit_s));
         ended = now;
     }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A driver that is too old, full, lost in mid-run, or never done: one line, no picture, never a hang.
+"""A driver that is too old, full, lost in mid-run, never done, or silent when it is: one line, no picture, never a hang.
 
 A small library between the programs and Vulkan's loader plays such a driver.
 """
@@ -47,11 +47,15 @@ VkResult vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* subm
 }
 VkResult vkWaitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info, uint64_t timeout) {
     static int calls;
-    return plays("never done", &calls) ? VK_TIMEOUT : REAL(vkWaitSemaphores)(device, info, timeout);
+    if (plays("never done", &calls)) return VK_TIMEOUT;
+    const VkResult waited = REAL(vkWaitSemaphores)(device, info, timeout);
+    static int done_calls;
+    return plays("never told", &done_calls) ? VK_TIMEOUT : waited;
 }
 """
 SAYS = {"old": "lacks Vulkan 1.3", "taken": "vkCreateDevice", "full": "memory of .*OutOfDeviceMemory",
-        "lost": "the device was lost", "never done": "did not end within"}
+        "lost": "the device was lost", "never done": "did not end within",
+        "never told": "the frame did not end within"}
 
 
 class Drivers(BadInput):
@@ -75,7 +79,7 @@ class Drivers(BadInput):
 
     def test_pictures(self):
         for fault, counts, code in (("old", (0,), 2), ("taken", (0,), 1), ("full", (0, 3, 12), 1), ("lost", (0, 1, 4), 1),
-                                    ("never done", (0,), 1)):
+                                    ("never done", (0,), 1), ("never told", (0,), 1)):
             for calls in counts:
                 for chapter in ("02", "04"):
                     self.draw(chapter, code=code, says=SAYS[fault], **self.playing(fault, calls))
