@@ -226,13 +226,12 @@ void warn_of_absent(std::string_view text, const std::string& name) {
 
 ObjData parse_scan(std::string_view text, const std::string& name) {
     Collected collected;
-    Scanner scanner(collected);
-    Statements statements(text);
-    ObjData data;
+    reserve(collected, text.size());
+    Piece piece;
     try {
-        for (std::string_view statement; statements.next(statement);) scanner.statement(statement);
+        piece = read_lines(text, collected);
     } catch (const InputError&) { throw_first_error(text, name); }
-    const Piece piece = scanner.piece();
+    ObjData data;
     bool absent = false;
     if (!assemble({&piece, 1}, 1, name, data, absent)) throw_first_error(text, name);
     if (absent) warn_of_absent(text, name);

@@ -1,4 +1,4 @@
-// OBJ scanner that parses statements in place in one pass: no copies, no streams, no locale.
+// OBJ scanner: parses statements in place, in one pass without copies, streams or a locale.
 #pragma once
 #include <string>
 #include <string_view>
@@ -34,6 +34,12 @@ class Scanner {
     std::vector<NameLine> names_;
     size_t absent_ = 0;
 };
+
+/// Collects a text after which 32 bytes can be read. Throws InputError with the reason alone.
+Piece read_lines(std::string_view text, Collected& into);
+
+/// Room for what a text of that size may hold, an estimate. Memory that is not touched costs nothing.
+void reserve(Collected& into, size_t text_bytes);
 
 /// The number that a word is. Throws InputError.
 float float_or_throw(std::string_view word);

@@ -6,6 +6,7 @@
 
 #include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/tangents.h"
+#include "common/base/turn.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -47,6 +48,7 @@ class Codec {
 };
 
 Level decoded(std::span<const std::byte> bytes, glm::uvec2 size, VkFormat format) {
+    Turn::works(size_t(size.x) * size.y);
     const Codec codec(format);
     Level level{size, {}};
     level.texels.reserve(bytes.size() / codec.bytes());
@@ -58,6 +60,7 @@ std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, Vk
     const Codec codec(format);
     std::vector<std::vector<std::byte>> bytes;
     for (const Level& level : levels) {
+        Turn::works(level.texels.size());
         bytes.emplace_back();
         for (const glm::vec4& texel : level.texels) codec.encode(texel, bytes.back());
     }
@@ -67,7 +70,7 @@ std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, Vk
 std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
     desc.mips = static_cast<uint32_t>(levels.size());
     auto image = std::make_shared<Image>(gpu.device, desc);
-    gpu.upload(*image, encoded(levels, desc.format));
+    gpu.upload(*image, aside([&] { return encoded(levels, desc.format); }));
     return image;
 }
 
@@ -96,7 +99,8 @@ std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
 }  // namespace
 
 Level read_level(Gpu& gpu, const Image& image) {
-    return decoded(gpu.read_back(image), image.desc.size, image.desc.format);
+    const std::vector<std::byte> bytes = gpu.read_back(image);
+    return aside([&] { return decoded(bytes, image.desc.size, image.desc.format); });
 }
 
 std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture) {
@@ -174,7 +178,10 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                 }
                 if (slot == MapSlot::normal || slot == MapSlot::detail_normal) {
                     std::shared_ptr<Image>& kept = scene.images(gpu).derived[{image.get(), normal_levels_name}];
-                    if (!kept) kept = upload_levels(gpu, image->desc, normal_levels(read_level(gpu, *image)));
+                    if (!kept) {
+                        const Level codes = read_level(gpu, *image);
+                        kept = upload_levels(gpu, image->desc, aside([&] { return normal_levels(codes); }));
+                    }
                     image = entry = kept;
                     continue;
                 }

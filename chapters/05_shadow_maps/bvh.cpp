@@ -11,6 +11,7 @@
 
 #include "05_shadow_maps/bvh_split.h"
 #include "common/base/error.h"
+#include "common/base/turn.h"
 
 namespace lightwalk {
 namespace {
@@ -102,6 +103,7 @@ Grown grow_sides(Run all, Run begin, Run end, uint32_t depth) {
 }  // namespace
 
 Bvh::Bvh(std::vector<RayTriangle> triangles) {
+    Turn::works(triangles.size());
     check(triangles);
     if (triangles.empty()) triangles.push_back({.cutout = NO_CUTOUT});
     std::vector<Boxed> boxed;

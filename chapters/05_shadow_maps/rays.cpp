@@ -31,12 +31,15 @@ class Masks {
     uint32_t of(const std::shared_ptr<Image>& image, int channel) {
         if (!image) return 0;
         const auto [place, added] = known_.try_emplace({image.get(), channel}, 0);
-        if (added) place->second = add(read_level(gpu_, *image), channel);
+        if (!added) return place->second;
+        const Level level = read_level(gpu_, *image);
+        place->second = aside([&] { return add(level, channel); });
         return place->second;
     }
 
   private:
     uint32_t add(const Level& level, int channel) {
+        Turn::works(level.texels.size());
         const bool whole = std::all_of(level.texels.begin(), level.texels.end(),
                                        [&](const glm::vec4& texel) { return texel[channel] >= 1.0f; });
         if (whole) return 0;
@@ -51,9 +54,29 @@ class Masks {
     std::map<std::pair<const Image*, int>, uint32_t> known_;
 };
 
+// Notes for each triangle with holes where its masks are.
+std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Scene& scene,
+                                std::vector<RayTriangle>& triangles) {
+    Turn::works(triangles.size());
+    std::vector<RayCutout> with_holes;
+    size_t next = 0;
+    for (size_t i = 0; i < scene.items.size(); ++i) {
+        const DrawItem& item = scene.items[i];
+        if (item.transparent) continue;
+        for_each_triangle(item, mesh_of(item).vertices, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+            RayTriangle& triangle = triangles.at(next++);
+            if (cut_by[i] == glm::uvec2(0)) return;
+            triangle.cutout = static_cast<uint32_t>(with_holes.size());
+            with_holes.push_back({a.uv, b.uv, c.uv, cut_by[i].x, cut_by[i].y});
+        });
+    }
+    return with_holes;
+}
+
 }  // namespace
 
 std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
+    Turn::works(scene.triangle_count());
     std::vector<RayTriangle> triangles;
     std::map<const Mesh*, std::vector<Vertex>> moved;  // by skins and morphs
     for (const DrawItem& item : scene.items) {
@@ -79,19 +102,16 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     built_ = true;
     std::vector<RayTriangle> triangles = aside([&] { return ray_triangles(scene, time_s); });
     Masks masks(gpu);
-    std::vector<RayCutout> with_holes;
-    size_t next = 0;
+    std::vector<glm::uvec2> cut_by;  // for each item: masks of its colour's alpha, and of its opacity
     for (const DrawItem& item : scene.items) {
+        glm::uvec2& cut = cut_by.emplace_back(0);
         if (item.transparent) continue;
-        const uint32_t color = masks.of(item.maps[MapSlot::diffuse], 3);
-        const uint32_t opacity = masks.of(item.maps[MapSlot::opacity], 0);
-        for_each_triangle(item, mesh_of(item).vertices, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
-            RayTriangle& triangle = triangles.at(next++);
-            if (color == 0 && opacity == 0) return;
-            triangle.cutout = static_cast<uint32_t>(with_holes.size());
-            with_holes.push_back({a.uv, b.uv, c.uv, color, opacity});
-        });
+        const std::shared_ptr<Image>& loaded = item.loaded_maps[MapSlot::diffuse];
+        const bool is_solid = loaded && scene.images() && !scene.images()->has_alpha(*loaded);
+        if (!is_solid) cut.x = masks.of(item.maps[MapSlot::diffuse], 3);
+        cut.y = masks.of(item.maps[MapSlot::opacity], 0);
     }
+    std::vector<RayCutout> with_holes = aside([&] { return cut_with(cut_by, scene, triangles); });
     bvh_ = aside([&] { return Bvh(std::move(triangles)); });
     placed_ = scene.placed;
     set_offset();

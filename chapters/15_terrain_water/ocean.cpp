@@ -1,5 +1,6 @@
 #include "15_terrain_water/ocean.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "15_terrain_water/exercises.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 constexpr int texels = static_cast<int>(OCEAN_TEXELS);
+constexpr uint32_t levels_made = 6;  // by a dispatch of ocean_halve.comp
 
 // Wave numbers, in 1/m, between which the parts share the spectrum: six waves of the next tile are its longest.
 double least_k(int part) { return part == 0 ? 0.0 : 6 * 2 * M_PI / double(Ocean::tile_m()[part]); }
@@ -26,6 +28,21 @@ double random_at(uint64_t n) {
 glm::dvec2 normal_pair(uint64_t n) {  // G. Box and M. Muller, 1958
     const double r = std::sqrt(-2 * std::log(random_at(2 * n))), angle = 2 * M_PI * random_at(2 * n + 1);
     return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+// At most `levels_made` levels behind that one.
+void halve(Compute& pass, const Pipeline& by, const Image& moved, const Image& sloped, uint32_t from) {
+    const uint32_t made = std::min(levels_made, moved.desc.mips - 1 - from);
+    std::vector<ImageView> moved_levels, sloped_levels;
+    for (uint32_t mip = from + 1; mip <= from + made; ++mip) {
+        moved_levels.push_back(moved.mip(mip));
+        sloped_levels.push_back(sloped.mip(mip));
+    }
+    pass.use(by).set("ocean_halve", static_cast<int>(made));
+    pass.set("finer_moved", moved.mip(from)).set("moved", std::span<const ImageView>(moved_levels));
+    pass.set("finer_sloped", sloped.mip(from)).set("sloped", std::span<const ImageView>(sloped_levels));
+    const uint32_t groups = ((OCEAN_TEXELS >> from) + 63) / 64;
+    pass.dispatch({groups, groups, 3});
 }
 
 }  // namespace
@@ -102,12 +119,8 @@ void Ocean::record(Frame& frame) {
                       pass.use(rows_).set("fields", fields_).dispatch({OCEAN_TEXELS, 6, 1}).wait();
                       pass.use(columns_).set("fields", fields_).set("moved", moved).set("sloped", sloped);
                       pass.dispatch({OCEAN_TEXELS, 6, 1});
-                      for (uint32_t mip = 1; mip < moved_.desc.mips; ++mip) {
-                          pass.wait().use(halve_);
-                          pass.set("finer_moved", moved_.mip(mip - 1)).set("moved", moved_.mip(mip));
-                          pass.set("finer_sloped", sloped_.mip(mip - 1)).set("sloped", sloped_.mip(mip));
-                          pass.dispatch_threads(glm::uvec3(OCEAN_TEXELS >> mip, OCEAN_TEXELS >> mip, 3));
-                      }
+                      for (uint32_t from = 0; from + 1 < moved_.desc.mips; from += levels_made)
+                          halve(pass.wait(), halve_, moved_, sloped_, from);
                   });
 }
 // [/ocean_record]

@@ -100,6 +100,7 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
                                            {"unseen_gpu_ms", one.unseen_gpu_ms},
                                            {"waited_ms", one.turns.waited_ms},
                                            {"longest_turn_ms", one.turns.longest_ms},
+                                           {"most_items", one.turns.most_items},
                                            {"longest_turn_in", one.turns.longest_in}});
     Frame frame(*gpu);
     GpuLoad load(*gpu);

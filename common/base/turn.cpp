@@ -1,5 +1,6 @@
 #include "common/base/turn.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -15,6 +16,7 @@ uint64_t last_ticket = 0,
          served_ticket = 0;  // tickets: a thread that gives its turn and asks again stands behind the others
 thread_local bool has_turn = false;
 thread_local Turn::Spent times;
+thread_local size_t items_in_turn = 0;
 thread_local std::string current_activity;
 thread_local std::chrono::steady_clock::time_point asked_at, taken_at;
 thread_local const std::atomic<bool>* told_to_stop = nullptr;
@@ -31,12 +33,19 @@ bool Turn::is_mine() { return has_turn; }
 Turn::Spent& Turn::spent() { return times; }
 void Turn::begins(std::string activity) { current_activity = std::move(activity); }
 
+void Turn::works(size_t items) {
+    if (!has_turn) return;
+    items_in_turn += items;
+    times.most_items = std::max(times.most_items, items_in_turn);
+}
+
 void Turn::take() {
     asked_at = std::chrono::steady_clock::now();
     std::unique_lock lock(turn_mutex);
     const uint64_t ticket = last_ticket++;
     turn_served.wait(lock, [&] { return served_ticket == ticket; });
     has_turn = true;
+    items_in_turn = 0;
     taken_at = std::chrono::steady_clock::now();
     times.waited_ms += ms_since(asked_at);
 }

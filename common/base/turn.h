@@ -18,9 +18,13 @@ class Turn {
         double waited_ms = 0;    ///< until it had the turn
         double longest_ms = 0;   ///< of its turns
         std::string longest_in;  ///< the last activity begun in that turn
+        size_t most_items = 0;   ///< Turn::works in one of its turns
     };
     static Spent& spent();
     static void begins(std::string activity);
+
+    /// Counts work on many things (texels, triangles, bytes): with the turn, others wait for it.
+    static void works(size_t items);
 
     /// Held by those who start further threads: their own thread has the turn until the last of these goes.
     class Shared {

@@ -14,6 +14,10 @@ void fill(const Buffer& staging, size_t at, std::span<const std::byte> bytes) {
     aside([&] { std::memcpy(staging.mapped + at, bytes.data(), bytes.size()); });
 }
 
+std::vector<std::byte> contents(const Buffer& staging, VkDeviceSize bytes) {
+    return aside([&] { return std::vector<std::byte>(staging.mapped, staging.mapped + bytes); });
+}
+
 VkBufferImageCopy region(VkDeviceSize offset, const ImageView& view) {
     const glm::uvec3 size = view.size();
     return {
@@ -133,7 +137,7 @@ std::vector<std::byte> Gpu::read_back(const ImageView& view) {
         if (view.image->constant) barrier(commands, view.mip(0), any_read);
         barrier(commands, staging, host_read);
     });
-    return {staging.mapped, staging.mapped + bytes};
+    return contents(staging, bytes);
 }
 
 std::vector<std::byte> Gpu::read_back(const Buffer& buffer) {
@@ -145,7 +149,7 @@ std::vector<std::byte> Gpu::read_back(const Buffer& buffer) {
         vkCmdCopyBuffer(commands, buffer.handle, staging.handle, 1, &region);
         barrier(commands, staging, host_read);
     });
-    return {staging.mapped, staging.mapped + buffer.bytes};
+    return contents(staging, buffer.bytes);
 }
 
 }  // namespace lightwalk

@@ -1,9 +1,12 @@
 // Rays on the device: through the hierarchy as without it, against double precision, and none between triangles.
+#include <chrono>
 #include <cmath>
 #include <ctime>
+#include <thread>
 
 #include "05_shadow_maps/ray_fixture.h"
 #include "catch.h"
+#include "common/base/statistics.h"
 
 using namespace lightwalk;
 
@@ -172,4 +175,20 @@ TEST_CASE("how long a hierarchy takes, and its rays") {
         CHECK(built - start < 2000);
         CHECK(bvh.depth() <= 2 * std::log2(double(triangles.size())));
     }
+}
+
+// For `taskset -c 0-7`: the threads are as many as the processors that the process may use.
+TEST_CASE("how long a hierarchy of a million triangles takes", "[.million]") {
+    const auto one = triangles_of("models/bunny.obj");
+    std::vector<RayTriangle> all;
+    for (glm::vec3 away(0.0f); all.size() < 1000000; away.x += 1.0f)
+        for (const RayTriangle& t : one) all.push_back({t.a + away, t.b + away, t.c + away, t.cutout});
+    std::vector<double> ms;
+    for (int i = 0; i < 5; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const Bvh bvh(all);
+        ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        CHECK(bvh.triangles().size() == all.size());
+    }
+    WARN(all.size() << " triangles on " << std::thread::hardware_concurrency() << " threads: " << median(ms) << " ms");
 }

@@ -71,3 +71,40 @@ TEST_CASE_METHOD(OnWater, "the parts of the spectrum hold JONSWAP's variance") {
                4 * std::sqrt(right));
     CHECK(water.ocean.height_variance() == Approx(right).epsilon(0.25));  // one draw of random amplitudes
 }
+
+TEST_CASE_METHOD(OnWater, "each level of the ocean's images is the mean of the one before it, in half floats") {
+    water.method.set("fft");
+    begin(size, 3);
+    water.ocean.record(frame);
+    frame.end();
+    const auto texels = [&](const ImageView& view) {
+        const std::vector<std::byte> bytes = gpu.read_back(view);
+        std::vector<glm::vec4> all;
+        for (size_t i = 0; i < bytes.size(); i += 8) {
+            uint64_t word = 0;
+            std::memcpy(&word, &bytes[i], 8);
+            all.push_back(glm::unpackHalf4x16(word));
+        }
+        return all;
+    };
+    for (const Image* image : {&water.ocean.moved(), &water.ocean.sloped()}) {
+        REQUIRE(image->desc.mips == 8);
+        for (uint32_t mip = 1; mip < 8; ++mip) {
+            const std::vector<glm::vec4> finer = texels(image->mip(mip - 1)), level = texels(image->mip(mip));
+            const uint32_t side = 256u >> mip;
+            REQUIRE(level.size() == size_t(3) * side * side);
+            float most = 0;
+            for (uint32_t i = 0; i < level.size(); ++i) {
+                const uint32_t x = i % side, y = i / side % side, layer = i / (side * side);
+                glm::vec4 mean(0);
+                for (uint32_t k = 0; k < 4; ++k)
+                    mean += 0.25f * finer[((layer * 2 * side + 2 * y + k / 2) * 2 * side) + 2 * x + k % 2];
+                // A step of a half float is 2^-10 of its value at most.
+                for (int c = 0; c < 4; ++c)
+                    most = std::max(most, std::fabs(level[i][c] - mean[c]) / std::max(std::fabs(mean[c]), 0x1p-14f));
+            }
+            INFO(image->desc.name << " level " << mip);
+            CHECK(most <= 0x1p-10f);
+        }
+    }
+}
