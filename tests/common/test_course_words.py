@@ -9,7 +9,9 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
+from pages.reading import prose_words  # noqa: E402
 from test.text_check import prose  # noqa: E402
+from tree import lessons  # noqa: E402
 
 DECLARED = re.compile(r"^\s*(Knob<[\w:]+>|Choice)\s+(\w+)\s*\{", re.M)
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
@@ -60,6 +62,8 @@ VOICE = {
     r"\b(WSL|which) \w+ has and \w+( \d)? has not\b": "lacks it",
     r"\bgoes? without an end\b": "endless",
 }
+# A lesson speaks to its reader: at least so many words to a numeral, at most so many to a "you". Tables and folds hold figures.
+WORDS_TO_A_NUMERAL, WORDS_TO_A_YOU = 28, 110
 HEADINGS_THAT_STAY = {"What you will be able to do", "What you will see", "What goes wrong", "When to use which"}
 
 
@@ -111,6 +115,19 @@ def wrong_with_heading(title: str) -> bool:
         and title not in HEADINGS_THAT_STAY
 
 
+def wrong_with_voice(text: str) -> list[str]:
+    """Of a lesson: too many numerals in its sentences, or too few words to the reader."""
+    words = prose_words(text)
+    numerals = sum(bool(re.search(r"\d", word)) for word in words)
+    addressed = sum(bool(re.match(r"you(r|rs|rself)?\b", word, re.I)) for word in words)
+    wrong = []
+    if numerals * WORDS_TO_A_NUMERAL > len(words):
+        wrong.append(f"a numeral every {len(words) / numerals:.0f} words, {WORDS_TO_A_NUMERAL} at least: figures belong in tables and folds")
+    if addressed * WORDS_TO_A_YOU < len(words) > WORDS_TO_A_YOU:
+        wrong.append(f"'you' {addressed} times in {len(words)} words, every {WORDS_TO_A_YOU} at least")
+    return wrong
+
+
 def sources() -> list[pathlib.Path]:
     return [path for folder in ("chapters", "common") for kind in ("*.h", "*.cpp")
             for path in sorted((ROOT / folder).rglob(kind)) if "exercise" not in path.parts]
@@ -149,6 +166,9 @@ class WordsTest(unittest.TestCase):
                           if phrase not in alone]
         self.report(wrong)
 
+    def test_lessons_speak_to_the_reader_and_leave_figures_to_tables(self):
+        self.report([f"{page}: {why}" for page in lessons() for why in wrong_with_voice((ROOT / page).read_text(encoding="utf-8"))])
+
     def test_headings_are_nouns_or_questions(self):
         self.report([f"{path.relative_to(ROOT)}:{number}: {line}" for path in pages()
                      for number, line in prose(path.relative_to(ROOT))
@@ -168,6 +188,15 @@ class WordsTest(unittest.TestCase):
             wrong += [f"{file.relative_to(ROOT)}: {phrase}" for phrase in banned_in(" ".join(comments), BANNED | VOICE)]
         self.assertGreater(count, 60)
         self.report(wrong)
+
+    def test_numerals_and_you_are_counted_in_sentences_alone(self):
+        plain = "A wall of stones that you look along. " * WORDS_TO_A_YOU
+        hidden = ["| 1 | 2 |", "<details><summary>The figures</summary>\n\n3 4\n</details>", "```\n5\n```", "<!-- 6 -->", "# 7", "    8 9",
+                  "1. One", "`10`", "[a](11.md)", "$x_{12}$"]
+        further = ["## Further reading", *["- A. Author, 2013."] * WORDS_TO_A_YOU]
+        for one in hidden:
+            self.assertEqual(wrong_with_voice("\n\n".join([plain, *[one] * WORDS_TO_A_YOU, *further])), [], one)
+        self.assertEqual([one.split()[0] for one in wrong_with_voice("It takes 0.5 ms at 85°. " * WORDS_TO_A_YOU)], ["a", "'you'"])
 
     def test_what_is_wrong_is_found(self):
         """The rules themselves, on declarations and sentences that break them."""

@@ -7,21 +7,30 @@ from pathlib import Path
 from tree import ROOT
 
 WORDS_A_MINUTE = 120
+CODE = re.compile(r"^( *)(```+|~~~+).*?^\1\2\s*$", re.M | re.S)
+HIDDEN = re.compile(r"<details>.*?</details>|<!--.*?-->", re.S)
+# Parts of a page that are not read as sentences: indented code, tables, headings, numbers of lists; then code, formulas, targets.
+NO_PROSE = re.compile(r"^(?: {4}(?! *(?:[-*]|\d+\.) ).*|\s*\|.*|#.*|\s*\d+\. )", re.M)
+NO_WORDS = re.compile(r"`[^`]*`|\$[^$]*\$|(?<=\])\([^)]*\)")
 BESIDE = re.compile(r"(Exercises|Deeper|Questions|Further reading)\b")
 
 
 def sections(text: str) -> list[tuple[str, str]]:
     """(heading, text) for each section of the second level; the head of the page has an empty heading."""
-    code = r"^( *)(```+|~~~+).*?^\1\2\s*$"
-    hidden = re.sub(code, lambda found: re.sub(r"^#", "\0", found[0], flags=re.M), text, flags=re.M | re.S)
+    hidden = CODE.sub(lambda found: re.sub(r"^#", "\0", found[0], flags=re.M), text)
     parts = re.split(r"^## (.*)$", hidden, flags=re.M)
     parts = [part.replace("\0", "#") for part in parts]
     return [("", parts[0]), *zip(parts[1::2], parts[2::2])]
 
 
 def main_thread(text: str) -> str:
-    open_text = re.sub(r"<details>.*?</details>|<!--.*?-->", "", text, flags=re.S)
-    return "\n".join(part for heading, part in sections(open_text) if not BESIDE.match(heading))
+    return "\n".join(part for heading, part in sections(HIDDEN.sub("", text)) if not BESIDE.match(heading))
+
+
+def prose_words(text: str) -> list[str]:
+    """The words of a page's sentences, without its folds and its further reading."""
+    parts = [part for heading, part in sections(HIDDEN.sub("", text)) if heading != "Further reading"]
+    return re.findall(r"[\w.,'’-]*\w", NO_WORDS.sub(" ", NO_PROSE.sub("", CODE.sub("", "\n".join(parts)))))
 
 
 def minutes(page: Path) -> float:

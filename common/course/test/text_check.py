@@ -58,6 +58,8 @@ def anchors(name: Path) -> set[str]:
 def check_links(name: Path) -> list[str]:
     wrong = []
     for number, line in prose(name):
+        if re.match(r"[^\[\]]*\]\(", line):
+            wrong.append(f"{name}:{number}: the words of a link begin on the line before; the pages would not follow it")
         for match in LINK.finditer(line):
             link = match[1] or match[2]
             if re.match(r"[a-z]+:", link):
