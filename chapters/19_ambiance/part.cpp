@@ -1,8 +1,5 @@
 #include "19_ambiance/part.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -10,8 +7,8 @@
 #include "01_obj/obj.h"
 #include "01_obj/world_view.h"
 #include "19_ambiance/worlds.h"
+#include "common/app/foreign_scene.h"
 #include "common/base/error.h"
-#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
@@ -50,7 +47,7 @@ FilmPart::FilmPart(const FilmScene& scene, Music* heard)
 }
 
 // By its path below the part, or by its name alone: the world's before that of bloom and tones.
-KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
+KnobBase& FilmPart::knob(const std::string& name) {
     if (const auto known = knobs_.find(name); known != knobs_.end()) return *known->second;
     const KnobList all = all_knobs();
     for (KnobBase* one : all)
@@ -59,9 +56,7 @@ KnobBase& FilmPart::knob(const std::string& name, const std::string& where) {
         return *(knobs_[name] = &find_knob(world_->all_knobs(), name));
     } catch (const InputError&) {  // it is the bloom's or the tones', or unclear
     }
-    try {
-        return *(knobs_[name] = &find_knob(all, name));
-    } catch (const InputError& e) { throw InputError("{}: {}", where, e.what()); }
+    return *(knobs_[name] = &find_knob(all, name));
 }
 
 void FilmPart::load(Gpu& gpu) {
@@ -70,25 +65,13 @@ void FilmPart::load(Gpu& gpu) {
         file = find_asset(film_scene_.file);
     } catch (const InputError& e) { throw InputError("{}: {}", film_scene_.where, e.what()); }
     SceneFile read = read_scene(file);
-    std::set<std::string> left_out;  // modules of the scene's chapter that no film's scene has
-    for (const auto& [name, value] : read.knobs) {
-        KnobBase* found = nullptr;
-        try {
-            found = &knob(name, file.string());
-        } catch (const InputError&) {
-            if (read.knobs_of.empty()) throw;
-            left_out.insert(name.substr(0, name.find('.')));
-        }
-        if (found) found->set(value);
-    }
-    if (!left_out.empty())
-        warn_once(fmt::format("{}: a film's scene lacks {} of chapter {}; left out", file.string(),
-                              fmt::join(left_out, ", "), read.knobs_of));
+    ForeignScene foreign(file, read, "19_ambiance", "a film's scene");
+    foreign.set_knobs(read, [&](const std::string& name) -> KnobBase& { return knob(name); });
     apply_knobs(film_scene_.clock_s);
     scene_.load(gpu, std::move(read), [&](const std::filesystem::path& model) {
-        Model own;
-        return any_model(model, own) ? own : load_model(model, Loader::parallel);
+        return foreign.model(*this, model, [&] { return load_model(model, Loader::parallel); });
     });
+    foreign.name_left_out();
     apply_knobs(fullest_clock_s());
     prepare_all(gpu, scene_);
     loaded_with_ = words_of(load_state());
@@ -114,20 +97,17 @@ bool FilmPart::is_loaded() const { return std::ranges::includes(loaded_with_, wo
 void FilmPart::apply_knobs(double clock_s) {
     for (const Track& track : film_scene_.knobs) {
         try {
-            knob(track.name, track.where).set(track.at(clock_s));
-        } catch (const InputError& e) {
-            const std::string said = e.what();
-            throw InputError("{}", said.rfind(track.where, 0) == 0 ? said : track.where + ": " + said);
-        }
+            knob(track.name).set(track.at(clock_s));
+        } catch (const InputError& e) { throw InputError("{}: {}", track.where, e.what()); }
     }
-    for (const auto& [name, value] : way_) knob(name, film_scene_.where).set(value);
+    for (const auto& [name, value] : way_) knob(name).set(value);
 }
 
 void FilmPart::draw_by(const KnobSettings& way) {
     if (way == way_) return;
-    for (const auto& [name, value] : before_way_) knob(name, film_scene_.where).set(value);
+    for (const auto& [name, value] : before_way_) knob(name).set(value);
     before_way_.clear();
-    for (const auto& [name, value] : way) before_way_.emplace_back(name, knob(name, film_scene_.where).text());
+    for (const auto& [name, value] : way) before_way_.emplace_back(name, knob(name).text());
     way_ = way;
 }
 

@@ -53,8 +53,8 @@ class FilmPart : public Module {
     Bloom bloom_{*this, "bloom"};
     Post post_{*this, "post"};
     void apply_knobs(double clock_s);
-    double fullest_clock_s();  ///< of the entries of tracks that step; applies knobs
-    KnobBase& knob(const std::string& name, const std::string& where);
+    double fullest_clock_s();                 ///< of the entries of tracks that step; applies knobs
+    KnobBase& knob(const std::string& name);  ///< throws InputError
     const FilmScene& film_scene_;
     std::set<std::string> loaded_with_;  ///< modules in use, keys and exercises, as load_state() has them
     std::map<std::string, KnobBase*> knobs_;

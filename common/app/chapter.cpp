@@ -1,9 +1,8 @@
 #include "common/app/chapter.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
-#include <set>
-
+#include "common/app/foreign_scene.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -65,30 +64,17 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
     const bool is_scene = file.extension() == ".json";
     SceneFile scene = is_scene ? read_scene(file) : scene_of_model(file, {});
     const KnobList knobs = chapter.all_knobs();
-    const bool anothers = !scene.knobs_of.empty() && scene.knobs_of != chapter.name;
-    std::set<std::string> left_out;  // of another chapter's scene
+    ForeignScene foreign(file, scene, chapter.name, "this chapter");
+    foreign.set_knobs(scene, [&](const std::string& name) -> KnobBase& { return find_knob(knobs, name); });
     const auto loader = [&](const std::filesystem::path& model) {
-        if (Model none; anothers && !is_model_file(model) && !chapter.any_model(model, none)) {
-            left_out.insert(model.filename().string());
-            none.materials.emplace_back();
-            return none;
-        }
-        return chapter.load_model(model);
+        return foreign.model(chapter, model, [&] { return chapter.load_model(model); });
     };
-    for (const auto& [name, value] : scene.knobs) try {
-            if (KnobBase& knob = find_knob(knobs, name); !knob.pinned) knob.set(value);
-        } catch (const InputError& e) {
-            if (!anothers) throw InputError("{}: key 'knobs': {}", file.string(), e.what());
-            left_out.insert(name.substr(0, name.find('.')));
-        }
     chapter.scene.file = scene;
     if (loading.before) loading.before();
     chapter.scene.load(gpu, std::move(scene), loader);
     // A bare model: now that its size is known, a camera that frames it. The pool keeps the model.
     if (!is_scene) chapter.scene.load(gpu, furnished(chapter, file), loader);
-    if (!left_out.empty())
-        warn_once(fmt::format("{}: this chapter lacks {} of chapter {}; left out", file.string(),
-                              fmt::join(left_out, ", "), chapter.scene.file.knobs_of));
+    foreign.name_left_out();
     const auto prepare = [&] {
         chapter.camera = chapter.scene.file.camera;
         chapter.forget_history();

@@ -1,5 +1,6 @@
 """The film as a file: parts that join, a missing or crashed ffmpeg, and a full disk."""
 
+# Builds: 05_shadow_maps 19_ambiance
 import errno
 import json
 import os
@@ -96,6 +97,25 @@ class Film(unittest.TestCase):
             done = self.write(*options, scene=scene)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(words, done.stderr)
+
+    def test_a_saved_scene_in_a_film_and_in_a_chapter(self):
+        """Terrain of the editor's: where a scene's kind has none it is left out, by a chapter and by a film alike."""
+        for knobs, code, words in (({"ground.plain_m": 0.7, "shadow.method": "hard"}, 0,
+                                    "lacks ground, jacksboro_dem.png of chapter 18_playground; left out"),
+                                   ({"shadow.method": "soft"}, 2, "key 'knobs': shadow.method=soft: expected one of")):
+            saved, film_file = self.folder / "saved.json", self.folder / "saved.film"
+            saved.write_text(json.dumps({"objects": [{"model": "terrain/jacksboro_dem.png"}, {"model": "models/cube.obj"}],
+                                         "lights": [{"direction": [0, -1, 0]}], "knobs_of": "18_playground", "knobs": knobs}))
+            film_file.write_text(json.dumps({"duration_s": 1, "scenes": [
+                {"name": "a", "kind": "stage", "scene": str(saved), "from_s": 0, "to_s": 1}]}))
+            own = subprocess.run([PROGRAM.with_name("05_shadow_maps"), "--scene", saved, "--size", "48x27", "--screenshot",
+                                  self.folder / "a.png"], capture_output=True, text=True)
+            for by, done in (("this chapter", own), ("a film's scene", self.write("a.raw", "--frames_to", "1", scene=film_file))):
+                with self.subTest(by=by, knobs=knobs):
+                    self.assertEqual(done.returncode, code, done.stderr)
+                    lines = [line for line in done.stderr.splitlines() if "saved.json" in line]
+                    self.assertEqual(len(lines), 1, done.stderr)
+                    self.assertIn(f"{by} {words}" if code == 0 else words, lines[0])
 
     def test_a_full_disk_is_one_line_and_what_was_there_stays(self):
         (self.folder / "a.raw").write_text("a film")
