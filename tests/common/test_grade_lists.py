@@ -4,13 +4,14 @@ grade, or none, is refused in a line; and grades that are 0, halves, or not yet 
 
 import json
 import unittest
+from unittest import mock
 
 from graded_class import REAL  # noqa: F401  (the way to the modules)
-from grading import feedback, marks
+from grading import feedback, grade, marks
 from grading.roster import Roster
 from grading.rules import Rules
 from grading.submission import Submission, read
-from test_grade_book import Files, one, result, rows_of
+from test_grade_book import WANTED, Files, one, result, rows_of
 from tree import UsageError
 
 WORKSHEET = "Identifier,Full name,Status,Grade,Maximum Grade,Feedback comments\n"
@@ -93,6 +94,12 @@ class Several(Files):
         roster = Roster(list_of, ["ben_4712_1_a", "Ben", "Eve", "EVE"])
         self.assertEqual((set(roster.found), roster.strangers), ({"ben_4712_1_a"}, ["Ben", "Eve", "EVE"]))
         self.assertEqual([row["Student"] for row in roster.absent], ["Eve"])
+
+    def test_nobody_is_alike_with_oneself(self):
+        names = ["ann_4711_11_a.glsl", "ann_4711_12_b.glsl", "ben_4712_13_a.glsl"]
+        with mock.patch.object(grade, "alike", lambda *_: [(names[0], names[1], "all"), (names[1], names[2], "all")]):
+            grades = grade.complete({name: one(name) for name in names}, {}, WANTED)
+        self.assertEqual([[other["student"] for other in row["alike"]] for row in grades], [[], [names[2]], [names[1]]])
 
     def test_a_file_that_was_handed_in_again_is_known_by_its_name(self):
         for name in ("annex_4711_12_lambert-1.glsl", "annex_4711_12_lambert (2).glsl", "lambert.glsl"):
