@@ -40,6 +40,7 @@ CHECK_EXERCISE("15.height_blend", "The greatest weight plus height among the mat
                            {0.5, 0.5, 0, 0, 0.1, 0.2, 1, 1, 0.05},
                            {0.01, 0.99, 0, 0, 1, 0, 0, 1, 0.3},
                            {0.25, 0.25, 0.25, 0.25, 0, 0.1, 0.2, 0.3, 1},
+                           {0.001, 0.999, 0, 0, 1, 0, 0, 0, 0.001},  // little, and above all the same
                            {0, 0, 0, 1, 1, 1, 1, 0, 0.01}},
                 .truth = blended,
                 .bound = {.absolute = 1e-3},

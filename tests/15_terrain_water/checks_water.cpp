@@ -69,6 +69,8 @@ CHECK_EXERCISE("15.gerstner_normal",
                  .inputs = {Row(9),
                             {0, 0.5, 0, 0, 0, 0, 0, 0, 0},
                             {-1, 0, 0, 0, 0, 0, 0, 0, 0},
+                            // Nearly a cusp, of powers of two: it has a direction, and no digit is lost.
+                            {std::exp2(-20) - 1, std::exp2(-21), 0, 0, 0, 0, 0, 0, 0},
                             {-1.5, 0.2, 0, 0, 0, 0, 0, 0.1, 0.3}},  // it folds, and the normal points down
                  .truth =
                      [](std::span<const double> in) {

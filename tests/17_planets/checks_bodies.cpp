@@ -50,7 +50,7 @@ CHECK_EXERCISE("17.camera_relative", "subtract in double precision, then round t
 namespace {
 
 // The mistakes that are told by name, and none.
-enum class Slip { none, clamped_x, wrapped_y, even, size, octave_0, south, downhill, per_octave, half };
+enum class Slip { none, clamped_x, wrapped_y, even, mean, size, octave_0, south, downhill, per_octave, half };
 
 // The spec, word for word, without any haste.
 std::vector<glm::dvec3> slow_normals(int width, int height, const std::vector<float>& map, int octaves, double slope,
@@ -82,7 +82,8 @@ std::vector<glm::dvec3> slow_normals(int width, int height, const std::vector<fl
             sum += fine[k] - coarse[k];
             squares += (fine[k] - coarse[k]) * (fine[k] - coarse[k]);
         }
-        const double n = double(fine.size()), deviation = std::sqrt(std::max(0.0, squares / n - sum / n * sum / n));
+        const double n = double(fine.size()), mean = slip == Slip::mean ? 0 : sum / n;
+        const double deviation = std::sqrt(std::max(0.0, squares / n - mean * mean));
         const double size = slip == Slip::size ? 1 : 1 << i, by = slip == Slip::even ? 1 : deviation;
         for (size_t k = 0; k < fine.size() && deviation > 1e-9; ++k) heights[k] += size * (fine[k] - coarse[k]) / by;
         fine = coarse;
@@ -102,6 +103,7 @@ const std::pair<Slip, const char*> slips[] = {
     {Slip::clamped_x, "x goes around the planet: left of the first texel lies the last of its row"},
     {Slip::wrapped_y, "columns end at the poles: y stays within the map"},
     {Slip::even, "each octave is divided by the standard deviation of its texels"},
+    {Slip::mean, "a standard deviation is taken from the mean, which is not 0 here"},
     {Slip::size, "octave i is multiplied by the size of its features, 2^i texels"},
     {Slip::octave_0, "that is octave 0 alone"},
     {Slip::south, "north is up, row y - 1"},

@@ -24,6 +24,7 @@ CHECK_EXERCISE(
     };
     const std::vector<Case> cases{
         {"the first step", {}, {0, 10}, false, 100, {false, 0}},
+        {"the first step, of a group", {}, {1, 10}, false, 100, {false, 0}},
         {"a step of another group", {{1, 10}}, {2, 10}, false, 100, {false, 0}},
         {"two steps without a group", {{0, 10}}, {0, 10}, false, 100, {false, 0}},
         {"the same group as the last step", {{1, 10}, {2, 10}}, {2, 10}, false, 100, {true, 0}},

@@ -39,6 +39,7 @@ CHECK_EXERCISE("19.catmull_rom",
             keys.knots[k] = knot;
         }
         if (i == 0) keys = {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}}}, {{0, 1, 2, 3}}};
+        if (i == 1) keys = {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}}}, {{0, 1e-9, 2e-9, 3e-9}}};
         for (const double share : {0.0, 0.25, 0.5, 0.9, 1.0}) {
             const double t = keys.knots[1] + share * (keys.knots[2] - keys.knots[1]);
             const std::string what =
@@ -49,6 +50,7 @@ CHECK_EXERCISE("19.catmull_rom",
                 const glm::dvec3 got = catmull_rom(keys, t), right = truth::catmull_rom(keys, t);
                 if (glm::distance(got, right) <= 1e-9 * reach) return "";
                 const char* why = !(glm::length(got) < 1e300) ? "knots are equal, and it divides by their difference"
+                                  : i == 1                    ? "knots that are close to each other are not equal"
                                   : share == 0 || share == 1
                                       ? "the curve passes its second key at the second knot and its third at the third"
                                       : "";
