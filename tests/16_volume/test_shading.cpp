@@ -70,3 +70,22 @@ TEST_CASE_METHOD(OnLit, "a lamp's light does not grow nearer to it than 0.1 m", 
     const double extinction = -std::log(1 - even_opacity) / double(REFERENCE_M) * 1e-4;
     CHECK(double(middle().g) == Approx(extinction / pi * 38).epsilon(0.04));
 }
+
+TEST_CASE_METHOD(OnVolume, "the view of errors is sixteen times the difference from four steps a voxel",
+                 "[16.error_view]") {
+    volume.method.set("midpoint");
+    volume.steps.value = 4 * volume.field.voxels.value;
+    const ImageRgb fine = picture();
+    volume.steps.value = 24;
+    const ImageRgb coarse = picture();
+    volume.show.set("error");
+    const ImageRgb shown = picture();
+    double most = 0;
+    for (size_t i = 0; i < shown.pixels.size(); ++i) {
+        const glm::vec3 wanted = 16.0f * glm::abs(coarse.pixels[i] - fine.pixels[i]);
+        most = std::max(most, double(wanted.g));
+        // Halves have eleven bits; differences of two of them are taken here.
+        CHECK(double(glm::length(shown.pixels[i] - wanted)) < 0.02 + 0.02 * double(glm::length(wanted)));
+    }
+    CHECK(most > 0.1);
+}

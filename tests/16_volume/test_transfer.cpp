@@ -53,3 +53,24 @@ TEST_CASE_METHOD(OnVolume, "each end of a trapezium colours the step as far as i
     CHECK(found.g / found.r == Approx(right.g / right.r).epsilon(0.01));
     CHECK(found.b / found.r == Approx(right.b / right.r).epsilon(0.01));
 }
+
+// Along the ray the density rises from 0 to 1 within a metre, and the function is opaque in a fiftieth of it.
+TEST_CASE_METHOD(OnVolume, "the reference sees a layer that is thinner than its steps", "[16.transfer]") {
+    load({2, 2, 2}, [](int, int y, int) { return y ? 1.0f : 0.0f; });
+    background = {1, 1, 1, 1};
+    volume.transfer.set("shell");
+    volume.glow.value = 0;
+    volume.method.set("exact");
+    volume.truth_samples.value = 16;
+    const std::vector<glm::vec4> entries = transfer_function("shell", 1);
+    double depth = 0;
+    constexpr int parts = 200000;
+    for (int i = 0; i < parts; ++i) {
+        const double at = (i + 0.5) / parts * double(entries.size() - 1);
+        const size_t low = std::min(size_t(at), entries.size() - 2);
+        const double opacity = glm::mix(double(entries[low].a), double(entries[low + 1].a), at - double(low));
+        depth -= std::log(1 - opacity) / double(REFERENCE_M) / parts;
+    }
+    REQUIRE(std::exp(-depth) < 0.7);
+    CHECK(double(middle().g) == Approx(std::exp(-depth)).epsilon(0.02));
+}

@@ -32,7 +32,10 @@ struct KnownPlanets {
     int air_steps;
     float relief, clouds, night, waves;
 };
-const KnownPlanets planets = KnownPlanets(8, 0.0, 1.0, 0.0, 0.0);
+#ifndef KNOWN_RELIEF
+#define KNOWN_RELIEF 0.0
+#endif
+const KnownPlanets planets = KnownPlanets(8, KNOWN_RELIEF, 1.0, 0.0, 0.0);
 BodyNow body;
 
 vec3 sunlight_on(Place place) { return vec3(0.0); }

@@ -95,3 +95,33 @@ TEST_CASE_METHOD(DeviceTest, "a cloud's shadow falls where the ray to the sun me
             {double(float(std::cos(glm::radians(elevation)))), double(float(std::sin(glm::radians(elevation))))});
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
 }
+
+TEST_CASE_METHOD(DeviceTest,
+                 "a pixel covers more of the rings the lower they are seen, along the ray and not across it",
+                 "[17.ring_footprint]") {
+    // A ray from 10 radii away, `high` above the rings, meets them at 2: towards the planet, or past it.
+    const auto probe_of = [&](const std::string& eye, const std::string& way) {
+        return Probe{.include = "common/srgb.glsl",
+                     .before = std::string(with_known_air) +
+                               "#define BODY_RINGS\n#include \"../tests/17_planets/known_body.glsl\"\n"
+                               "#include \"../tests/17_planets/known_rings.glsl\"\n"
+                               "#include \"17_planets/body.glsl\"\nfloat width(float high, float pixel) { "
+                               "known_body(0.01); body.rings = Rings(1.0, 2.5, 1.0); body.to_body = mat3(1.0); "
+                               "body.center = -" +
+                               eye + "; body.to_sun = vec3(0.0, 1.0, 0.0); return seen_body(normalize(" + way +
+                               "), pixel).a; }\n",
+                     .signature = "float width(float high, float pixel)",
+                     .inputs = {{0.25, 1e-4}, {1, 1e-4}, {4, 1e-3}},
+                     .bound = {.relative = 0.01},
+                     .macros = known_air(earth_air())};
+    };
+    Probe along = probe_of("vec3(0.0, high, 10.0)", "vec3(0.0, -high, -8.0)");
+    along.truth = [](auto in) {  // the pixel's edges are followed to the rings
+        const double angle = std::atan2(in[0], 8.0), half = 0.5 * in[1];
+        return Row{in[0] / std::tan(angle - half) - in[0] / std::tan(angle + half)};
+    };
+    CHECK(worst_of(along, run_probe(gpu, along, 1)) == "");
+    Probe across = probe_of("vec3(2.0, high, 8.0)", "vec3(0.0, -high, -8.0)");
+    across.truth = [](auto in) { return Row{std::hypot(in[0], 8.0) * in[1]}; };
+    CHECK(worst_of(across, run_probe(gpu, across, 1)) == "");
+}

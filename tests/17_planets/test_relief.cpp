@@ -1,5 +1,8 @@
 // Where the relief of a map of normals belongs, and where it does not.
+#include <glm/gtc/constants.hpp>
+
 #include "planets_fixture.h"
+#include "with_air.h"
 
 using namespace lightwalk;
 
@@ -27,4 +30,77 @@ TEST_CASE_METHOD(OnPlanets, "relief tilts the Earth's land and leaves its water 
     INFO("land " << land << ", water " << water);
     CHECK(land > 0.1);
     CHECK(water < 0.02);
+}
+
+// The map's texels are (0.5, 0.5, 0.5) everywhere: as much to the east and the north as up.
+TEST_CASE_METHOD(DeviceTest, "a normal is tilted to the east and the north, and at a pole, which has none, not at all",
+                 "[17.pole_tilt]") {
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) +
+                          "#include \"../tests/17_planets/known_body.glsl\"\n#include \"17_planets/body.glsl\"\n"
+                          "vec3 tilted(vec3 up) { return tilted_normal(up, vec2(0.5), 0.75, 1.0); }\n",
+                .signature = "vec3 tilted(vec3 up)",
+                .inputs = {},
+                .truth =
+                    [](auto in) {
+                        const glm::dvec3 up(in[0], in[1], in[2]), pole(0, 1, 0);
+                        if (std::hypot(up.x, up.z) < 0.02) return Row{up.x, up.y, up.z};
+                        const glm::dvec3 east = glm::normalize(glm::cross(pole, up)), north = glm::cross(up, east);
+                        const glm::dvec3 normal = glm::normalize(up + east + north);
+                        return Row{normal.x, normal.y, normal.z};
+                    },
+                .bound = {.absolute = 1e-5},
+                .macros = known_air(earth_air())};
+    for (const double latitude_deg : {-89.0, -60.0, 0.0, 45.0, 70.0, 89.0, 90.0})
+        for (const double longitude_deg : {0.0, 40.0, 200.0}) {
+            const double a = glm::radians(latitude_deg), b = glm::radians(longitude_deg);
+            const glm::vec3 up(glm::dvec3(std::cos(a) * std::sin(b), std::sin(a), std::cos(a) * std::cos(b)));
+            probe.inputs.push_back({double(up.x), double(up.y), double(up.z)});
+        }
+    CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}
+
+// The lobe's factor is that by which a mirror of all light would send back as much as it receives.
+TEST_CASE_METHOD(DeviceTest, "ice mirrors as much of an overhead sun as water ice reflects", "[17.ice]") {
+    Probe probe{
+        .include = "common/srgb.glsl",
+        .before = std::string(with_known_air) +
+                  "#include \"../tests/17_planets/known_body.glsl\"\n#include \"17_planets/body.glsl\"\n"
+                  "float glossy(float part) { known_body(1.0); body.surface.gloss = part; "
+                  "body.surface.tint = vec3(0.0); return seen_surface(overhead, overhead, overhead, 1.0).x; }\n",
+        .signature = "float glossy(float part)",
+        .inputs = {{1}, {0.25}},
+        .truth =
+            [](auto in) {
+                double sent = 0;  // of cos^40 of half the angle, over a hemisphere
+                constexpr int steps = 20000;
+                for (int i = 0; i < steps; ++i) {
+                    const double angle = (i + 0.5) * glm::half_pi<double>() / steps;
+                    sent += glm::two_pi<double>() * std::pow(std::cos(0.5 * angle), 40) * std::cos(angle) *
+                            std::sin(angle) * glm::half_pi<double>() / steps;
+                }
+                const double index = 1.31, root = (index - 1) / (index + 1);
+                return Row{in[0] * root * root * glm::pi<double>() / sent};
+            },
+        .bound = {.relative = 0.06},
+        .macros = known_air(earth_air())};
+    CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
+}
+
+TEST_CASE_METHOD(DeviceTest, "a slope towards the sun is dark where the ground before it hides the sun",
+                 "[17.slope_shadow]") {
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) +
+                          "#define KNOWN_RELIEF 1.0\n#include \"../tests/17_planets/known_body.glsl\"\n"
+                          "#include \"17_planets/body.glsl\"\nfloat lit(float high) { known_body(1.0); "
+                          "body.surface.relief = 1.0; return seen_surface(overhead, overhead, "
+                          "vec3(sqrt(1.0 - high * high), 0.0, high), 0.75).x; }\n",
+                .signature = "float lit(float high)",
+                .inputs = {{-0.2}, {-0.05}, {0.1}, {0.5}},
+                .macros = known_air(earth_air())};
+    const std::vector<Row> lit = run_probe(gpu, probe, 1);
+    CHECK(lit[0][0] == 0);
+    CHECK(lit[1][0] == 0);
+    // Of the texels (0.75, 0.75, 0.75): a normal of (1, 1, 1), and an albedo.
+    CHECK(lit[3][0] / lit[2][0] == Approx((std::sqrt(0.75) + 0.5) / (std::sqrt(0.99) + 0.1)).epsilon(1e-3));
 }
