@@ -1,8 +1,10 @@
 #include "04_surface_maps/maps.h"
 
+#include <bitset>
 #include <cstring>
 #include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
+#include <map>
 
 #include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/tangents.h"
@@ -117,22 +119,28 @@ void Maps::prepare(Gpu& gpu, Scene& scene) {
     if (makes_levels) with_holes_ = make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
 }
 
+// Kept for each combination: items are many, and each is asked in every frame.
 Macros Maps::variant(const DrawItem& item) const {
     const std::array<const Knob<bool>*, map_slot_count> in_order{
         &diffuse, &specular,  &emissive, &opacity,       &normal,       &height,
         &orm,     &occlusion, &gloss,    &detail_normal, &displacement, &metallic_roughness};
-    Macros macros;
-    for (size_t i = 0; i < in_order.size(); ++i)
-        macros.set(in_order[i]->macro(), *in_order[i] && item.maps[i] ? "1" : "0");
-    const auto set = [&](const char* macro, bool value) { macros.set(macro, value ? "1" : "0"); };
     const Mesh& own = item.model->model.meshes[item.mesh];
-    set("MAPS_PLACED", item.maps.are_placed());
-    set("MAPS_SECOND_UVS", item.maps.use_second_uvs() && !own.second_uvs.empty());
-    set("MAPS_COLORS", vertex_colors && !own.colors.empty());
-    set("MAPS_TWO_SIDED", item.two_sided);
-    set("MAPS_UNLIT", item.material.unlit);
-    set("SURFACE_GGX", has_microfacets(item));
-    return macros;
+    const std::array<std::pair<const char*, bool>, 6> others{
+        {{"MAPS_PLACED", item.maps.are_placed()},
+         {"MAPS_SECOND_UVS", item.maps.use_second_uvs() && !own.second_uvs.empty()},
+         {"MAPS_COLORS", vertex_colors && !own.colors.empty()},
+         {"MAPS_TWO_SIDED", item.two_sided},
+         {"MAPS_UNLIT", item.material.unlit},
+         {"SURFACE_GGX", has_microfacets(item)}}};
+    std::bitset<map_slot_count + others.size()> set;
+    for (size_t i = 0; i < in_order.size(); ++i) set[i] = *in_order[i] && item.maps[i];
+    for (size_t i = 0; i < others.size(); ++i) set[in_order.size() + i] = others[i].second;
+    static thread_local std::map<unsigned long, Macros> variants;
+    const auto [known, added] = variants.try_emplace(set.to_ulong());
+    if (!added) return known->second;
+    for (size_t i = 0; i < in_order.size(); ++i) known->second.set(in_order[i]->macro(), set[i] ? "1" : "0");
+    for (const auto& [macro, value] : others) known->second.set(macro, value ? "1" : "0");
+    return known->second;
 }
 
 bool Maps::has_holes(const DrawItem& item) const {

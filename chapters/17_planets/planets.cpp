@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "17_planets/exercises.h"
+#include "common/gpu/unseen.h"
 
 namespace lightwalk {
 namespace {
@@ -181,8 +182,10 @@ void Planets::draw(Frame& frame, const View& view, Canvas& canvas) {
 
 void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Shown& one, const Outlook& look) {
     BodyNow now = this->now(one, look, frame, view);
-    const Rectangle around = pixels_of(view, glm::dvec3(now.center), static_cast<double>(now.reach));
-    if (around.first.x >= around.end.x || around.first.y >= around.end.y) return;
+    Rectangle around = pixels_of(view, glm::dvec3(now.center), static_cast<double>(now.reach));
+    const bool outside = around.first.x >= around.end.x || around.first.y >= around.end.y;
+    if (outside && !Unseen::is_recorded()) return;
+    if (outside) around = {};
     now.corner = around.first;
     const auto found = maps_.find(one.body);
     const bool mapped = found != maps_.end();
@@ -194,13 +197,15 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
                          : kind == BodyKind::flowing         ? flowing_
                          : kind == BodyKind::ringed          ? ringed_
                                                              : clouded_;
-    const Pipeline& pipeline = around.diameter_px < small_px ? drawn.small : drawn.large;
+    const bool is_small = around.diameter_px < small_px;
+    const Pipeline &pipeline = is_small ? drawn.small : drawn.large, &other = is_small ? drawn.large : drawn.small;
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
     const bool sky = &drawn == &earth_;
     if (sky && sky_table_.follow(air_here)) frame.upload("skylight", skylight_, sky_table_.entries());
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     frame.compute(body_names()[static_cast<size_t>(one.body)],
                   {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}}, [&](Compute& pass) {
+                      if (Unseen::is_recorded()) pass.use(other);  // it may come nearer, or go
                       pass.use(pipeline).set("result", hdr).set("depth", depth, nearest_clamp).set("body", now);
                       pass.offer("air", air_here);
                       if (sky) pass.offer("skylight", skylight_);

@@ -11,6 +11,7 @@
 #include "19_ambiance/level_file.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/gpu/unseen.h"
 
 namespace lightwalk {
 namespace {
@@ -129,6 +130,7 @@ void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
     unseen_size_ = size;
     ahead_ = std::make_unique<Ahead>([this, &gpu, is_first = true](size_t place) mutable {
         if (std::exchange(is_first, false) && before_scenes) before_scenes(gpu);
+        const Unseen later;
         return made(gpu, unseen_size_, place, true);
     });
     titles_.prepare(gpu, film_);

@@ -52,17 +52,20 @@ Macros Module::macros() const {
     return macros;
 }
 
-// Member by member, the knob of that name.
+// Member by member, the knob of that name. Both are mostly in one order: the search goes on behind the last one found.
 std::vector<std::byte> Module::block(const Binding& binding) const {
-    if (binding.name != (kind_.empty() ? "knobs" : kind_)) return {};
+    if (binding.name != (kind_.empty() ? std::string_view("knobs") : std::string_view(kind_))) return {};
     std::vector<std::byte> bytes(binding.bytes);
     const KnobList own = own_knobs();
+    auto from = own.begin();
     for (const BlockMember& member : binding.members) {
-        const auto it =
-            std::find_if(own.begin(), own.end(), [&](const KnobBase* knob) { return knob->name == member.name; });
-        if (it == own.end())
+        const auto is_it = [&](const KnobBase* knob) { return knob->name == member.name; };
+        auto it = std::find_if(from, own.end(), is_it);
+        if (it == own.end()) it = std::find_if(own.begin(), from, is_it);
+        if (it == own.end() || !is_it(*it))
             throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
                           path_.empty() ? "the chapter" : "the module " + path_);
+        from = it;
         const std::vector<float> numbers = (*it)->numbers();
         if (numbers.size() != member.components)
             throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,

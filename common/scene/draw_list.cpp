@@ -105,24 +105,30 @@ DrawList DrawList::sorted_from(glm::vec3 eye) const {
     return {*scene_, std::move(sorted)};
 }
 
-DrawList DrawList::inside(const glm::mat4& view_projection) const {
-    return where([&](const DrawItem& item) { return may_show(item.bounds, view_projection); });
+// [may_show]
+// A clip volume's planes: a point is inside where all of these are at least 0 (G. Gribb and K. Hartmann, 2001).
+static std::array<glm::vec4, 6> planes_of(const glm::mat4& view_projection) {
+    const glm::mat4 rows = glm::transpose(view_projection);
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2], rows[3] - rows[2]};
 }
 
-// [may_show]
-bool may_show(const Bounds& box, const glm::mat4& view_projection) {
+static bool may_show(const Bounds& box, const std::array<glm::vec4, 6>& planes) {
     if (box.empty()) return true;
-    const glm::mat4 rows = glm::transpose(view_projection);
     const glm::vec3 middle = box.center(), half = 0.5f * box.extent();
-    // A point is inside where all of these are at least 0 (G. Gribb and K. Hartmann, 2001).
-    for (const glm::vec4& plane :
-         {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2], rows[3] - rows[2]}) {
+    for (const glm::vec4& plane : planes) {
         const glm::vec3 normal(plane), size = glm::abs(normal);
         const float most = glm::dot(normal, middle) + plane.w + glm::dot(size, half);  // of the eight corners
         const float rounding = 1e-6f * (glm::dot(size, glm::abs(middle) + half) + std::abs(plane.w));
         if (most < -rounding) return false;
     }
     return true;
+}
+
+bool may_show(const Bounds& box, const glm::mat4& view_projection) { return may_show(box, planes_of(view_projection)); }
+
+DrawList DrawList::inside(const glm::mat4& view_projection) const {
+    const std::array<glm::vec4, 6> planes = planes_of(view_projection);
+    return where([&](const DrawItem& item) { return may_show(item.bounds, planes); });
 }
 // [/may_show]
 

@@ -1,6 +1,8 @@
 // Depth order: bodies before the sky and behind walls, stars on the edges of a picture.
 #include <fmt/core.h>
 
+#include "common/gpu/gpu_work.h"
+#include "common/gpu/unseen.h"
 #include "common/scene/image_pool.h"
 #include "common/scene/scene_file.h"
 #include "planets_fixture.h"
@@ -123,4 +125,22 @@ TEST_CASE_METHOD(OnPlanets,
         with_stars = true;
         planets.exposure.value = 0;
     }
+}
+
+// In a film the Sun came into the picture and its pipeline was built then: 74 ms.
+TEST_CASE_METHOD(OnPlanets, "an unseen picture builds what bodies need that come nearer or into the picture later") {
+    look_at("earth", 4, 30);
+    {
+        const Unseen later;
+        picture();
+    }
+    const uint64_t before = gpu_work.pipelines;
+    for (const float fov_y_rad : {0.45f, 0.05f})  // the Sun is 1 and 12 pixels wide
+        for (const double phase_deg : {30.0, 90.0, 180.0, 181.0, 270.0})
+            for (const double radii : {1.5, 4.0, 1000.0}) {
+                camera.fov_y_rad = fov_y_rad;
+                look_at("earth", radii, phase_deg);
+                picture();
+            }
+    CHECK(gpu_work.pipelines == before);
 }
