@@ -93,6 +93,37 @@ TEST_CASE_METHOD(DeviceTest,
     CHECK(worst_of(carried, run_probe(gpu, carried, 2)) == "");
 }
 
+TEST_CASE_METHOD(DeviceTest, "two frames of clouds are mixed by the share of their period that has passed",
+                 "[17.two_frames]") {
+    // Of a map of squares: (1 - t) (u - s t)² + t (u + s (1 - t))² is u² + s² t (1 - t).
+    Probe probe = flow_probe(2, "vec2 seen(vec2 uv, float days) { return flowed(0, uv, 0.001, days, 2.0).xy; }\n",
+                             "vec2 seen(vec2 uv, float days)");
+    const std::string plain = "vec4(at, level, 1.0)";
+    probe.before.replace(probe.before.find(plain), plain.size(), "vec4((at) * (at), level, 1.0)");
+    probe.truth = [](auto in) {
+        const double moved = 2 * 140 * 86400 / (around_m * std::cos(glm::radians(25.0))), t = std::fmod(in[2] / 2, 1);
+        return Row{in[0] * in[0] + moved * moved * t * (1 - t), in[1] * in[1]};
+    };
+    probe.bound = {.absolute = 2e-5};
+    for (const double days : {0.0, 0.5, 1.0, 1.5, 2.5})
+        probe.inputs.push_back({double(float(0.8)), double(float(0.5 - 25.0 / 180)), days});
+    CHECK(worst_of(probe, run_probe(gpu, probe, 2)) == "");
+}
+
+TEST_CASE_METHOD(DeviceTest, "clouds carried around the Great Red Spot stay as far from its middle",
+                 "[17.carried_around]") {
+    Probe probe = flow_probe(3, "vec2 from(vec2 uv, float days) { return flowed(0, uv, 0.001, days, 2.0).xy; }\n",
+                             "vec2 from(vec2 uv, float days)");
+    const glm::dvec2 middle(0.372, 0.606), half(9.5 / 360, 5.5 / 180);
+    for (const glm::dvec2 side : {glm::dvec2(0.3, 0), {0, -0.3}, {-0.3, 0}, {0, 0.3}})
+        probe.inputs.push_back(
+            {double(float(middle.x + side.x * half.x)), double(float(middle.y + side.y * half.y)), 6});
+    for (const Row& found : run_probe(gpu, probe, 2)) {
+        const glm::dvec2 from = (glm::dvec2(found[0], found[1]) - middle) / half;
+        CHECK(glm::length(from) == Approx(0.3).epsilon(0.08));
+    }
+}
+
 TEST_CASE_METHOD(DeviceTest, "the Sun's network changes a tenth as fast as its granules, and neither jumps") {
     Probe probe{.include = "17_planets/sun_surface.glsl",
                 .before = "",
