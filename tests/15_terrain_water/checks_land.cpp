@@ -219,12 +219,15 @@ CHECK_EXERCISE("15.chunk_level", "Drawn is what is not split, if its parent is, 
     glm::mat4 quarter = all;  // x from 20 m on alone
     quarter[0][0] = -0.01f;
     quarter[3][0] = 1.2f;
+    glm::mat4 one_and_a_half = quarter;  // x from there on, in chunks of the finest level
+    one_and_a_half[3][0] = 1 + 0.015f * float(CHUNK_CELLS);
     const ChunkTrial trials[] = {{"no error is too large", 3, {0, 10, 0}, 1e6f, all},
                                  {"no error is small enough", 3, {0, 0, 0}, 1e-9f, all},
                                  {"an eye above the map", 4, {40, 60, -30}, 0.05f, all},
                                  {"an eye beside the map", 4, {900, 20, 100}, 0.02f, all},
                                  {"an eye on the ground", 4, {-100, 0, 90}, 0.1f, all},
                                  {"half of the map in view", 4, {40, 60, -30}, 0.05f, quarter},
+                                 {"a view that ends within four chunks", 3, {0, 0, 0}, 1e-9f, one_and_a_half},
                                  {"one chunk is the whole map", 0, {0, 5, 0}, 0.01f, all},
                                  {"an error of the finest level too", 3, {20, 4, -10}, 0.05f, all, 2.0f},
                                  {"one chunk with an error is the whole map", 0, {0, 5, 0}, 0.01f, all, 2.0f},

@@ -20,8 +20,8 @@ CHECK_EXERCISE("17.camera_relative", "subtract in double precision, then round t
         glm::dmat4 matrix(1.0);
         const double scale = random.uniform(0.5, 2);
         matrix[0] = glm::dvec4(scale * x, 0);
-        matrix[1] = glm::dvec4(y, 0);
-        matrix[2] = glm::dvec4(glm::cross(x, y), 0);
+        matrix[1] = glm::dvec4(0.75 * y, 0);
+        matrix[2] = glm::dvec4(1.5 * glm::cross(x, y), 0);
         matrix[3] = glm::dvec4(camera + offset, 1);
         const glm::dvec3 right = glm::dvec3(matrix[3]) - camera;  // exact content of the doubles
         const std::string what =

@@ -208,6 +208,7 @@ CHECK_EXERCISE(
                 near.inputs.push_back({double(x), double(y), std::floor(random.uniform(0, 6))});
         near.inputs.push_back({0, 0, 16});
         near.inputs.push_back({-30, 4, 8});
+        for (const double x : {-9.0, width + 9.0}) near.inputs.push_back({x, double(height / 2), 30});
         check.probe(near);
         if (check.failed) return;
     }

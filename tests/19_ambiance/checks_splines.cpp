@@ -65,7 +65,7 @@ CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added 
     Random random(5);
     for (int count = 0; count < 40; ++count) {
         std::vector<glm::dvec3> points;
-        const double reach = random.logarithmic(1e-3, 1e4);
+        const double any_reach = random.logarithmic(1e-3, 1e4), reach = count == 7 ? 1e-8 : any_reach;
         for (int i = 0; i < count % 14; ++i)
             points.push_back(i > 0 && count > 20 && i % 3 == 1 ? points.back() : any_point(random, reach));
         const std::string what = fmt::format("centripetal_knots({} points)", points.size());
@@ -95,7 +95,7 @@ CHECK_EXERCISE("19.arc_length",
         {"0, 1 and 4", {0, 1, 4}, 0.25, 1.0 / 2},       {"0, 1 and 4", {0, 1, 4}, 0.625, 3.0 / 4},
         {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.25, 1.0 / 6}, {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.5, 1.0 / 3},
         {"0, 1, 1 and 2", {0, 1, 1, 2}, 0.75, 5.0 / 6}, {"0, 1, 1, 1, 1, 1 and 2", {0, 1, 1, 1, 1, 1, 2}, 0.5, 1.0 / 6},
-        {"0, 0, 0 and 1", {0, 0, 0, 1}, 0.5, 5.0 / 6}};
+        {"0, 0, 0 and 1", {0, 0, 0, 1}, 0.5, 5.0 / 6},  {"0, 1e-9 and 4e-9", {0, 1e-9, 4e-9}, 0.25, 1.0 / 2}};
     for (const Line& line : lines) {
         const std::string what = fmt::format("arc_length(points at x = {}, share {})", line.name, line.share);
         check.call(what, [&]() -> std::string {
@@ -117,7 +117,7 @@ CHECK_EXERCISE("19.arc_length",
                              : i % 4 == 2             ? points.back() + glm::dvec3(1, 0, 0) * double(k * k)
                              : i == 7 || i == 11      ? points.back()
                                                  : points.back() + any_point(random, random.logarithmic(1e-3, 10)));
-        for (const double share : {-1.0, 0.0, 1e-9, 0.1, 0.5, random.uniform(0, 1), 0.999, 1.0, 3.0}) {
+        for (const double share : {-1.0, 0.0, 1e-9, 0.1, 0.5, random.uniform(0, 1), 0.999999, 1.0, 3.0}) {
             const std::string what = fmt::format("arc_length({} points, {:.9g})", points.size(), share);
             check.call(what, [&]() -> std::string {
                 const double got = arc_length(points, share), right = truth::arc_length(points, share);

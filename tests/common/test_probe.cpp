@@ -40,6 +40,15 @@ TEST_CASE("the worst input is the one furthest outside its bound") {
     CHECK(worst_of(probe, {{1.009}, {2}, {3}}).empty());
 }
 
+TEST_CASE("a number is told with as many digits as tell it from the expected one", "[common.digits]") {
+    CHECK(gave_text(0.1, 0.25) == "gave 0.1, expected 0.25");
+    CHECK(gave_text(16777217, 16777216) == "gave 16777217, expected 16777216");
+    CHECK(gave_text(1 + 1e-9, 1) == "gave 1.000000001, expected 1");
+    const double got[] = {0.5, 1.0 / 3}, expected[] = {0.5, 1.0 / 3 + 1e-12};
+    CHECK(gave_text(got, expected) == "gave (0.5, 0.333333333333), expected (0.5, 0.333333333334)");
+    CHECK(gave_text(std::nan(""), 2) == "gave NaN, expected 2");
+}
+
 TEST_CASE("a bound in units of the last place follows the truth's size") {
     const Bound bound{.ulps = 1};
     CHECK(bound.allowed(1.0) == Approx(1.1920929e-7));
