@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/base/turn.h"
 #include "common/gpu/device.h"
+#include "common/window/event_log.h"
 
 namespace lightwalk {
 
@@ -32,9 +34,20 @@ void note(GLFWwindow* window, const F& change) {
 }
 
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+    if (action == GLFW_PRESS) log_event("key");
     note(window, [&](Input& input) {
         if (action == GLFW_PRESS) input.pressed.push_back({key_by_letter(key, scancode), mods});
     });
+}
+
+void on_size(GLFWwindow* window, int width, int height) {
+    log_event("size " + std::to_string(width) + " " + std::to_string(height));
+    note(window, [](Input&) {});
+}
+
+void on_iconify(GLFWwindow* window, int minimised) {
+    log_event(minimised ? "minimised" : "restored");
+    note(window, [](Input&) {});
 }
 
 void on_scroll(GLFWwindow* window, double, double notches) {
@@ -132,10 +145,10 @@ Display::Display(const std::string& title, WindowSize size, const std::string& w
     // A mouse that comes back to the pixel where it left has not moved.
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note_mouse(w); });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w, [](Input&) {}); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w, [](Input&) {}); });
+    glfwSetFramebufferSizeCallback(window, on_size);
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w, [](Input&) {}); });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
-    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { note(w, [](Input&) {}); });
+    glfwSetWindowIconifyCallback(window, on_iconify);
 }
 
 Display::~Display() {

@@ -1,24 +1,63 @@
 #include "common/window/event_log.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // the room of a window
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace lightwalk {
 namespace {
 
+bool is_asked_for(std::initializer_list<std::string_view> any) {
+    const char* given = std::getenv("LIGHTWALK_LOG");
+    return given && std::find(any.begin(), any.end(), given) != any.end();
+}
+
 bool wanted() {
-    static const bool on = [] {
-        const char* given = std::getenv("LIGHTWALK_LOG");
-        return given && std::string_view(given) == "1";
-    }();
+    static const bool on = is_asked_for({"1", "layout"});
     return on;
 }
 
+bool layout_wanted() {
+    static const bool on = is_asked_for({"layout"});
+    return on;
+}
+
+// Of this frame and the one before.
+std::vector<std::string> widgets_drawn, widgets_before;
+
+void note_layout(const std::string& name, const std::string& text) {
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(),
+                 size = text.empty() ? ImVec2() : ImGui::CalcTextSize(text.c_str(), nullptr, true);
+    const auto in_tabs = [](auto... numbers) {
+        std::string line;
+        ((line += "\t" + std::to_string(std::lround(numbers))), ...);
+        return line;
+    };
+    widgets_drawn.push_back(
+        name + "\t" + window.Name +
+        in_tabs(a.x, a.y, b.x, b.y, window.WorkRect.Min.x, window.WorkRect.Max.x, size.x, ImGui::GetFontSize()));
+}
+
 }  // namespace
+
+void log_layout() {
+    if (!layout_wanted()) return;
+    if (widgets_drawn != widgets_before) {
+        std::printf("layout %zu\n", widgets_drawn.size());
+        for (const std::string& line : widgets_drawn) std::printf("%s\n", line.c_str());
+        std::fflush(stdout);
+    }
+    widgets_before = std::exchange(widgets_drawn, {});
+}
 
 void log_event(const std::string& text) {
     if (!wanted()) return;
@@ -26,8 +65,9 @@ void log_event(const std::string& text) {
     std::fflush(stdout);
 }
 
-void log_place(const std::string& name) {
+void log_place(const std::string& name, const std::string& text) {
     if (!wanted()) return;
+    if (layout_wanted()) note_layout(name, text);
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     char place[64];
     std::snprintf(place, sizeof place, "%.0f %.0f %.0f %.0f", double(a.x), double(a.y), double(b.x), double(b.y));
@@ -57,6 +97,7 @@ void log_mouse() {
 
 void log_frame(bool keys_wait, bool picture_is_new) {
     if (!wanted()) return;
+    log_layout();
     static uint64_t count = 0;
     log_event("frame " + std::to_string(++count) + (keys_wait ? " keys" : "") +
               (ImGui::GetIO().WantTextInput ? " text" : "") + (picture_is_new ? " picture" : ""));

@@ -130,6 +130,7 @@ void Window::run() {
             choose_automatically();  // the notice is to be seen
         if (is_still()) continue;
         draw();
+        rests_ = false;  // to be said again, also where this frame was the only one
     }
 }
 

@@ -61,7 +61,7 @@ class Built(EditorTest):
         self.session.key("ctrl+o")
         self.session.tap("tool.models")
         self.session.tap("field.file filter")
-        self.session.xdotool("type", file)
+        self.session.type(file)
         first_row = 262  # it stands there once the filter has been read
         self.session.wait(lambda: self.session.areas.get("file." + file, (0, first_row))[1] < first_row, "the filtered list")
         self.session.tap("file." + file)

@@ -75,7 +75,7 @@ class Fields(EditorTest):
         session = self.session
         session.key("ctrl+a")
         for letter in text:
-            session.xdotool("type", "--", letter)
+            session.type(letter)
             session.read_all()
         session.key(*keys)
         session.read_all()
@@ -228,7 +228,7 @@ class Fields(EditorTest):
         self.undo()
         session.key("ctrl+f")
         session.wait(lambda: session.types, "the field")
-        session.xdotool("type", "quoted")
+        session.type("quoted")
         session.wait(lambda: session.areas["entry." + ODD][1] < session.areas["entry.effects"][3] + 8, "what was found")
         session.replace("")
 
@@ -267,7 +267,7 @@ class Fields(EditorTest):
         files = sorted(self.folder.iterdir())
         since = session.said()
         self.ask_for_a_name("ctrl+shift+s")
-        session.xdotool("type", "third")
+        session.type("third")
         session.key("Escape")
         session.wait(lambda: not session.types, "the end of the field")
         session.read_all()
@@ -292,7 +292,7 @@ class Fields(EditorTest):
         self.saved()
 
     def resize(self, width: int, height: int):
-        self.session.xdotool("windowsize", "--sync", self.session.window, str(width), str(height))
+        self.session.resize(width, height)
         self.session.read_all()
 
     def test_9_the_window_becomes_small_while_something_is_dragged(self):

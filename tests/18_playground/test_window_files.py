@@ -51,7 +51,7 @@ class Files(EditorTest):
         session = self.session
         session.tap("tool.open")
         session.tap("field.file filter")
-        session.xdotool("type", "cube.")
+        session.type("cube.")
         session.wait(lambda: "thumbnail.cube.obj" in session.places, "a thumbnail")
         kept = list((self.folder / "cache" / "lightwalk" / "thumbnails").glob("*.png"))
         self.assertTrue(kept and all(re.fullmatch(r"[0-9a-f]{16}\.png", one.name) for one in kept), kept)
@@ -62,7 +62,7 @@ class Files(EditorTest):
         self.session.tap("tool.open")
         self.session.tap("field.path")
         self.session.key("ctrl+a")
-        self.session.xdotool("type", path)
+        self.session.type(path)
         self.session.key("Return")
 
     def names(self) -> list:
@@ -181,7 +181,7 @@ class Files(EditorTest):
         """By the field that searches: its thumbnail is there."""
         session = self.session
         session.tap("field.file filter")
-        session.xdotool("type", name.split(".")[0] + ".")
+        session.type(name.split(".")[0] + ".")
         session.wait(lambda: "thumbnail." + name in session.places, "a thumbnail")
         session.read_all()
 

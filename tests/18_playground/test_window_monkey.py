@@ -42,6 +42,7 @@ class Monkey(EditorTest):
                     words = [word for _ in range(10) for word in [*self.action(random_), "sleep", "0.02"]]
                     self.session.xdotool(*words)
                     self.assertIsNone(self.session.process.poll(), " ".join(words))
+                    self.session.park()  # the pointer comes last: all before it has arrived
                     self.session.read_all()
         said = [line for line in self.session.errors if line and not line.startswith("drawing: ")]  # how far a slow picture is
         self.assertEqual(said, [])

@@ -99,7 +99,7 @@ class Properties(EditorTest):
         session.tap("filter")
         session.wait(lambda: session.types, "the filter")
         session.key("ctrl+a")
-        session.xdotool("type", text)
+        session.type(text)
 
     def show_knob(self, knob: str):
         """By the filter: before it the knob has a place far below the window."""

@@ -32,7 +32,7 @@ class Building(EditorTest):
         since = self.session.said()
         self.session.tap("tool.open")
         self.session.tap("field.file filter")
-        self.session.xdotool("type", name.split(".")[0] + ".")
+        self.session.type(name.split(".")[0] + ".")
         first_row = 262  # it stands there once the filter has been read
         self.session.wait(lambda: self.session.areas.get("file." + name, (0, first_row))[1] < first_row, "the filtered list")
         self.session.tap("file." + name)
@@ -44,7 +44,7 @@ class Building(EditorTest):
         session = self.session
         session.tap(field)
         session.wait(lambda: session.types, field)
-        session.xdotool("type", text)
+        session.type(text)
         if end:
             return session.key(end)
         session.read_all()  # a click elsewhere implies a visible typed text
@@ -57,7 +57,7 @@ class Building(EditorTest):
         session.tap("filter")
         session.wait(lambda: session.types, "the filter")
         session.key("ctrl+a")
-        session.xdotool("type", knob)
+        session.type(knob)
         session.wait(lambda: f"knob.{knob}" in session.areas, knob)
         session.read_all()
         session.tap(f"knob.{knob}")

@@ -82,7 +82,7 @@ class Window(WindowTest):
 
     def test_resizes(self):
         for width, height in ((500, 300), (1300, 850), (341, 200), self.session.geometry()[2:]):
-            self.session.xdotool("windowsize", "--sync", self.session.window, str(width), str(height))
+            self.session.resize(width, height)
             self.session.settled(0, 0, min(width, 200), min(height, 150))
             if width > PANEL + 100:
                 picture = self.session.pixels(0, 0, width - PANEL, height)
@@ -93,7 +93,6 @@ class Window(WindowTest):
         self.picture()
         self.assert_rests()
         self.session.set_minimised(True)
-        time.sleep(0.7)
         self.assert_rests()
         self.session.set_minimised(False)
         self.session.focus()
@@ -113,9 +112,9 @@ class Window(WindowTest):
         self.assert_as_at_the_start()
         self.session.move(200, 300)
         self.session.press(3)
-        self.session.xdotool("keydown", "w")
-        time.sleep(0.5)
-        self.session.xdotool("keyup", "w")
+        with self.session.holding("w"):
+            since = self.session.pictures
+            self.session.wait(lambda: self.session.pictures >= since + 3, "pictures of the flight")
         self.session.release(3)
         self.session.park()
         away = self.picture_after(self.start)
@@ -181,9 +180,13 @@ class Window(WindowTest):
 
     def test_clock_runs_and_stops(self):
         self.session.key("space")
-        time.sleep(1.0)
-        frames = {self.session.pixels(WIDTH, 0, PANEL, HEIGHT) for _ in range(20) if not time.sleep(0.1)}
-        self.assertGreater(len(frames), 5, "the panel's clock does not move")
+        frames = set()
+
+        def moves() -> bool:
+            frames.add(self.session.pixels(WIDTH, 0, PANEL, HEIGHT))
+            return len(frames) > 5
+
+        self.session.wait(moves, "six states of the panel's clock")
         self.session.key("space")
         self.picture()
         self.assert_rests()
@@ -226,11 +229,11 @@ class Menu(unittest.TestCase):
                     menu.click("chapter.01_obj")
                     menu.wait_for_line("started 01_obj", since)
                     menu.wait(lambda: "Lightwalk 01" in self.titles(menu), "the chapter's window")
-                    time.sleep(2)
-                    menu.xdotool("windowfocus", menu.xdotool("search", "--onlyvisible", "--name", "Lightwalk 01").strip())
+                    menu.wait_for_line("first picture", since)
+                    menu.xdotool("windowfocus", "--sync", menu.xdotool("search", "--onlyvisible", "--name", "Lightwalk 01").strip())
                     menu.key("Escape")
                     menu.wait_for_line("01_obj ended with 0", since)
-                    time.sleep(1)
+                    menu.wait(lambda: "Lightwalk" in self.titles(menu).splitlines(), "the menu's window")
                     menu.focus()
                 menu.key("Escape")
                 self.assertEqual(menu.end(), 0)

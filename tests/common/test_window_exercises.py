@@ -38,6 +38,10 @@ def is_alive(pid: int) -> bool:
         return False
 
 
+def has_text(file: Path) -> bool:
+    return file.exists() and file.read_text() != ""
+
+
 class Exercises(WindowTest):
     @classmethod
     def setUpClass(cls):
@@ -150,15 +154,14 @@ class Exercises(WindowTest):
         (self.course / "wait").touch()
         self.addCleanup((self.course / "wait").unlink)
         self.check("running")
-        self.session.wait(lambda: (self.course / "pid").exists() and (self.course / "child").exists(), "the check")
-        time.sleep(0.1)
+        self.session.wait(lambda: has_text(self.course / "pid") and has_text(self.course / "child"), "the check")
 
     def test_a_second_click_begins_anew(self):
         self.wait_for_a_check()
         first = int((self.course / "pid").read_text())
         (self.course / "pid").unlink()
         self.check("running")
-        self.session.wait(lambda: (self.course / "pid").exists(), "the second check")
+        self.session.wait(lambda: has_text(self.course / "pid"), "the second check")
         self.assertFalse(is_alive(first))
         self.verdict(0, ok=True, passed=1, failed=0)
         since = self.session.said()
@@ -207,8 +210,7 @@ class Exercises(WindowTest):
             since = self.session.said()
             self.session.click(place)
             self.session.wait_for_line(f"lesson {page}", since)
-            self.session.wait(lambda: (self.bin / "opened").exists(), "the opener")
-            time.sleep(0.2)
+            self.session.wait(lambda: has_text(self.bin / "opened"), "the opener")
             self.assertEqual((self.bin / "opened").read_text().strip(), str(page))
             (self.bin / "opened").unlink()
         since = self.session.said()

@@ -63,7 +63,7 @@ class Panel(unittest.TestCase):
         session = self.start()
         session.click("section.Exercises")
         session.click("filter")
-        session.xdotool("type", "--delay", "50", "cutoff")
+        session.type("cutoff")
         session.wait(lambda: "knob.maps.cutoff" in session.areas, "a knob of a folded section")
         self.assertNotIn("reset.maps.cutoff", session.areas)
         since = session.said()
@@ -100,7 +100,7 @@ class Panel(unittest.TestCase):
             self.assertRegex(said, rf"{re.escape(knob)}: ({methods})\b.* is the fastest.*; .*\(FLIP .* ms at 300×700\)")
         since = session.said()
         session.click("filter")
-        session.xdotool("type", "--delay", "50", "sphere_shadow.method")
+        session.type("sphere_shadow.method")
         session.settled(0, 0, *session.geometry()[2:])
         session.click("knob.sphere_shadow.method")  # which nobody has compared
         session.wait(lambda: "option.sphere_shadow.method.none" in session.places, "its menu")
@@ -132,7 +132,7 @@ class Panel(unittest.TestCase):
 
     def test_a_window_too_small_for_a_panel_shows_the_picture(self):
         session = self.start(16, 200)
-        session.xdotool("windowsize", "--sync", session.window, "300", "200")
+        session.resize(300, 200)
         picture = session.settled(0, 0, 300, 200)
         self.assertGreater(len({picture[i:i + 3] for i in range(0, len(picture), 3)}), 1)
         self.end(session)

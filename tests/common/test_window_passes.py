@@ -32,6 +32,11 @@ class Passes(unittest.TestCase):
     def picture(self, height: int) -> bytes:
         return self.session.settled(0, 0, WIDTH, height)
 
+    def image(self, place: str) -> bytes:
+        """Of a target, in the graph."""
+        left, top, right, bottom = self.session.areas[place]
+        return self.session.settled(left + 2, top + 2, right - left - 4, bottom - top - 4)
+
     def passes(self, since: int) -> set:
         said = self.session.wait_for_line(r"passes(; .*)", since)[1]
         return {tuple(edge.split(" > ")) for edge in said[2:].split("; ")}
@@ -45,10 +50,11 @@ class Passes(unittest.TestCase):
         self.assertIn(("shade", "encode_srgb"), edges)
         self.assertLess({"pass.shade: hdr", "pass.encode_srgb: output"}, set(session.areas))
         depth = "pass.shade depth: depth"
-        left, top, right, bottom = session.areas[depth]
-        image = session.settled(left + 2, top + 2, right - left - 4, bottom - top - 4)
-        self.assertGreater(len({image[i:i + 3] for i in range(0, len(image), 3)}), 1, "the image of the depth is empty")
-        smaller = top - 60  # above the graph
+        images = [self.image(name) for name in (depth, "pass.shade: hdr")]
+        for image in images:
+            self.assertGreater(len({image[i:i + 3] for i in range(0, len(image), 3)}), 1, "an image is empty")
+        self.assertNotEqual(*images)
+        smaller = session.areas[depth][1] - 60  # above the graph
         picture = self.picture(smaller)
         since = session.said()
         session.click(depth)

@@ -9,7 +9,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from window_session import BUILD, ROOT, Session, XServer
+from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
 CHAPTER = BUILD / "chapters" / "01_obj"
 WIDTH, HEIGHT, PANEL = 360, 720, 340
@@ -114,7 +114,7 @@ class WindowTest(PictureTest):
 
     def assert_as_at_the_start(self):
         """Soon: a message over the picture goes away by itself."""
-        until = time.monotonic() + 15
+        until = time.monotonic() + PATIENCE_S
         while self.session.pixels(0, 0, WIDTH, HEIGHT) != self.start and time.monotonic() < until:
             time.sleep(0.1)
         self.assert_same(self.session.pixels(0, 0, WIDTH, HEIGHT), self.start)

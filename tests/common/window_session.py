@@ -1,6 +1,5 @@
 """A program in a window of a virtual X server: its output, the screen, the mouse and the keyboard."""
 import contextlib
-import ctypes
 import os
 import re
 import signal
@@ -9,6 +8,7 @@ import threading
 import time
 from pathlib import Path
 
+from window_widgets import Widget
 from x_server import XServer
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,6 +20,11 @@ def own_cache(folder: Path) -> dict[str, str]:
     """The environment of a program without thumbnails and other caches, except for compiled shaders."""
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
     return {"XDG_CACHE_HOME": str(folder / "cache"), "MESA_SHADER_CACHE_DIR": os.environ.get("MESA_SHADER_CACHE_DIR", str(cache))}
+
+
+def keys_of(text: str) -> int:
+    """To type it: Shift is one of its own for each letter that needs it."""
+    return sum(1 + (letter.isupper() or letter in '~!@#$%^&*()_+{}|:"<>?') for letter in text)
 
 
 class Session:
@@ -36,6 +41,9 @@ class Session:
         self.areas: dict[str, tuple[int, int, int, int]] = {}  # left, top, right, bottom
         self.mouse = (0, 0, 0, 0)  # x, y, buttons and wheel, as the frame drawn last has read them
         self.frames = self.pictures = 0  # frames drawn, and the ones with a picture of their own
+        self.keys_down = 0  # keys that went down and have arrived
+        self.size = (0, 0)  # of the window's picture and panels, since it has changed
+        self.layout: list[Widget] = []  # of the last frame, with LIGHTWALK_LOG=layout
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
         self.unfolded: set[str] = set()  # exercises
@@ -67,7 +75,13 @@ class Session:
             line = line.rstrip("\n")
             place = re.fullmatch(r"place (.*) (-?\d+) (-?\d+) (-?\d+) (-?\d+)", line)
             if line.startswith("mouse "):
-                self.mouse = tuple(map(int, line.split()[1:]))
+                self.mouse, self.rests = tuple(map(int, line.split()[1:])), False
+            elif line == "key":
+                self.keys_down, self.rests = self.keys_down + 1, False
+            elif line.startswith("size "):
+                self.size, self.rests = tuple(map(int, line.split()[1:])), False
+            elif line.startswith("layout "):
+                self.layout = [Widget.read(next(pipe)) for _ in range(int(line.split()[1]))]
             elif line.startswith("frame "):
                 words = line.split()
                 self.keys_wait, self.types, self.rests = "keys" in words, "text" in words, False
@@ -87,10 +101,34 @@ class Session:
     def focus(self):
         self.xdotool("windowfocus", "--sync", self.window)
 
-    def key(self, *keys: str):
-        self.xdotool("key", *keys)
+    # A window reads its input once a frame, and a frame takes as long as it takes: each step waits until it has been read. A
+    # pointer that moved before a key was read would give the key another place.
 
-    # A window reads the mouse once a frame, and a frame takes as long as it takes: each step waits until it has been read.
+    def key(self, *keys: str):
+        """One of them may end the program."""
+        with self.arriving(sum(len(key.split("+")) for key in keys)):
+            self.xdotool("key", *keys)
+
+    def type(self, text: str):
+        with self.arriving(keys_of(text)):
+            self.xdotool("type", "--", text)
+
+    @contextlib.contextmanager
+    def arriving(self, keys: int):
+        """Waits until so many keys, sent meanwhile, have arrived in the program."""
+        wanted = self.keys_down + keys
+        yield
+        until = time.monotonic() + PATIENCE_S
+        while self.keys_down < wanted and self.process.poll() is None:
+            if time.monotonic() > until:
+                raise AssertionError(f"{wanted - self.keys_down} of {keys} keys did not arrive")
+            time.sleep(0.005)
+
+    def resize(self, width: int, height: int):
+        if self.geometry()[2:] == (width, height):
+            return
+        self.xdotool("windowsize", "--sync", self.window, str(width), str(height))
+        self.wait(lambda: self.size == (width, height), f"a window of {width}x{height}")
 
     def move(self, x: float, y: float):
         at = (round(x), round(y))
@@ -135,7 +173,8 @@ class Session:
     @contextlib.contextmanager
     def holding(self, key: str):
         if key:
-            self.xdotool("keydown", key)
+            with self.arriving(1):
+                self.xdotool("keydown", key)
         try:
             yield
         finally:
@@ -183,98 +222,47 @@ class Session:
         return self.server.screen(x + left, y + top, width, height)
 
     def read_all(self):
-        """Until frames have read all keys and the mouse and moved the panels accordingly: the next frame may have begun
-        before, the one after it reads, and widgets come to their places in another one."""
-        since, began = self.frames, time.monotonic()
-        self.wait(lambda: (self.frames >= since + 3 and not self.keys_wait) or
-                  (self.rests and (self.frames >= since + 2 or time.monotonic() > began + 0.4)), "frames")
+        """Until frames have dealt with the input that has arrived: the next one may have begun before, the one after it reads,
+        and widgets come to their places in another one."""
+        since = self.frames
+        self.wait(lambda: not self.keys_wait and (self.rests or self.frames >= since + 3), "frames")
 
     def replace(self, text: str):
         """Replaces the text of the field that has the keyboard, or is about to get it; ended with Return. One frame reads
         all of the text: a knob counts while it is typed, and 1e39 is 1 at first."""
         self.wait(lambda: self.types, "a field")
-        self.process.send_signal(signal.SIGSTOP)
-        self.key("ctrl+a")
-        if text:
-            self.xdotool("type", "--", text)
-        else:
-            self.key("BackSpace")
-        self.key("Return")
-        self.process.send_signal(signal.SIGCONT)
+        with self.arriving(3 + max(keys_of(text), 1)):  # Ctrl, A and Return
+            self.process.send_signal(signal.SIGSTOP)
+            self.xdotool("key", "ctrl+a")
+            self.xdotool(*(["type", "--", text] if text else ["key", "BackSpace"]))
+            self.xdotool("key", "Return")
+            self.process.send_signal(signal.SIGCONT)
         self.wait(lambda: not self.types and not self.keys_wait, "the end of the text")
 
     def settled(self, *area: int) -> bytes:
-        """The pixels of an area once they have stopped changing."""
-        before, since = self.pixels(*area), time.monotonic()
+        """The pixels of an area once the program draws nothing more, or many frames that are all alike, and the screen shows
+        what it drew. The menu says nothing of its frames."""
+        before, since, frames = self.pixels(*area), time.monotonic(), self.frames
         until = time.monotonic() + PATIENCE_S
-        while time.monotonic() - since < 0.6:
+        while time.monotonic() - since < 0.4:
             if time.monotonic() > until:
                 raise AssertionError("the picture does not come to rest")
             time.sleep(0.05)
             now = self.pixels(*area)
             if now != before:
+                frames = self.frames
+            if now != before or not (self.rests or self.frames == 0 or self.frames >= frames + 20):
                 before, since = now, time.monotonic()
         return before
 
     def drop(self, *files: Path):
-        """Drops files on the window like a file manager: the protocol XDND, version 5, from enter to finished."""
-        x11 = ctypes.CDLL("libX11.so.6")
-        for function in ("XOpenDisplay", "XDefaultRootWindow", "XInternAtom", "XCreateSimpleWindow"):
-            getattr(x11, function).restype = ctypes.c_void_p
-        display = ctypes.c_void_p(x11.XOpenDisplay(self.server.display.encode()))
-        try:
-            self.drop_by(x11, display, "".join(file.resolve().as_uri() + "\r\n" for file in files).encode())
-        finally:
-            x11.XCloseDisplay(display)
-
-    def drop_by(self, x11, display, uris: bytes):
-        def atom(name):
-            return x11.XInternAtom(display, name.encode(), 0)
-
-        long, target = ctypes.c_long, int(self.window)
-        source = x11.XCreateSimpleWindow(display, long(x11.XDefaultRootWindow(display)), 0, 0, 1, 1, 0, long(0), long(0))
-
-        def send(kind, *data):
-            event = (long * 24)(33, 0, 1, 0, target, atom(kind), 32, source, *data)  # 33: ClientMessage
-            x11.XSendEvent(display, long(target), 0, long(0), event)
-
-        x, y, width, height = self.geometry()
-        x11.XSetSelectionOwner(display, long(atom("XdndSelection")), long(source), long(0))
-        send("XdndEnter", 5 << 24, atom("text/uri-list"), 0, 0)
-        send("XdndPosition", 0, (x + width // 2) << 16 | (y + height // 2), 0, atom("XdndActionCopy"))
-        send("XdndDrop", 0, 0, 0, 0)
-        x11.XSync(display, 0)
-        event, until = (long * 24)(), time.monotonic() + PATIENCE_S
-        while True:
-            if time.monotonic() > until:
-                raise AssertionError("nobody took what was dropped")
-            if not x11.XPending(display):
-                time.sleep(0.02)
-                continue
-            x11.XNextEvent(display, event)
-            kind = event[0] & 0xff
-            if kind == 30:  # SelectionRequest: owner, requestor, selection, target, property, time
-                requestor, selection, form, place, when = event[5:10]
-                x11.XChangeProperty(display, long(requestor), long(place), long(form), 8, 0, uris, len(uris))
-                answer = (long * 24)(31, 0, 1, 0, requestor, selection, form, place, when)
-                x11.XSendEvent(display, long(requestor), 0, long(0), answer)
-            elif kind == 33 and event[5] == atom("XdndFinished"):
-                return
+        self.server.drop_on(int(self.window), self.geometry(), files, PATIENCE_S)
 
     def set_minimised(self, minimised: bool):
-        """The window manager's part: the property first, then the mapping (ICCCM 4.1.3.1)."""
-        x11 = ctypes.CDLL("libX11.so.6")
-        x11.XOpenDisplay.restype = ctypes.c_void_p
-        for function in (x11.XInternAtom, x11.XChangeProperty, x11.XSync, x11.XCloseDisplay):
-            function.argtypes = None
-        display = ctypes.c_void_p(x11.XOpenDisplay(self.server.display.encode()))
-        state = x11.XInternAtom(display, b"WM_STATE", 0)
-        value = (ctypes.c_long * 2)(3 if minimised else 1, 0)
-        x11.XChangeProperty(display, ctypes.c_ulong(int(self.window)), ctypes.c_ulong(state), ctypes.c_ulong(state),
-                            32, 0, value, 2)
-        x11.XSync(display, 0)
-        x11.XCloseDisplay(display)
+        since = self.said()
+        self.server.set_minimised(int(self.window), minimised)
         self.xdotool("windowunmap" if minimised else "windowmap", "--sync", self.window)
+        self.wait_for_line("minimised" if minimised else "restored", since)
 
     def close(self):
         """Ends it in any state; after end() it does nothing."""

@@ -1,0 +1,54 @@
+"""Where the widgets of a frame stand, and what is wrong with that: cut texts, overlaps, texts too small to read."""
+from dataclasses import dataclass
+
+LEAST_TEXT_PX = 13  # beside a scale of 1
+# Pixels beside a scale of 1 by which Dear ImGui lets headers and rows of lists reach over the ends of their panel.
+OVERHANG_PX = dict.fromkeys(("section", "knobs"), 6) | dict.fromkeys(("entry", "file", "step", "option", "menu", "recent"), 4)
+# These lie on others on purpose: (what lies, on what).
+ON_OTHERS = {("eye", "entry"), ("thumbnail", "file"), ("lesson", "chapter"), ("verdict", "exercise")}
+
+
+@dataclass(frozen=True)
+class Widget:
+    """Pixels of the window. `room_left`, `room_right`: the part of its panel that widgets may fill."""
+    name: str
+    panel: str
+    left: int
+    top: int
+    right: int
+    bottom: int
+    room_left: int
+    room_right: int
+    text_width: int
+    text_px: int
+
+    @classmethod
+    def read(cls, line: str) -> "Widget":
+        name, panel, *numbers = line.rstrip("\n").split("\t")
+        return cls(name, panel, *map(int, numbers))
+
+    @property
+    def kind(self) -> str:
+        return self.name.split(".")[0]
+
+    def overlaps(self, other: "Widget") -> bool:
+        return (self.panel == other.panel and min(self.right, other.right) - max(self.left, other.left) > 1
+                and min(self.bottom, other.bottom) - max(self.top, other.top) > 1)
+
+
+def faults(layout: list[Widget], scale: float) -> list[str]:
+    """One line each; panels that scroll sideways, as the graph of passes does, may reach beyond their ends."""
+    found = []
+    for one in layout:
+        over = OVERHANG_PX.get(one.kind, 0) * scale + 1
+        if one.panel != "passes" and (one.left < one.room_left - over or one.right > one.room_right + over):
+            found.append(f"{one.name}: from {one.left} to {one.right}, its panel from {one.room_left} to {one.room_right}")
+        if one.text_width > one.right - one.left:
+            found.append(f"{one.name}: {one.text_width} pixels of text in {one.right - one.left}")
+        if one.text_px < LEAST_TEXT_PX * scale:
+            found.append(f"{one.name}: text of {one.text_px} pixels at a scale of {scale}")
+    for i, one in enumerate(layout):
+        for other in layout[:i]:
+            if one.overlaps(other) and not {(one.kind, other.kind), (other.kind, one.kind)} & ON_OTHERS:
+                found.append(f"{one.name} lies on {other.name}")
+    return found
