@@ -11,9 +11,6 @@
 namespace lightwalk {
 namespace {
 
-// At the right end of each row, whether there is something to reset or not.
-float reset_px() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x; }
-
 constexpr const char* dash = "—";  // for a number that is not the same in all
 
 // Over the last drawn field, which itself has all digits: a person edits the full value, since Dear ImGui would round
@@ -90,7 +87,7 @@ bool EditorFields::three_numbers(glm::vec3& value, float right, float speed, flo
         ImGui::PushID(i);
         const ImGuiID field = ImGui::GetID("##number");
         changed |= once_left(field, &value[i], 1, [&] {
-            ImGui::SetNextItemWidth(each);
+            ImGui::SetNextItemWidth(i < 2 ? each : std::max(width - 2.0f * (each + gap), 1.0f));
             const bool is_short = !mixed[i] && number_typed_into() != field;
             if (is_short) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{});
             const std::string all = exact_format(value[i]);
@@ -121,7 +118,7 @@ bool EditorFields::numbers(const char* label, const char* help, glm::vec3& value
     label_left(label);
     ImGui::BeginGroup();
     ImGui::PushID(label);
-    const bool changed = three_numbers(value, reset_px(), speed, 0.0f, 0.0f, mixed);
+    const bool changed = three_numbers(value, beside_px(), speed, 0.0f, 0.0f, mixed);
     ImGui::PopID();
     ImGui::EndGroup();
     log_place(std::string("numbers.") + label);
@@ -135,7 +132,7 @@ bool EditorFields::number(const char* label, const char* help, float& value, flo
     label_left(label);
     const std::string field = std::string("##") + label;
     const bool changed = once_left(ImGui::GetID(field.c_str()), &value, 1, [&] {
-        ImGui::SetNextItemWidth(-reset_px());
+        ImGui::SetNextItemWidth(-beside_px());
         return ImGui::DragFloat(field.c_str(), &value, speed, lower, upper, mixed ? dash : "%.5g");
     });
     log_place(std::string("number.") + label);
@@ -150,7 +147,7 @@ bool EditorFields::color(const char* label, const char* help, glm::vec3& value, 
     label_left(label);
     ImGui::PushID(label);
     ImGui::BeginGroup();
-    bool changed = three_numbers(value, reset_px() + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, mixed);
+    bool changed = three_numbers(value, beside_px() + ImGui::GetFrameHeight() + gap, 0.01f, 0.0f, most, mixed);
     ImGui::EndGroup();
     log_place(std::string("color.") + label);
     help_on_hover(help);
@@ -183,7 +180,7 @@ bool EditorFields::check(const char* label, const char* help, bool& on, bool mix
 
 bool EditorFields::choice(const char* label, std::initializer_list<const char*> names, float& index, bool mixed) {
     label_left(label);
-    ImGui::SetNextItemWidth(-reset_px());
+    ImGui::SetNextItemWidth(-beside_px());
     const bool open = ImGui::BeginCombo((std::string("##") + label).c_str(),
                                         mixed ? dash : names.begin()[static_cast<size_t>(index)]);
     log_place(std::string("choice.") + label);

@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 void StepsPanel::draw() {
-    begin_padded_child("steps", {0.0f, 0.0f});
+    ImGui::BeginChild("steps", {0.0f, 0.0f});
     const std::vector<Document::Listed> steps = editor.document.steps();
     size_t done = editor.document.done();
     if (std::exchange(listed_, done) != done) scroll_to_row(done);

@@ -1,5 +1,6 @@
 // The editor's panels: where each of them stands.
 #include <algorithm>
+#include <array>
 
 #include "18_playground/editor_window.h"
 #include "18_playground/landing.h"
@@ -61,40 +62,35 @@ void EditorWindow::draw_dock(float width_px, float scale) {
 }
 
 void EditorWindow::draw_toolbar() {
-    if (tool_button("open", "Ctrl+O: files, to add or to open", browser_.shown, with_icon(icon::folder, "open")))
-        show_files(!browser_.shown);
-    ImGui::SameLine();
-    if (tool_button("undo", "Ctrl+Z: undo", false, icon_or(icon::undo, "undo"))) editor.undo(*this);
-    ImGui::SameLine();
-    if (tool_button("redo", "Ctrl+Y: redo", false, icon_or(icon::redo, "redo"))) editor.redo(*this);
-    ImGui::SameLine();
-    if (tool_button("steps", "F4: all steps by name; a click goes back or forward to one", steps_.shown,
-                    with_icon(icon::list, "steps")))
-        show_steps(!steps_.shown);
-    ImGui::SameLine();
-    if (tool_button("?", "F1: all keys", keys_.shown, icon_or(icon::help, "?"))) keys_.shown = !keys_.shown;
-    if (tool_button("move", "1: move along axes and planes; with Shift in steps", editor.tool == Tool::move,
-                    with_icon(icon::move, "move")))
-        editor.tool = Tool::move;
-    ImGui::SameLine();
-    if (tool_button("turn", "2: rotate; with Shift by 15°", editor.tool == Tool::rotate, with_icon(icon::turn, "turn")))
-        editor.tool = Tool::rotate;
-    ImGui::SameLine();
-    if (tool_button("size", "3: scale", editor.tool == Tool::scale, with_icon(icon::scale, "size")))
-        editor.tool = Tool::scale;
-    ImGui::SameLine();
-    if (tool_button(editor.local ? "local" : "world", "L: axes of the world or of the object", false,
-                    with_icon(editor.local ? icon::object : icon::world, editor.local ? "local" : "world")))
-        editor.local = !editor.local;
+    const auto files =
+        tool_row({{"open", with_icon(icon::folder, "open"), "Ctrl+O: files, to add or to open", browser_.shown},
+                  {"undo", icon_or(icon::undo, "undo"), "Ctrl+Z: undo"},
+                  {"redo", icon_or(icon::redo, "redo"), "Ctrl+Y: redo"},
+                  {"steps", with_icon(icon::list, "steps"),
+                   "F4: all steps by name; a click goes back or forward to one", steps_.shown},
+                  {"?", icon_or(icon::help, "?"), "F1: all keys", keys_.shown}});
+    if (files == 0) show_files(!browser_.shown);
+    if (files == 1) editor.undo(*this);
+    if (files == 2) editor.redo(*this);
+    if (files == 3) show_steps(!steps_.shown);
+    if (files == 4) keys_.shown = !keys_.shown;
+    const auto tool =
+        tool_row({{"move", with_icon(icon::move, "move"), "1: move along axes and planes; with Shift in steps",
+                   editor.tool == Tool::move},
+                  {"turn", with_icon(icon::turn, "turn"), "2: rotate; with Shift by 15°", editor.tool == Tool::rotate},
+                  {"size", with_icon(icon::scale, "size"), "3: scale", editor.tool == Tool::scale},
+                  {editor.local ? "local" : "world",
+                   with_icon(editor.local ? icon::object : icon::world, editor.local ? "local" : "world"),
+                   "L: axes of the world or of the object"}});
+    if (tool == 3) editor.local = !editor.local;
+    if (tool && *tool < 3) editor.tool = std::array{Tool::move, Tool::rotate, Tool::scale}[*tool];
 }
 
 void EditorWindow::draw_lights_toolbar() {
-    const char *const kinds[] = {"sun", "lamp", "spot"}, *const icons[] = {icon::sun, icon::lamp, icon::spot};
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0) ImGui::SameLine();
-        if (tool_button(kinds[i], "Add a light: directional, point, spot", false, with_icon(icons[i], kinds[i])))
-            add_light(static_cast<Light::Kind>(i));
-    }
+    const auto kind = tool_row({{"sun", with_icon(icon::sun, "sun"), "Shift+1: add a light that is far away"},
+                                {"lamp", with_icon(icon::lamp, "lamp"), "Shift+2: add a light that shines all around"},
+                                {"spot", with_icon(icon::spot, "spot"), "Shift+3: add a light that shines in a cone"}});
+    if (kind) add_light(static_cast<Light::Kind>(*kind));
     if (tool_button("scatter", "Point and spot lights over the scene, as many as the number says", false,
                     with_icon(icon::scatter, "scatter")))
         scatter_lights();

@@ -31,10 +31,12 @@ void PropertiesPanel::draw() {
     const EntryId id = editor.selection.active();
     if (id == no_entry || !editor.document.find(id)) {
         wants_keyboard = false;
-        ImGui::TextColored(quiet_color, "nothing is selected");
+        ImGui::PushTextWrapPos();
+        ImGui::TextColored(quiet_color, "Nothing is selected: click an object in the picture, or a name above.");
+        ImGui::PopTextWrapPos();
         return;
     }
-    begin_padded_child("properties", {0.0f, 0.0f});
+    ImGui::BeginChild("properties", {0.0f, 0.0f});
     ImGui::PushID(static_cast<int>(id));  // text being typed belongs to this entry, or to its group
     together_ = edited_together(editor.document, editor.selection);
     if (id == root_entry) {
@@ -139,7 +141,7 @@ void PropertiesPanel::edit_map(const std::string& slot) {
                                    [&](EntryId one) { return map_of(editor.document.at(one), slot) != before; });
     std::string file = mixed ? "" : before;
     label_left(slot.c_str());
-    ImGui::SetNextItemWidth(-pick_px());
+    ImGui::SetNextItemWidth(-beside_px());
     const bool typed = text_field(("##" + slot + " map").c_str(), file, mixed ? "— (none clears)" : "none");
     const std::vector<EntryId> all = together_;
     pick_button(view_, slot + " map", [this, all, slot](const std::string& chosen) { set_map(all, slot, chosen); });

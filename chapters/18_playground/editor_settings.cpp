@@ -60,7 +60,7 @@ void SettingsPanel::draw_rows() {
             chosen = facet.name;
         }
         if (!there) ImGui::PopStyleColor();
-        log_place(std::string("entry.") + facet.name);
+        log_place(std::string("entry.") + facet.name, with_icon(facet.icon, facet.name));
         help_on_hover(facet.help);
         ImGui::Unindent(TextWidth{13.0f});
     }
@@ -78,7 +78,16 @@ void SettingsPanel::draw_knobs() {
                 if (path == module || path.starts_with(module + ".")) knobs.push_back(knob);
         }
         const float width = label_column(knobs);
-        for (KnobBase* knob : knobs) view_.changed |= knob_widget(*knob, width, "", view_.automatic);
+        std::string module = knobs.empty() ? "" : knobs.front()->owner.path();
+        for (KnobBase* knob : knobs) {
+            // Each has a method: one must see of what.
+            if (const std::string path = knob->owner.path(); std::exchange(module, path) != path) {
+                ImGui::Separator();
+                ImGui::TextColored(quiet_color, "%s", path.c_str());
+                log_place("module." + path);
+            }
+            view_.changed |= knob_widget(*knob, width, "", view_.automatic);
+        }
     }
 }
 // [/facets]
@@ -142,9 +151,9 @@ bool SettingsPanel::draw_camera(SceneSettings& settings) {
 void SettingsPanel::draw_output_shape() {
     OutputFrame& output = view_.chapter.output_frame;
     label_left("output");
-    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::SetNextItemWidth(-beside_px());
     const bool open = ImGui::BeginCombo("##output", OutputFrame::names()[output.shape]);
-    log_place("choice.output");
+    log_place("choice.output", OutputFrame::names()[output.shape]);
     help_on_hover("Frame of a picture of another shape, over this one");
     if (!open) return;
     for (size_t i = 0; i < OutputFrame::names().size(); ++i) {
@@ -161,7 +170,7 @@ bool SettingsPanel::draw_environment(SceneSettings& settings) {
     bool changed = false;
     std::string image = settings.environment.image.string();
     label_left("image");
-    ImGui::SetNextItemWidth(-pick_px());
+    ImGui::SetNextItemWidth(-beside_px());
     const bool typed = text_field("##image", image, "none");
     pick_button(view_, "environment", [this](const std::string& file) {
         SceneSettings other = editor.document.settings();
@@ -187,7 +196,7 @@ void SettingsPanel::draw_terrain() {
     const std::string shown = now == no_entry ? "" : editor.document.at(now).object()->model.string();
     std::string file = shown;
     label_left("height map");
-    ImGui::SetNextItemWidth(-pick_px());
+    ImGui::SetNextItemWidth(-beside_px());
     if (text_field("##height map", file, "none") && file != shown) put_terrain(file);
     pick_button(view_, "terrain", [this](const std::string& chosen_file) { put_terrain(chosen_file); });
 }

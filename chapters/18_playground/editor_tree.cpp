@@ -34,7 +34,11 @@ void TreePanel::draw() {
         return 0;
     };
     if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
-    begin_padded_child("tree", {0.0f, ImGui::GetContentRegionAvail().y * 0.45f});
+    const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
+    // As high as its rows, as long as the properties have the larger half.
+    const float wanted =
+        ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(rows.size() + SettingsPanel::names().size() + 1);
+    ImGui::BeginChild("tree", {0.0f, std::min(wanted, 0.5f * ImGui::GetContentRegionAvail().y)});
     if (ImGui::Selectable(with_icon(icon::scene, "scene").c_str(),
                           editor.selection.has(root_entry) && settings_.chosen.empty())) {
         editor.selection.set({root_entry});
@@ -46,7 +50,6 @@ void TreePanel::draw() {
         ImGui::EndDragDropTarget();
     }
     settings_.draw_rows();
-    const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
     // Scrolls to an entry picked in the picture or by a key.
     if (const EntryId active = editor.selection.active(); std::exchange(followed_, active) != active) {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const TreeRow& one) { return one.id == active; });
@@ -99,7 +102,7 @@ void TreePanel::draw_name(const TreeRow& row) {
         if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
     }
     if (hidden) ImGui::PopStyleColor();
-    log_place("entry." + shown_as);
+    log_place("entry." + shown_as, label);
     draw_menu(row.id);
     drag_and_drop(row.id, shown_as);
     draw_eye(row.id, hidden, shown_as);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
 
 #include "18_playground/commands.h"
@@ -137,7 +138,9 @@ bool FileBrowser::draw_file(const Listing::File& file, bool marked, float scale)
     const float text = file.is_folder ? corner.y + 0.5f * (height - line) : corner.y;
     list.AddText({corner.x + left, text}, ImGui::GetColorU32(ImGuiCol_Text),
                  (file.is_folder ? name + "/" : name).c_str());
-    const std::string size = fmt::format("{:.1f} MB", double(file.bytes) / 1e6);
+    const double kilobytes = double(file.bytes) / 1e3;
+    const std::string size =
+        kilobytes < 1e3 ? fmt::format("{:.0f} KB", std::ceil(kilobytes)) : fmt::format("{:.1f} MB", kilobytes / 1e3);
     if (!file.is_folder) list.AddText({corner.x + left, text + line}, ImGui::GetColorU32(quiet_color), size.c_str());
     return clicked;
 }
@@ -166,18 +169,17 @@ void FileBrowser::draw(float scale) {
     }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5.0f * scale, 3.0f * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {5.0f * scale, 5.0f * scale});
-    if (tool_button("up", "The folder above (Backspace)")) enter = listing_.folder.parent_path();
-    ImGui::SameLine();
-    if (tool_button("models", "The course's models")) enter = course_root() / "assets" / "models";
-    ImGui::SameLine();
-    if (tool_button("scenes", "The course's scenes")) enter = course_root() / "assets" / "scenes";
-    ImGui::SameLine();
-    if (tool_button("images", "The course's textures")) enter = course_root() / "assets" / "textures";
-    ImGui::SameLine();
-    if (tool_button("here", "The current folder")) {
-        std::error_code gone;
-        enter = fs::current_path(gone);
-    }
+    const auto place = tool_row({{"up", "up", "The folder above (Backspace)"},
+                                 {"models", "models", "The course's models"},
+                                 {"scenes", "scenes", "The course's scenes"},
+                                 {"images", "images", "The course's textures"},
+                                 {"here", "here", "The current folder"}});
+    std::error_code gone;
+    if (place == 0) enter = listing_.folder.parent_path();
+    if (place == 1) enter = course_root() / "assets" / "models";
+    if (place == 2) enter = course_root() / "assets" / "scenes";
+    if (place == 3) enter = course_root() / "assets" / "textures";
+    if (place == 4) enter = fs::current_path(gone);
     ImGui::PopStyleVar(2);
     ImGui::Checkbox("add to the scene", &adds_);
     log_place("tool.adds");
@@ -196,7 +198,7 @@ void FileBrowser::draw(float scale) {
             (file.is_folder ? enter : take) = file.path;
         }
     }
-    begin_padded_child("list", {0.0f, -90.0f * scale});
+    ImGui::BeginChild("list", {0.0f, recent_.empty() ? 0.0f : -90.0f * scale});
     ImGuiListClipper clipper;
     clipper.Begin(count);
     while (clipper.Step())
@@ -210,7 +212,7 @@ void FileBrowser::draw(float scale) {
             ImGui::PopID();
         }
     ImGui::EndChild();
-    ImGui::TextColored(quiet_color, "opened last");
+    if (!recent_.empty()) ImGui::TextColored(quiet_color, "opened last");
     const float right = ImGui::GetWindowContentRegionMax().x, gap = ImGui::GetStyle().ItemSpacing.x;
     float used = right;  // of this line
     for (const fs::path& file : recent_) {
@@ -238,12 +240,12 @@ void FileBrowser::draw(float scale) {
     }
 }
 
-float pick_px() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + 4.0f; }
-
 void pick_button(EditorView& view, const std::string& what, const std::function<void(const std::string&)>& take) {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::PushID(what.c_str());
-    const bool clicked = ImGui::Button(icon_or(icon::folder, "..."), {-1.0f, 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
+    const bool clicked = ImGui::Button(icon_or(icon::folder, "..."), {ImGui::GetFrameHeight(), 0.0f});
+    ImGui::PopStyleVar();
     ImGui::PopID();
     log_place("pick." + what);
     help_on_hover("Choose a file");

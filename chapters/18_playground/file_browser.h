@@ -67,7 +67,6 @@ class FileBrowser {
 };
 
 /// Beside a field for an image's path: lets the person choose one, which `take` gets as a scene file names it.
-float pick_px();
 void pick_button(EditorView& view, const std::string& what, const std::function<void(const std::string&)>& take);
 
 }  // namespace lightwalk

@@ -57,6 +57,10 @@ Tour::Tour(EditorView& view) : EditorPart(view) {
 
 void Tour::begin() { go_to(1); }
 
+bool Tour::is_done(size_t step, const Facts& begin, const Facts& now) {
+    return tour_steps[step - 1].is_done(begin, now);
+}
+
 Tour::Facts Tour::facts() const {
     const Workbench& bench = view_.chapter.bench;
     Facts now{.camera = view_.chapter.camera.position, .done = editor.document.done(), .tool = editor.tool};
@@ -112,7 +116,7 @@ void Tour::draw(float width_px, float scale) {
     if (tool_button("leave the tour", "It does not come again by itself; F1 begins it"))
         next = std::size(tour_steps) + 1;
     ImGui::End();
-    if (next == step_ && !editor.drag && step.is_done(begin_, facts())) ++next;
+    if (next == step_ && !editor.drag && is_done(step_, begin_, facts())) ++next;
     if (next != step_) go_to(next);
 }
 

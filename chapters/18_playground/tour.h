@@ -25,6 +25,9 @@ class Tour : public EditorPart {
         bool sky = false, weather = false, saved = false;
     };
 
+    /// Of step `step`, from 1 on: whether the person has done what it says since it began.
+    static bool is_done(size_t step, const Facts& begin, const Facts& now);
+
   private:
     Facts facts() const;
     void go_to(size_t step);

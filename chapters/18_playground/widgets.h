@@ -1,7 +1,10 @@
 // Widgets of the editor's panels, the same with every version of Dear ImGui.
 #pragma once
+#include <algorithm>
 #include <cstring>
+#include <initializer_list>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "common/image/image.h"
@@ -21,12 +24,16 @@ struct TextWidth {
 /// The column of labels on the left of their fields.
 inline constexpr TextWidth label_px{92.0f};
 
+/// Beside a field, at the right end of its row: what resets it, or opens a list of files.
+inline float beside_px() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x; }
+
 /// A label; the next widget stands beside it.
 inline void label_left(const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    ImGui::SameLine(left + label_px);
+    log_place(std::string("label.") + label);
+    ImGui::SameLine(left + std::max<float>(label_px, ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x));
 }
 
 /// Whether a key went down since the frame before.
@@ -100,12 +107,41 @@ inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {
 }
 
 /// A button with a position logged for tests, as "tool." and its name. `text`: what it shows, where that is another.
-inline bool tool_button(const char* label, const char* help, bool pressed = false, const std::string& text = "") {
+inline bool tool_button(const char* label, const char* help, bool pressed = false, const std::string& text = "",
+                        float width = 0.0f) {
     if (pressed) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0.24f, 0.47f, 0.70f, 1.0f});
-    const bool clicked = ImGui::Button(((text.empty() ? label : text) + "###" + label).c_str());
+    const std::string shown = text.empty() ? label : text;
+    const bool clicked = ImGui::Button((shown + "###" + label).c_str(), {width, 0.0f});
     if (pressed) ImGui::PopStyleColor();
-    log_place(std::string("tool.") + label);
+    log_place(std::string("tool.") + label, shown);
     help_on_hover(help);
+    return clicked;
+}
+
+struct ToolButton {
+    const char* label;
+    std::string text;
+    const char* help;
+    bool pressed = false;
+};
+
+/// Side by side over the whole width; the one that was clicked.
+inline std::optional<size_t> tool_row(std::initializer_list<ToolButton> row) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const auto own = [&](const ToolButton& one) {
+        return ImGui::CalcTextSize(one.text.c_str()).x + 2.0f * style.FramePadding.x;
+    };
+    const auto count = static_cast<float>(row.size());
+    float left = ImGui::GetContentRegionAvail().x - (count - 1.0f) * style.ItemSpacing.x;
+    for (const ToolButton& one : row) left -= own(one);
+    const float more = std::max(left / count, 0.0f);
+    std::optional<size_t> clicked;
+    size_t index = 0;
+    for (const ToolButton& one : row) {
+        if (index > 0) ImGui::SameLine();
+        if (tool_button(one.label, one.help, one.pressed, one.text, own(one) + more)) clicked = index;
+        ++index;
+    }
     return clicked;
 }
 

@@ -79,7 +79,6 @@ bool KnobSections::section(const std::string& path, const KnobList& knobs, const
     const bool was_open = stored != open_.end() ? stored->second : is_own(path, knobs);
     ImGui::SetNextItemOpen(filtered || was_open);
     const bool open = ImGui::CollapsingHeader(title.c_str());
-    log_place("knobs." + (path.empty() ? "chapter" : path));
     if (!filtered && open != was_open) remember(path, open);
     const auto changed_count =
         std::count_if(knobs.begin(), knobs.end(), [](const auto* knob) { return knob->changed(); });
@@ -87,6 +86,7 @@ bool KnobSections::section(const std::string& path, const KnobList& knobs, const
     std::string beside = changed_count ? fmt::format("{} changed", changed_count) : "";
     if (ms > 0) beside += fmt::format("{}{:.2f} ms", beside.empty() ? "" : "   ", ms);
     write_at_right(beside);
+    log_place("knobs." + (path.empty() ? "chapter" : path), title + "    " + beside);
     if (!open) return false;
     ImGui::PushID(path.c_str());
     bool changed = false;

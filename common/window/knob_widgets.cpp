@@ -131,7 +131,7 @@ bool widget(KnobBase& knob, const char* id, AutoChoices* automatic) {
 
 // The name in words. The unit, which some names end with, stands in the widget.
 std::string label_of(const KnobBase& knob) {
-    std::string label = knob.name, suffix = "_" + knob.unit;
+    std::string label = knob.name, suffix = "_" + (knob.unit == "degrees" || knob.unit == "°" ? "deg" : knob.unit);
     std::replace(suffix.begin(), suffix.end(), '/', '_');
     if (!knob.unit.empty() && label.size() > suffix.size() &&
         label.compare(label.size() - suffix.size(), suffix.size(), suffix) == 0)
@@ -205,17 +205,20 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     ImGui::TextColored(knob.changed() ? mine_color : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
     log_place("label." + knob.path());
     bool hovered = ImGui::IsItemHovered();
-    if (ImGui::CalcTextSize(label.c_str()).x + gap <= label_width)
+    if (dynamic_cast<Knob<glm::vec3>*>(&knob))  // three numbers have a line of their own
+        ImGui::SetCursorPosX(left);
+    else if (ImGui::CalcTextSize(label.c_str()).x + gap <= label_width)
         ImGui::SameLine(left + label_width);
     else
         ImGui::SetCursorPosX(left + label_width);
     const float cost = beside.empty() ? 0.0f : ImGui::CalcTextSize(beside.c_str()).x + gap;
-    const float reset = knob.changed() ? ImGui::GetFrameHeight() : 0.0f, right = cost + reset;
-    ImGui::SetNextItemWidth(right == 0.0f ? -1.0f : -right);
+    // All end in one line, with a button to reset or without.
+    const float right = cost + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(-right);
     bool changed = widget(knob, "##value", automatic);
-    log_place("knob." + knob.path());
+    log_place("knob." + knob.path(), dynamic_cast<Choice*>(&knob) ? knob.text() : "");
     hovered = hovered || ImGui::IsItemHovered();
-    if (reset > 0.0f) {
+    if (knob.changed()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - right);
         if (reset_button(knob.path())) {
             knob.reset();

@@ -129,6 +129,7 @@ class Menu {
         overlay_.begin();
         const Entry* chosen = build();
         overlay_.end();
+        log_layout();
         const Image* target = swapchain_.acquire();
         if (!target) return chosen;
         screen_.begin({1, 1}, 0.0f);
@@ -182,7 +183,7 @@ class Menu {
         const float foot = size.y - 34.0f * display_.scale();
         ImGui::BeginGroup();
         const bool clicked = button_under_others(entry.chapter.c_str(), size);  // the link to the lesson
-        log_place("chapter." + entry.chapter);
+        log_place("chapter." + entry.chapter, entry.chapter.substr(0, 2) + "   " + entry.title);
         const bool hovered = ImGui::IsItemHovered();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 end{corner.x + size.x, corner.y + size.y};

@@ -19,7 +19,7 @@ bool section(const char* name) {
     ImGui::PushStyleColor(ImGuiCol_Header, {0.115f, 0.13f, 0.155f, 1.0f});
     const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleColor();
-    log_place(std::string("section.") + name);
+    log_place(std::string("section.") + name, name);
     return open;
 }
 
@@ -69,7 +69,7 @@ void Panel::look(PanelState& state, Requests& requests) {
     constexpr const char* picture = "the picture";
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##look", look.output.empty() ? picture : look.output.c_str());
-    log_place("look");
+    log_place("look", look.output.empty() ? picture : look.output);
     if (open) {
         if (ImGui::Selectable(picture, look.output.empty())) look.output.clear();
         log_place("look.the picture");
@@ -104,9 +104,10 @@ void Panel::times(PanelState& state, Requests& requests) {
     double total = 0;
     ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
-    const auto row = [](const char* name, const char* stage, double ms) {
+    auto row = [count = 0](const char* name, const char* stage, double ms) mutable {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(name);
+        log_place(fmt::format("time.{}", count++));
         ImGui::TableNextColumn();
         ImGui::TextColored(quiet_color, "%s", stage);
         ImGui::TableNextColumn();
@@ -121,7 +122,7 @@ void Panel::times(PanelState& state, Requests& requests) {
     row("frame", "wall clock", state.frame_ms);
     ImGui::EndTable();
     if (ImGui::Button("passes as a graph", {-1.0f, 0.0f})) requests.passes = true;
-    log_place("button.passes");
+    log_place("button.passes", "passes as a graph");
     help_on_hover("F6: the passes below the picture, with an image of each target");
     ImGui::PushTextWrapPos();
     for (const std::string& line : state.chapter.all_status()) ImGui::TextUnformatted(line.c_str());
@@ -138,7 +139,7 @@ void Panel::footer(PanelState& state, Requests& requests) {
     const float width = (ImGui::GetContentRegionAvail().x - 3.0f * ImGui::GetStyle().ItemSpacing.x) / 4.0f;
     const auto button = [&](const char* label, const char* help, bool& request) {
         if (ImGui::Button(label, {width, 0.0f})) request = true;
-        log_place(std::string("button.") + label);
+        log_place(std::string("button.") + label, label);
         help_on_hover(help);
     };
     button("Reload", "F5: the scene and all shaders from disk", requests.reload);

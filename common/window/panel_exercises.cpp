@@ -132,6 +132,7 @@ bool exercise_row(const std::string& id, const CheckVerdict* check, Requests& re
                                  : said.name;
     ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextColored(said.color, "%s", text.c_str());
+    log_place("verdict." + id);
     log_state(id, said.name);
     const bool switched = open && unfolded_row(id, check, right, requests);
     ImGui::PopID();

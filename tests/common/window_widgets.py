@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 LEAST_TEXT_PX = 13  # beside a scale of 1
 # Pixels beside a scale of 1 by which Dear ImGui lets headers and rows of lists reach over the ends of their panel.
-OVERHANG_PX = dict.fromkeys(("section", "knobs"), 6) | dict.fromkeys(("entry", "file", "step", "option", "menu", "recent"), 4)
+OVERHANG_PX = dict.fromkeys(("section", "knobs"), 6) | dict.fromkeys(("entry", "file", "thumbnail", "step", "option", "menu", "recent"), 4)
 # These lie on others on purpose: (what lies, on what).
 ON_OTHERS = {("eye", "entry"), ("thumbnail", "file"), ("lesson", "chapter"), ("verdict", "exercise")}
 

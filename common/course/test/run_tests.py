@@ -42,7 +42,7 @@ LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_bu
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
 TURNS = ("autograder|equal_methods|live_rest|course_shards|grade_slurm|window_passes|window_tour",
-         "grade_later|page_site|window_files|window_monkey|warm",
+         "grade_later|page_site|window_files|window_monkey|window_panels|warm",
          "grade_shards|page_verdicts|page_pictures|grade_user|grade_trouble|window_properties",
          "grade_forged|random_scenes|course_new|course_trouble|window_fields")
 

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Every panel of the editor, of a chapter and of the menu at three sizes: no text is cut, nothing lies on anything else or
+reaches beyond its panel, and the fields of a panel end in one line. Under Xvfb."""
+# Builds: 05_shadow_maps 18_playground menu
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+
+from part_in_ci import part  # noqa: E402
+from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E402
+from window_widgets import faults  # noqa: E402
+
+SIZES = ((1280, 720, 1.0), (1600, 900, 1.0), (2560, 1440, 2.0))
+# Far away: frames in which little is drawn take less time.
+SCENE = {"camera": {"position": [0, 20, 80], "target": [0, 0, 0], "fov_deg": 30}, "ambient": [0.3, 0.3, 0.3],
+         "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "name": "sun"},
+                    {"type": "point", "position": [-12.5, 102.25, 1], "name": "lamp"},
+                    {"type": "spot", "position": [-1, 2, 1], "name": "spot over a long table in the large hall"}],
+         "objects": [{"name": "group"},
+                     {"name": "box", "model": "models/cube.obj", "position": [-1234.5, 0.03125, 17]}]}
+ENTRIES = ("scene", "camera", "environment", "sky", "terrain", "water", "fog", "effects", "group", "box", "sun", "lamp",
+           "spot over a long table in the large hall")
+SECTIONS = ("maps", "lights", "shadow", "rays", "sphere_shadow", "objects", "surface", "lamps")
+FIELDS = ("number", "numbers", "choice", "field", "knob")
+
+
+class Panels(unittest.TestCase):
+    def start(self, program: str, size: tuple, *options: str, **environment: str) -> Session:
+        width, height, self.scale = size
+        server = XServer(width + 100, height + 100)
+        self.addCleanup(server.close)
+        server.set_text_scale(self.scale)
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        scene = folder / "panels.json"
+        scene.write_text(json.dumps(SCENE))
+        memory = folder / "state" / "lightwalk"
+        memory.mkdir(parents=True)
+        (memory / "05_shadow_maps.panel.json").write_text(json.dumps(dict.fromkeys(SECTIONS, True)))
+        options = ("--scene", str(scene), "--size", "300x200", *options) if program != "menu" else ()
+        session = Session(server, BUILD / program, list(options), folder,
+                          **({"LIGHTWALK_ROOT": str(ROOT), "LIGHTWALK_LOG": "layout"} | own_cache(folder) | environment))
+        self.addCleanup(session.close)
+        session.xdotool("windowmove", session.window, "0", "0")
+        session.resize(width, height)
+        if program != "menu":
+            session.read_all()
+        return session
+
+    def check(self, session: Session, panel: str):
+        session.read_all()
+        with self.subTest(panel=panel):
+            self.assertEqual(faults(session.layout, self.scale), [])
+            fields = [one for one in session.layout if one.kind in FIELDS and one.panel.startswith("editor/properties")]
+            ends = {one.right for one in fields if one.right - one.left > 2 * (one.bottom - one.top)}  # no checkboxes
+            self.assertLessEqual(max(ends, default=0) - min(ends, default=0), 1, "right ends of fields")
+
+    def test_the_editor(self):
+        for size in part(SIZES, len(SIZES)):
+            session = self.start("chapters/18_playground", size, LIGHTWALK_TOUR="on")
+            self.check(session, "tour")
+            session.tap("tool.leave the tour")
+            for entry in ENTRIES:
+                session.tap("entry." + entry)
+                self.check(session, entry)
+                if entry == "box":
+                    session.tap("section.Material")
+                    self.check(session, "material")
+            for key in ("F1", "F4", "ctrl+o", "F6"):
+                session.key(key)
+                self.check(session, key)
+                session.key(key)
+            session.tap("entry.environment")
+            session.tap("pick.environment")
+            self.check(session, "picker")
+            session.key("Escape")
+            for key in ("ctrl+shift+s", "ctrl+e"):
+                session.key(key)
+                self.check(session, key)
+                session.key("Escape")
+            session.close()
+
+    def test_a_chapter(self):
+        for size in part(SIZES, len(SIZES)):
+            session = self.start("chapters/05_shadow_maps", size)
+            self.check(session, "all sections")
+            session.tap("exercise." + next(name for name in session.areas if name.startswith("exercise."))[9:])
+            self.check(session, "an exercise")
+            session.close()
+
+    def test_the_menu(self):
+        for size in part(SIZES, len(SIZES)):
+            session = self.start("menu", size)
+            session.wait(lambda: session.layout, "its tiles")
+            self.assertEqual(faults(session.layout, self.scale), [])
+            session.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
