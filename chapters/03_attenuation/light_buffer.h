@@ -19,6 +19,7 @@ class LightBuffer {
     Buffer buffer;     ///< bound as `lights`; empty before update()
     int rebuilds = 0;  ///< how often it was packed
     const std::vector<Light>& lights() const { return *lights_; }
+    const LightList& list() const { return lights_; }  ///< another one after each change
 
   private:
     LightList lights_ = std::make_shared<std::vector<Light>>();

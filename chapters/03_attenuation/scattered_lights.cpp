@@ -52,10 +52,10 @@ ScatteredLights::ScatteredLights(Module& owner)
     : Module(owner, "scattered"),
       count(owner, "lights", 0, {0, 1000000}, "Number of random lights added to those of the scene") {}
 
-const LightList& LightsWithScattered::from(const std::vector<Light>& own, const Bounds& where, int count, unsigned seed,
+const LightList& LightsWithScattered::from(const LightList& own, const Bounds& where, int count, unsigned seed,
                                            std::optional<float> moved_at_s) {
     if (still_made_.from(own, where.lower, where.upper, count, seed)) {
-        std::vector<Light> all = own;
+        std::vector<Light> all = *own;
         const std::vector<Light> more = scatter_lights(where, count, seed);
         all.insert(all.end(), more.begin(), more.end());
         still_ = std::make_shared<const std::vector<Light>>(std::move(all));

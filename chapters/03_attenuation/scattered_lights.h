@@ -22,11 +22,11 @@ void move_lights(std::vector<Light>& lights, float time_s);
 class LightsWithScattered {
   public:
     /// `count` as in scatter_lights(); `moved_at_s`: moved by move_lights() to this time.
-    const LightList& from(const std::vector<Light>& own, const Bounds& where, int count, unsigned seed,
+    const LightList& from(const LightList& own, const Bounds& where, int count, unsigned seed,
                           std::optional<float> moved_at_s = {});
 
   private:
-    Made<std::vector<Light>, glm::vec3, glm::vec3, int, unsigned> still_made_;
+    Made<LightList, glm::vec3, glm::vec3, int, unsigned> still_made_;
     Made<LightList, std::optional<float>> moved_made_;
     LightList still_, moved_;
 };

@@ -24,6 +24,7 @@ struct LightViewOptions {
     float split = 0.5f;        ///< cascade_split()'s lambda
     float distance_m = 30.0f;  ///< from the eye to which cascades reach
     bool snap = true;          ///< a cascade moves by whole texels
+    bool operator==(const LightViewOptions&) const = default;
 };
 
 /// How far the farthest corner of the box is from a point, in metres.

@@ -5,13 +5,15 @@
 
 namespace lightwalk {
 
-std::vector<Light> LitStage::lamps() {
-    std::vector<Light> all = scene().lights();
+const LightList& LitStage::lamps() {
+    if (!lamps_made_.from(scene().lights(), lamp)) return lamps_;
+    std::vector<Light> all = *scene().lights();
     for (Light& light : all) {
         light.size_m *= lamp;
         light.size_rad = std::min(light.size_rad * lamp, 1.5f);
     }
-    return all;
+    lamps_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    return lamps_;
 }
 
 // [shading]

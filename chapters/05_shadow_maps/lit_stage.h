@@ -10,9 +10,7 @@ namespace lightwalk {
 // [stage]
 struct LitStage : World {
     explicit LitStage(Module& owner) : World(owner) {
-        objects.surfaces.all_lights = [this](const Frame&) {
-            return std::make_shared<const std::vector<Light>>(lamps());
-        };
+        objects.surfaces.all_lights = [this](const Frame&) { return lamps(); };
     }
 
     LitScene objects{*this, "objects"};
@@ -43,7 +41,9 @@ struct LitStage : World {
     void record(Frame& frame) override;
 
   private:
-    std::vector<Light> lamps();
+    const LightList& lamps();
+    Made<LightList, float> lamps_made_;
+    LightList lamps_;
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
     Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});
 };

@@ -19,22 +19,31 @@ DrawList Shadow::Wanted::among_moved(const Scene& scene, bool are) const {
     return {scene, std::move(items)};
 }
 
+void Shadow::Wanted::release() {
+    moved.clear();
+    still = {};
+    still_layer = NO_LAYER;
+    view.data.layer = NO_LAYER;
+}
+
 // [find_views]
 // The views of all lights, those without casters without a layer.
-std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                                               const Camera& camera, const Casters& casters,
-                                               std::vector<ShadowLight>& shadow_lights) {
-    const LightViewOptions options{resolution, near_m, cascades, split, distance_m, snap};
+std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::vector<Light>& lights,
+                                               const std::vector<float>& reach_m, const Camera& camera,
+                                               const Casters& casters, std::vector<ShadowLight>& shadow_lights) const {
+    const LightViewOptions options = view_options();
     std::vector<Wanted> wanted;
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     Bounds bounds = scene.bounds;
     bounds.add(casters.others);
+    shadow_lights.clear();
     for (const Light& light : lights) {
         ShadowLight& shadow = shadow_lights.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(wanted.size())};
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         bool any = false;
-        const std::vector<LightView> seen = light_views(light, reach(light), bounds, camera, options);
+        const std::vector<LightView> seen =
+            light_views(light, reach_m[shadow_lights.size() - 1], bounds, camera, options);
         for (auto view = seen.begin(); view != seen.end(); ++view) {
             // Skips casters needed only by finer cascades; but the whole scene's map is the same from every
             // viewpoint.
@@ -65,6 +74,20 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
     return wanted;
 }
 // [/find_views]
+
+// At rest they are those of the frame before: each light's casters are searched once.
+void Shadow::find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
+                                const Casters& casters) {
+    std::vector<float> reach_m(lights->size());
+    for (size_t i = 0; i < lights->size(); ++i)
+        if ((*lights)[i].shadow) reach_m[i] = reach((*lights)[i]);
+    for (Wanted& one : now_->found) one.release();
+    if (!now_->found_from.from(lights, reach_m, camera, scene.placed, casters.others, casters.others_placed,
+                               view_options(), has_passed(), method.is("none"), Exercises::version()))
+        return;
+    now_->found = find_views(scene, *lights, reach_m, camera, casters, now_->found_lights);
+    ++searches;
+}
 
 // [choose_layers]
 void Shadow::choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wanted) {
@@ -188,21 +211,22 @@ std::optional<Shadow::BlurKey> Shadow::blur_key() const {
 }
 
 // [record]
-void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                    const View& view, const Casters& casters) {
-    const auto has_cascades = [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; };
-    const uint32_t id = std::any_of(lights.begin(), lights.end(), has_cascades) ? view.id : 0;
+void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                    const Casters& casters) {
+    const bool has_cascades = std::ranges::any_of(
+        *lights, [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; });
+    const uint32_t id = has_cascades ? view.id : 0;
     now_ = &by_view_[id];
     now_->eye = {view.eye, view.pixel_rad()};
     if (made_.from(transparent.index, blur_key(), Exercises::version())) forget();
-    std::vector<ShadowLight> shadow_lights;
-    std::vector<Wanted> wanted = find_views(scene, lights, reach, view.camera, casters, shadow_lights);
+    find_changed_views(scene, lights, reach, has_cascades ? view.camera : Camera{}, casters);
+    std::vector<Wanted>& wanted = now_->found;
     find_moving(wanted);
     choose_layers(frame, id, wanted);
     reserve(frame);
     std::vector<ShadowView> data;
     for (const Wanted& w : wanted) data.push_back(w.view.data);
-    now_->lights.upload(frame, "shadow_lights", shadow_lights);
+    now_->lights.upload(frame, "shadow_lights", now_->found_lights);
     now_->views.upload(frame, "shadow_views", data);
     drawn_views = 0;
     copy_still(frame, scene, wanted, casters);
@@ -226,13 +250,15 @@ void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& 
 
 void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
     const auto reach = [&](const Light& light) { return lights.reach_m(light); };
-    record(frame, scene, lights.buffer().lights(), reach, view, casters);
+    record(frame, scene, lights.buffer().list(), reach, view, casters);
 }
 
 void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                     const Casters& casters) {
+    if (!directional_ || *directional_ != directional)
+        directional_ = std::make_shared<const std::vector<Light>>(directional);
     record(
-        frame, scene, directional, [](const Light&) { return 0.0f; }, view, casters);
+        frame, scene, directional_, [](const Light&) { return 0.0f; }, view, casters);
 }
 
 Macros Shadow::macros() const {

@@ -149,6 +149,7 @@ struct Shadow : Module {
 
     /// Of the view recorded last: all maps, those drawn for it, and those that began as a copy of static casters.
     int views = 0, drawn_views = 0, copied_views = 0;
+    int searches = 0;  ///< for casters, so far
 
   private:
     struct Wanted {
@@ -162,13 +163,18 @@ struct Shadow : Module {
         /// The moved casters, or the others.
         DrawList among_moved(const Scene& scene, bool are) const;
         bool is_needed() const { return others || casters.size() + passed.size() > 0; }
+        /// As it was found, without a layer.
+        void release();
     };
     using Reach = std::function<float(const Light&)>;  ///< metres
-    std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                                   const Camera& camera, const Casters& casters,
-                                   std::vector<ShadowLight>& shadow_lights);
-    void record(Frame& frame, const Scene& scene, const std::vector<Light>& lights, const Reach& reach,
-                const View& view, const Casters& casters);
+    std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights,
+                                   const std::vector<float>& reach_m, const Camera& camera, const Casters& casters,
+                                   std::vector<ShadowLight>& shadow_lights) const;
+    void find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
+                            const Casters& casters);
+    void record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                const Casters& casters);
+    LightViewOptions view_options() const { return {resolution, near_m, cascades, split, distance_m, snap}; }
     void choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wanted);
     void find_moving(std::vector<Wanted>& wanted) const;
     void copy_still(Frame& frame, const Scene& scene, const std::vector<Wanted>& wanted, const Casters& casters);
@@ -205,8 +211,14 @@ struct Shadow : Module {
         Uploaded<ShadowLight> lights;
         Uploaded<ShadowView> views;
         ShadowEye eye{};
+        /// Lights and their reach, the camera of cascades, placements of items and of others, settings, toggles.
+        Made<LightList, std::vector<float>, Camera, uint64_t, Bounds, uint64_t, LightViewOptions, bool, bool, unsigned>
+            found_from;
+        std::vector<Wanted> found;
+        std::vector<ShadowLight> found_lights;
     };
     std::map<uint32_t, OfView> by_view_;
+    LightList directional_;       ///< the last ones given without a module Lights
     OfView* now_ = &by_view_[0];  ///< of the view recorded last
 
     MapLayers layers_;

@@ -55,10 +55,12 @@ constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
 KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit)
     : owner(knob_owner), name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
     owner.members_.push_back({.knob = this});
+    owner.forget_macros();
 }
 
 KnobBase::~KnobBase() {
     std::erase_if(owner.members_, [this](const Module::Member& member) { return member.knob == this; });
+    owner.forget_macros();
 }
 
 std::string KnobBase::path() const { return owner.path().empty() ? name : owner.path() + "." + name; }
@@ -106,9 +108,10 @@ std::string Knob<T>::text() const {
 }
 
 template <class T>
-std::vector<float> Knob<T>::numbers() const {
-    std::vector<float> result;
-    for (int i = 0; i < Components<T>::count; ++i) result.push_back(static_cast<float>(Components<T>::get(value, i)));
+KnobBase::Numbers Knob<T>::numbers() const {
+    Numbers result;
+    for (int i = 0; i < Components<T>::count; ++i)
+        result.values[result.count++] = static_cast<float>(Components<T>::get(value, i));
     return result;
 }
 

@@ -1,6 +1,7 @@
 // Knobs: named parameters of a module. One declaration gives the option, the slider, the scene-file key, the shader's
 // uniform or macro and the study's axis.
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -40,8 +41,17 @@ class KnobBase {
     /// Every setting that gives another compiled variant; empty for uniforms.
     virtual std::vector<std::string> variants() const { return {}; }
 
+    /// Another number for each of variants(), while it is set.
+    virtual size_t variant() const { return 0; }
+
     /// Up to four numbers for a uniform, as float or int bits; empty for macros.
-    virtual std::vector<float> numbers() const { return {}; }
+    struct Numbers {
+        std::array<float, 4> values{};
+        size_t count = 0;
+        const float* begin() const { return values.data(); }
+        const float* end() const { return values.data() + count; }
+    };
+    virtual Numbers numbers() const { return {}; }
 
     std::string path() const;   ///< with its module's before it: shadow.filter
     std::string macro() const;  ///< the first of its macros' names: SHADOW_FILTER
@@ -71,7 +81,7 @@ class Knob : public KnobBase {
     nlohmann::json describe() const override;
     std::string usage() const override;
     bool changed() const override { return value != default_value; }
-    std::vector<float> numbers() const override;
+    Numbers numbers() const override;
     operator T() const { return value; }
     T value;
     T default_value;
@@ -92,6 +102,7 @@ class Knob<bool> : public KnobBase {
     bool changed() const override { return value != default_value; }
     void add_macros(Macros& macros) const override { macros.set(macro(), value ? "1" : "0"); }
     std::vector<std::string> variants() const override { return {"on", "off"}; }
+    size_t variant() const override { return value; }
     operator bool() const { return value; }
     bool value;
     bool default_value;
@@ -110,6 +121,7 @@ class Choice : public KnobBase {
     bool changed() const override { return index != default_index_; }
     void add_macros(Macros& macros) const override;
     std::vector<std::string> variants() const override { return options; }
+    size_t variant() const override { return index; }
     bool is(std::string_view option) const { return options[index] == option; }
     void change_default(const std::string& option) override { set(option), default_index_ = index; }
     const std::vector<std::string> options;

@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/turn.h"
+#include "common/gpu/gpu_work.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -16,10 +17,13 @@ Module::Module(Module& owner, std::string name, std::string kind) : owner_(&owne
     path_ = owner.path_.empty() || name.empty() ? owner.path_ + name : owner.path_ + "." + name;
     if (kind_.empty()) kind_ = name;
     owner.members_.push_back({.module = this});
+    owner.forget_macros();
 }
 
 Module::~Module() {
-    if (owner_) std::erase_if(owner_->members_, [this](const Member& m) { return m.module == this; });
+    if (!owner_) return;
+    std::erase_if(owner_->members_, [this](const Member& m) { return m.module == this; });
+    owner_->forget_macros();
 }
 
 KnobList Module::all_knobs() const {
@@ -35,45 +39,54 @@ KnobList Module::all_knobs() const {
     return all;
 }
 
-KnobList Module::own_knobs() const {
-    KnobList own;
-    for (const Member& member : members_) {
-        if (member.knob) own.push_back(member.knob);
-        if (!member.module || !member.module->kind_.empty()) continue;
-        const KnobList more = member.module->own_knobs();
-        own.insert(own.end(), more.begin(), more.end());
+void Module::forget_macros() {
+    for (Module* module = this; module; module = module->owner_) {
+        module->variants_.clear();
+        module->macros_ = {};
     }
-    return own;
 }
 
+// Kept from frame to frame: a pass asks all of its modules, and their texts are hundreds.
 Macros Module::macros() const {
-    Macros macros;
-    for (const KnobBase* knob : own_knobs()) knob->add_macros(macros);
-    return macros;
+    size_t count = 0;
+    bool same = true;
+    visit_own([&](const KnobBase& knob) {
+        same = same && count < variants_.size() && variants_[count] == knob.variant();
+        ++count;
+    });
+    if (same && count == variants_.size()) return macros_;
+    ++gpu_work.macro_lists;
+    macros_ = {};
+    variants_.clear();
+    visit_own([&](const KnobBase& knob) {
+        knob.add_macros(macros_);
+        variants_.push_back(knob.variant());
+    });
+    return macros_;
 }
 
 // Member by member, the knob of that name. Both are mostly in one order: the search goes on behind the last one found.
 std::vector<std::byte> Module::block(const Binding& binding) const {
     if (binding.name != (kind_.empty() ? std::string_view("knobs") : std::string_view(kind_))) return {};
     std::vector<std::byte> bytes(binding.bytes);
-    const KnobList own = own_knobs();
-    auto from = own.begin();
+    std::vector<const KnobBase*> own;
+    visit_own([&](const KnobBase& knob) { own.push_back(&knob); });
+    size_t next = 0;
     for (const BlockMember& member : binding.members) {
-        const auto is_it = [&](const KnobBase* knob) { return knob->name == member.name; };
-        auto it = std::find_if(from, own.end(), is_it);
-        if (it == own.end()) it = std::find_if(own.begin(), from, is_it);
-        if (it == own.end() || !is_it(*it))
+        const KnobBase* found = nullptr;
+        for (size_t i = 0; i < own.size() && !found; ++i, next = (next + 1) % own.size())
+            if (own[next]->name == member.name) found = own[next];
+        if (!found)
             throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
                           path_.empty() ? "the chapter" : "the module " + path_);
-        from = it;
-        const std::vector<float> numbers = (*it)->numbers();
-        if (numbers.size() != member.components)
+        const KnobBase::Numbers numbers = found->numbers();
+        if (numbers.count != member.components)
             throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
-                          member.components, numbers.size());
-        for (size_t i = 0; i < numbers.size(); ++i) {
+                          member.components, numbers.count);
+        for (size_t i = 0; i < numbers.count; ++i) {
             const uint32_t word = member.type == BlockMember::Type::number
-                                      ? std::bit_cast<uint32_t>(numbers[i])
-                                      : std::bit_cast<uint32_t>(static_cast<int32_t>(numbers[i]));
+                                      ? std::bit_cast<uint32_t>(numbers.values[i])
+                                      : std::bit_cast<uint32_t>(static_cast<int32_t>(numbers.values[i]));
             std::memcpy(bytes.data() + member.offset + 4 * i, &word, 4);
         }
     }

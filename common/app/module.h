@@ -32,7 +32,7 @@ struct Gathering {
 /// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
 /// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
-/// Large (28 functions, 6 members): the life of a module, which a chapter folds over.
+/// Large (29 functions, 8 members): the life of a module, which a chapter folds over.
 class Module : public Given {
   public:
     /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.
@@ -103,7 +103,17 @@ class Module : public Given {
     Module() = default;  ///< a chapter: it has no owner and no name
 
   private:
-    KnobList own_knobs() const;  ///< and those of its modules without a name
+    /// Its knobs and those of its modules without a name.
+    template <class Visit>
+    void visit_own(const Visit& visit) const {
+        for (const Member& member : members_)
+            if (member.knob)
+                visit(*member.knob);
+            else if (member.module->kind_.empty())
+                member.module->visit_own(visit);
+    }
+    /// A knob came or went.
+    void forget_macros();
     friend class KnobBase;
     friend class TargetBase;
     template <class Self, class Visit>
@@ -116,6 +126,8 @@ class Module : public Given {
     };
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
+    mutable Macros macros_;
+    mutable std::vector<size_t> variants_;  ///< of the knobs from which macros_ were made
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// A module's knob settings as text.
+// A module's knob settings as bytes.
 #pragma once
 #include <string>
 

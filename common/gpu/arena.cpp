@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+
+#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 namespace {
@@ -49,8 +52,7 @@ DescriptorSets::Pool DescriptorSets::make_pool(const BuiltPipeline& pipeline) co
     return pool;
 }
 
-VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
-    VkDescriptorSet set = VK_NULL_HANDLE;
+VkDescriptorSet DescriptorSets::allocate(const BuiltPipeline& pipeline) {
     for (;; ++current_) {
         const bool fresh = current_ == pools_.size();
         if (fresh) pools_.push_back(make_pool(pipeline));
@@ -58,21 +60,65 @@ VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<Vk
                                                .descriptorPool = pools_[current_],
                                                .descriptorSetCount = 1,
                                                .pSetLayouts = &pipeline.set_layout};
+        VkDescriptorSet set = VK_NULL_HANDLE;
         const VkResult result = vkAllocateDescriptorSets(device_.handle, &info, &set);
-        if (result == VK_SUCCESS) break;
+        if (result == VK_SUCCESS) return set;
         const bool full = result == VK_ERROR_OUT_OF_POOL_MEMORY || result == VK_ERROR_FRAGMENTED_POOL;
         if (fresh || !full) check(result, "vkAllocateDescriptorSets");
     }
-    for (VkWriteDescriptorSet& write : writes) write.dstSet = set;
-    vkUpdateDescriptorSets(device_.handle, static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
-    ++count;
-    return set;
 }
 
+namespace {
+
+template <class Handle>
+uint64_t number(Handle handle) {
+    return reinterpret_cast<uint64_t>(handle);
+}
+
+std::vector<uint64_t> contents_of(std::span<const VkWriteDescriptorSet> writes) {
+    std::vector<uint64_t> all;
+    for (const VkWriteDescriptorSet& write : writes) {
+        all.push_back(write.dstBinding);
+        const bool buffer = write.descriptorType == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER ||
+                            write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        for (uint32_t i = 0; i < write.descriptorCount; ++i)
+            if (buffer) {
+                const VkDescriptorBufferInfo& one = write.pBufferInfo[i];
+                all.insert(all.end(), {number(one.buffer), one.offset, one.range});
+            } else {
+                const VkDescriptorImageInfo& one = write.pImageInfo[i];
+                all.insert(all.end(), {number(one.sampler), number(one.imageView), uint64_t(one.imageLayout)});
+            }
+    }
+    return all;
+}
+
+}  // namespace
+
+VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
+    if (count == made_.size()) made_.emplace_back();
+    Made& one = made_[count++];
+    std::vector<uint64_t> contents = contents_of(writes);
+    if (one.layout == pipeline.set_layout && one.destroyed == device_.destroyed() && one.contents == contents)
+        return one.set;
+    reordered_ |= one.layout && one.layout != pipeline.set_layout;
+    if (one.layout != pipeline.set_layout) one.set = allocate(pipeline);
+    one.layout = pipeline.set_layout;
+    one.contents = std::move(contents);
+    one.destroyed = device_.destroyed();
+    for (VkWriteDescriptorSet& write : writes) write.dstSet = one.set;
+    vkUpdateDescriptorSets(device_.handle, static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
+    ++gpu_work.sets;
+    return one.set;
+}
+
+// Sets of another order have been left behind in the pools: all begin anew.
 void DescriptorSets::reset() {
-    for (const Pool& pool : pools_) vkResetDescriptorPool(device_.handle, pool, 0);
-    current_ = 0;
     count = 0;
+    if (!std::exchange(reordered_, false)) return;
+    for (const Pool& pool : pools_) vkResetDescriptorPool(device_.handle, pool, 0);
+    made_.clear();
+    current_ = 0;
 }
 
 }  // namespace lightwalk

@@ -26,7 +26,8 @@ class Arena {
     VkDeviceSize used_ = 0;
 };
 
-/// Sets for pipelines that have more bindings than can be pushed.
+/// Sets for pipelines that have more bindings than can be pushed. Frames mostly ask for the same ones in the same order:
+/// those are written once.
 class DescriptorSets {
   public:
     explicit DescriptorSets(Device& device) : device_(device) {}
@@ -38,10 +39,19 @@ class DescriptorSets {
 
   private:
     using Pool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
+    struct Made {
+        VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        std::vector<uint64_t> contents;
+        uint64_t destroyed = 0;  ///< Device::destroyed(), when it was written: a later handle may be another object's
+    };
     Pool make_pool(const BuiltPipeline& pipeline) const;
+    VkDescriptorSet allocate(const BuiltPipeline& pipeline);
     Device& device_;
     std::vector<Pool> pools_;
+    std::vector<Made> made_;  ///< in the order in which frames ask for them
     size_t current_ = 0;
+    bool reordered_ = false;
 };
 
 }  // namespace lightwalk

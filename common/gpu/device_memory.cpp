@@ -69,7 +69,8 @@ void Device::destroy(Doomed objects) {
         doomed_.emplace_back(last_use_, std::move(objects));
 }
 
-void Device::destroy_now(const Doomed& objects) const {
+void Device::destroy_now(const Doomed& objects) {
+    ++destroyed_;
     for (const VkImageView view : objects.views) vkDestroyImageView(handle, view, nullptr);
     vkDestroyImage(handle, objects.image, nullptr);
     vkDestroyBuffer(handle, objects.buffer, nullptr);

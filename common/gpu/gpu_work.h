@@ -1,4 +1,4 @@
-// Work on the device besides the passes of frames, counted for each thread.
+// Work besides the commands of frames, counted for each thread.
 #pragma once
 #include <cstdint>
 
@@ -9,6 +9,9 @@ struct GpuWork {
     uint64_t pipelines = 0;    ///< built
     uint64_t allocations = 0;  ///< of device memory
     uint64_t transfers = 0;    ///< submitted and waited for: Gpu::submit_now
+    uint64_t macro_lists = 0;  ///< of modules, made from their knobs
+    uint64_t searches = 0;     ///< for a pipeline by the text of its shaders
+    uint64_t sets = 0;         ///< of descriptors, written
     double waited_ms = 0;      ///< for the device
     double ended_ms = 0;       ///< end of the last frame whose times were read, on the device's clock
 };

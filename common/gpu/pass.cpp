@@ -50,6 +50,8 @@ Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, 
       stated_(std::move(stated_resources)),
       given_(std::move(given)) {
     for (const Given* one : given_) macros_.push_back(one->macros());
+    for (const Macros& macros : macros_) scopes_.push_back(&macros);
+    scopes_.push_back(nullptr);
 }
 
 Pass::Slot Pass::slot(std::string_view binding) const {
@@ -103,10 +105,8 @@ void Pass::check_indirect(const Buffer& buffer) const {
 
 void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
                 VkPipelineBindPoint point) {
-    std::vector<const Macros*> scopes;
-    for (const Macros& macros : macros_) scopes.push_back(&macros);
-    scopes.push_back(&variant);
-    const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, scopes);
+    scopes_.back() = &variant;
+    const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, scopes_);
     if (pipeline && pipeline == pipeline_) return;  // bindings are still valid
     pipeline_ = pipeline;
     point_ = point;

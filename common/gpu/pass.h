@@ -21,7 +21,7 @@ struct Drawable {
 
 /// Bindings by name. set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
 /// nothing is missing.
-/// Large (21 functions, 15 members): what a pass binds, and what it has bound.
+/// Large (21 functions, 16 members): what a pass binds, and what it has bound.
 class Pass {
   public:
     Pass(Frame& frame, std::string name, VkCommandBuffer commands, std::vector<Stated> stated,
@@ -101,6 +101,7 @@ class Pass {
     std::vector<Stated> stated_;
     const std::vector<const Given*> given_;
     std::vector<Macros> macros_;                      ///< of the modules given
+    std::vector<const Macros*> scopes_;               ///< the same, and the variant's
     std::vector<Bound> bound_;                        ///< by binding number
     std::vector<VkDescriptorImageInfo> image_infos_;  ///< by element
     std::vector<VkDescriptorBufferInfo> buffer_infos_;

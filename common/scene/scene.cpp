@@ -231,17 +231,23 @@ Sun Scene::sun() const {
     return {-glm::normalize(found->direction), found->intensity * found->color, file.ambient};
 }
 
-std::vector<Light> Scene::lights() const {
-    std::vector<Light> all = file.lights;
-    if (!sky_sun_) return all;
+// As its first directional light, which is added where there is none.
+static void put_sun(const Sun& sun, std::vector<Light>& lights) {
     const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };
-    auto found = std::find_if(all.begin(), all.end(), directional);
-    if (found == all.end()) found = all.insert(all.begin(), Light{.shadow = true});
+    auto found = std::find_if(lights.begin(), lights.end(), directional);
+    if (found == lights.end()) found = lights.insert(lights.begin(), Light{.shadow = true});
     // Light in the files is the radiance of a white surface that faces it.
-    found->direction = -sky_sun_->to_sun;
-    found->color = sky_sun_->light;
+    found->direction = -sun.to_sun;
+    found->color = sun.light;
     found->intensity = 1.0f / glm::pi<float>();
-    return all;
+}
+
+const LightList& Scene::lights() const {
+    if (!lights_made_.from(file.lights, sky_sun_)) return lights_;
+    std::vector<Light> all = file.lights;
+    if (sky_sun_) put_sun(*sky_sun_, all);
+    lights_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    return lights_;
 }
 
 DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }

@@ -1,5 +1,6 @@
 // A scene on the device: models placed by a scene file, drawn in batches of equal parts.
 #pragma once
+#include "common/base/made.h"
 #include "common/gpu/frame.h"
 #include "common/scene/bare.h"
 #include "common/scene/draw_list.h"
@@ -38,9 +39,10 @@ struct Sun {
     glm::vec3 to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world space
     glm::vec3 light{0.0f};               ///< irradiance of a facing surface; its radiance if white, times pi
     glm::vec3 sky{0.0f};                 ///< radiance from everywhere else, in the mean
+    bool operator==(const Sun&) const = default;
 };
 
-/// Large (32 functions, 25 members): what shaders and drawings ask of a scene.
+/// Large (32 functions, 27 members): what shaders and drawings ask of a scene.
 class Scene : public Drawable {
   public:
     SceneFile file;
@@ -85,8 +87,8 @@ class Scene : public Drawable {
     void set_sun(const Sun& sun) { sky_sun_ = sun; }
     void forget_sun() { sky_sun_.reset(); }  ///< there is no sky any more
 
-    /// The file's, the first directional one as sun() has it.
-    std::vector<Light> lights() const;
+    /// The file's, the first directional one as sun() has it; the same list until one of them changes.
+    const LightList& lights() const;
     glm::vec3 ambient() const { return sun().sky; }
 
     /// Draws every item, as DrawList::draw.
@@ -143,6 +145,8 @@ class Scene : public Drawable {
     std::vector<uint32_t> first_item_, items_of_;  ///< of each object; its items are those from its first to the next's
     float time_s_ = 0;
     std::optional<Sun> sky_sun_;
+    mutable Made<std::vector<Light>, std::optional<Sun>> lights_made_;
+    mutable LightList lights_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
     std::set<const GpuModel*> deforming_;  ///< the ones with meshes to deform
     bool to_deform_ = false;

@@ -62,7 +62,7 @@ TEST_CASE("after 400 random edits the scene is the one that would be loaded", "[
         Scene fresh;
         fresh.load(shown.gpu, exported(shown.document).scene, test_model);
         REQUIRE(items_of(shown.scene) == items_of(fresh));
-        REQUIRE(shown.scene.lights() == fresh.lights());
+        REQUIRE(*shown.scene.lights() == *fresh.lights());
         REQUIRE(shown.scene.batches().size() >= fresh.batches().size());
     }
 }

@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "common/app/module.h"
 #include "common/base/error.h"
+#include "common/gpu/gpu_work.h"
 
 using namespace lightwalk;
 
@@ -39,7 +40,8 @@ TEST_CASE("a number keeps to its range and kind") {
 
     Knob<glm::vec3> color{root, "color", glm::vec3(1.0f), {glm::vec3(0.0f), glm::vec3(1.0f)}, "a colour"};
     color.set("0.25,0.5,1");
-    CHECK(color.numbers() == std::vector<float>{0.25f, 0.5f, 1.0f});
+    const KnobBase::Numbers numbers = color.numbers();
+    CHECK(std::vector<float>(numbers.begin(), numbers.end()) == std::vector<float>{0.25f, 0.5f, 1.0f});
     CHECK(color.text() == "0.25,0.5,1");
     for (const char* wrong : {"1,1", "1,1,1,1", "1,1,2", "1;1;1"}) CHECK_THROWS_AS(color.set(wrong), InputError);
 }
@@ -54,7 +56,7 @@ TEST_CASE("a choice becomes macros that a shader compares") {
     CHECK_THROWS_WITH(method.set("soft"), "method=soft: expected one of none, hard");
     method.set("none");
     CHECK(method.is("none"));
-    CHECK(method.numbers().empty());
+    CHECK(method.numbers().count == 0);
 }
 
 TEST_CASE("a switch is compiled in") {
@@ -154,4 +156,35 @@ TEST_CASE("macros that differ have different hashes, however many change at once
     CHECK(one.hash() != other.hash());
     other.set("B", "2");
     CHECK(one.hash() == other.hash());
+}
+
+TEST_CASE("a module's macros are made once, and again after a change of one of its knobs") {
+    Root root;
+    Knob<bool> fog{root, "fog", false, "mist"};
+    Knob<float> far_m{root, "far_m", 1, {0, 2}, "distance"};
+    const auto made = [&] {
+        const uint64_t before = gpu_work.macro_lists;
+        root.macros();
+        return gpu_work.macro_lists - before;
+    };
+    CHECK(made() == 1);
+    CHECK(made() == 0);
+    far_m.set("2");  // a uniform
+    CHECK(made() == 0);
+    fog.set("on");
+    CHECK(made() == 1);
+    CHECK(made() == 0);
+    {
+        Choice method{root, "method", {"none", "hard"}, "hard", "which"};
+        CHECK(root.macros().values().at("METHOD") == "1");
+        CHECK(made() == 0);
+        method.set("none");
+        CHECK(root.macros().values().at("METHOD") == "0");
+    }
+    CHECK_FALSE(root.macros().values().contains("METHOD"));
+    Macros copy = root.macros();
+    copy.set("FOG", "7");
+    CHECK(root.macros().values().at("FOG") == "1");
+    CHECK(copy.hash() != root.macros().hash());
+    CHECK(made() == 0);
 }
