@@ -64,7 +64,7 @@ class Answering(LivePage):
             browser.wait("Boolean(document.querySelector('.CodeMirror'))")
             browser.evaluate(f"{editor}.check(), 0")
             browser.wait("Boolean(document.querySelector('.live-verdict.open'))")
-            browser.wait("(box => box.top >= 0 && box.bottom <= innerHeight)(document.querySelector('.live-verdict').getBoundingClientRect())")
+            browser.wait("(box => box.top >= 0 && box.bottom < innerHeight + 1)(document.querySelector('.live-verdict').getBoundingClientRect())")
             browser.evaluate(f"{editor}.editor.setValue({editor}.editor.getValue().replace('{{', '{{ oops')), 0")
             browser.wait("Boolean(document.querySelector('.live-message'))")
             browser.wait("!Live.asked.size")

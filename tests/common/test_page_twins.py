@@ -110,6 +110,14 @@ def printed(name: str) -> list[float]:
     done = subprocess.run([BUILD / "minimal" / name], stdout=subprocess.PIPE, text=True, check=True)
     return [float(number) for number in re.findall(r"-?\d+\.\d+", done.stdout)]
 
+class Answers(unittest.TestCase):
+    def test_each_program_has_the_place_that_an_answer_takes(self):
+        for name, scene in running.scenes().items():
+            text = scene.get("text") or (running.MINIMAL / f"{name}.frag").read_text()
+            for exercise, (place, *_) in scene.get("mine", {}).items():
+                self.assertIn(place, text, f"{name}: {exercise}")
+
+
 class Twins(unittest.TestCase):
     def test_a_twin_has_at_most_60_lines(self):
         for path in TWINS.glob("*.frag"):
