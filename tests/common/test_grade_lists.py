@@ -3,6 +3,7 @@ grade, or none, is refused in a line; and grades that are 0, halves, or not yet 
 # Builds: nothing
 
 import json
+import time
 import unittest
 from unittest import mock
 
@@ -147,6 +148,12 @@ class Grades(Files):
 
 
 class Given(Files):
+    def test_a_megabyte_of_keys_is_refused_in_a_second(self):
+        keys = ", ".join(f'"{number // 2}": 1' for number in range(80_000))
+        start_s = time.process_time()
+        self.assertRaises(UsageError, Rules, self.file(f"{{{keys}}}"), WANTED)
+        self.assertLess(time.process_time() - start_s, 5)  # 0.1 s; half a minute where it grows as the square
+
     def test_a_key_twice_and_a_key_of_two_lines(self):
         for text, said in (('{"points": 100, "points": 10}', "the key 'points' stands there twice"),
                            ('{"exercises": {"02.phong": {"weight": 1}, "02.phong": {"weight": 0}}}', "'02.phong' stands there twice"),

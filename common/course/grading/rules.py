@@ -15,6 +15,7 @@ modified (submission)"); without that from the time of the archive, or of the ne
 
 import datetime
 import json
+from collections import Counter
 from pathlib import Path
 
 from grading.submission import printable
@@ -68,8 +69,7 @@ class Rules:
         return given
 
     def no_key_twice(self, pairs: list[tuple]) -> dict:
-        names = [name for name, _ in pairs]
-        if twice := [name for name in names if names.count(name) > 1] if len(set(names)) < len(names) else []:
+        if twice := [name for name, count in Counter(name for name, _ in pairs).items() if count > 1]:
             self.wrong(f"the key '{twice[0]}' stands there twice")
         return dict(pairs)
 
