@@ -39,7 +39,7 @@ void main() {
 #ifdef LEFT_OUT
     culled = !culled;
 #endif
-    if (culled) return;
+    if (culled && gl_PrimitiveIDIn >= 0) return;  // always so; Mesa 22's lavapipe crashes on a shader that cannot emit
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         world_position = position_in[i];

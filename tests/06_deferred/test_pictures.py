@@ -9,6 +9,7 @@ from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
+from shots.rendering import render_many  # noqa: E402
 
 SCENES = ROOT / "assets" / "scenes"
 FLOOR = {"model": "models/plane.obj", "scale": 12,
@@ -52,6 +53,17 @@ class PicturesTest(ChapterPictures):
                            {"type": "spot", "position": [-1.2, 2, 1], "direction": [1, -1.4, -0.8], "range_m": 5,
                             "intensity": 4, "outer_deg": 25},
                            {"type": "spot", "position": [1.5, 0.4, 0], "direction": [-1, 0, 0], "range_m": 4, "outer_deg": 80}]}
+
+    # --- culling
+
+    def test_a_shader_that_never_emits_draws_nothing_after_one_that_does(self):
+        """The starter culls no triangle, so none is left out; Mesa 22.3 read its outputs, which a compiler had removed."""
+        scene = [SCENES / "guardian.json", "--size", "160x90", "--set", "cull=left_out"]
+        files = [(["--scene", *scene, "--use", use], self.folder / f"{name}.png")
+                 for name, use in (("right", "solution"), ("starter", "solution,06.cull_back_face=exercise"))]
+        self.assertEqual(render_many(self.chapter, files), ["", ""])
+        empty = Image.open(files[1][1]).convert("RGB")
+        self.assertEqual(len(empty.getcolors(160 * 90)), 1)
 
     # --- methods
 
