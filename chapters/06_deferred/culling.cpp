@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 
 namespace lightwalk {
@@ -109,14 +108,15 @@ void Culling::passes(Frame& frame, const ImageView& depth, const std::function<v
     const bool hidden_too = method.is("occlusion") && depth.image->desc.samples == 1;
 
     // 1. Objects within the view that an earlier frame, if there was one, did not hide.
-    list(frame, hidden_too && seen_[view_id_].levels > 0 ? seen_before_ : all_, 0);
+    list(frame, hidden_too && view_seen().pyramid.levels() > 0 ? seen_before_ : all_, 0);
     list_count_ = 1;
     record();
     if (!hidden_too) return;
 
     // 2. The depth pyramid, then all other objects that it does not hide. None is lost: each object is in the first
     // list or tested here, against depths of this frame.
-    make_pyramid(frame, depth);
+    view_seen().pyramid.record(frame, depth);
+    view_seen().to_clip = to_clip_;
     list_count_ = 0;
     list(frame, appearing_, 1);
     first_list_ = 1;
@@ -127,6 +127,10 @@ void Culling::passes(Frame& frame, const ImageView& depth, const std::function<v
 }
 // [/passes]
 
+Culling::Seen& Culling::view_seen() {
+    return seen_.try_emplace(view_id_, fmt::format("{} pyramid {}", path(), view_id_)).first->second;
+}
+
 void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     Device& device = frame.gpu.device;
     List& list = lists_[into];
@@ -136,10 +140,11 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     reserve(device, list.total, "objects listed", sizeof(uint32_t));
     reserve(device, list.instances, "instances listed", sizeof(Instance) * objects);
     reserve(device, list.draws, "draws", sizeof(DrawCommand) * groups);
-    const Seen& seen = seen_[view_id_];
+    const Seen& seen = view_seen();
+    const DepthPyramid& pyramid = seen.pyramid;
     CullingView look{.to_clip = seen.to_clip,
-                     .pyramid_pixels = seen.pixels,
-                     .pyramid_levels = seen.levels,
+                     .pyramid_pixels = glm::vec2(pyramid.pixels()),
+                     .pyramid_levels = pyramid.levels(),
                      .objects = objects,
                      .groups = groups};
     std::copy(planes_.begin(), planes_.end(), look.planes);
@@ -147,11 +152,11 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     ComputeAccess access{.reads = {object_data_, group_data_, scene_->instances, list.ranks, list.sums, list.total},
                          .writes = {list.ranks, list.sums, list.total, list.instances, list.draws},
                          .with = {*this}};
-    if (seen.levels > 0) access.reads.emplace_back(seen.pyramid);
+    if (pyramid.levels() > 0) access.reads.emplace_back(pyramid.image());
     if (into > 0) access.reads.emplace_back(lists_[0].ranks);
     frame.compute(into > 0 ? "list the objects left" : "list objects", access, [&](Compute& pass) {
         pass.use(which).set("objects", object_data_).set("ranks", list.ranks).set("sums", list.sums).set("look", look);
-        if (seen.levels > 0) pass.offer("pyramid", seen.pyramid, nearest_clamp);
+        if (pyramid.levels() > 0) pass.offer("pyramid", pyramid.image(), nearest_clamp);
         if (into > 0) pass.set("earlier", lists_[0].ranks);
         pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
         pass.use(sum_).set("sums", list.sums).set("total", list.total).set("look", look);
@@ -162,29 +167,6 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
         pass.dispatch_threads(glm::uvec2(std::max(objects, groups), 1));
     });
     frame.read_back(list.total, list.count);
-}
-
-void Culling::make_pyramid(Frame& frame, const ImageView& depth) {
-    Seen& seen = seen_[view_id_];
-    const glm::uvec2 pixels(depth.size()), half = glm::max(pixels / 2u, 1u);
-    seen.to_clip = to_clip_;
-    seen.pixels = glm::vec2(pixels);
-    seen.levels = static_cast<int>(std::bit_width(std::max(half.x, half.y)));
-    const auto levels = static_cast<uint32_t>(seen.levels);
-    seen.pyramid.fit(frame.gpu.device, {.name = fmt::format("{} pyramid {}", path(), view_id_),
-                                        .format = VK_FORMAT_R32_SFLOAT,
-                                        .size = half,
-                                        .mips = levels,
-                                        .kept = true});
-    const ImageView all(seen.pyramid);
-    frame.compute("depth pyramid", {.reads = {depth, all}, .writes = {all}}, [&](Compute& pass) {
-        pass.use(level_);
-        for (uint32_t m = 0; m < levels; ++m) {
-            if (m > 0) pass.wait();  // for the level before
-            pass.set("source", m > 0 ? all.mip(m - 1) : depth, nearest_clamp).set("level", all.mip(m));
-            pass.dispatch_threads(glm::uvec2(all.mip(m).size()));
-        }
-    });
 }
 
 void Culling::draw(Raster& pass, const Batch& batch) const {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "06_deferred/culling_data.h"
+#include "06_deferred/depth_pyramid.h"
 #include "common/app/module.h"
 #include "common/base/made.h"
 #include "common/scene/scene.h"
@@ -66,15 +67,14 @@ struct Culling : Module {
         ReadBack count;
     };
     struct Seen {  ///< in a view's last frame
-        Image pyramid;
+        explicit Seen(std::string name) : pyramid(std::move(name)) {}
+        DepthPyramid pyramid;  ///< no levels: it has seen nothing yet
         glm::mat4 to_clip{1.0f};
-        glm::vec2 pixels{0.0f};
-        int levels = 0;  ///< 0: it has seen nothing yet
     };
     void group(Frame& frame, const std::vector<Batch>& batches);
     void find();
     void list(Frame& frame, const Pipeline& which, size_t into);
-    void make_pyramid(Frame& frame, const ImageView& depth);
+    Seen& view_seen();
 
     const Scene* scene_ = nullptr;
     uint32_t view_id_ = 0;
@@ -95,7 +95,6 @@ struct Culling : Module {
     Pipeline appearing_ = compute({.shader = "06_deferred/list_objects.comp", .macros = {{"LISTS", "APPEARED"}}});
     Pipeline sum_ = compute({.shader = "06_deferred/sum_lists.comp"});
     Pipeline write_ = compute({.shader = "06_deferred/write_draws.comp"});
-    Pipeline level_ = compute({.shader = "06_deferred/depth_pyramid.comp"});
 };
 
 }  // namespace lightwalk

@@ -5,10 +5,6 @@
 namespace lightwalk {
 namespace {
 
-struct FromTo {
-    glm::mat4 now, before;
-};
-
 bool deforms(const DrawItem& item) { return bool(item.model->model.meshes[item.mesh].deformation); }
 
 }  // namespace
@@ -23,24 +19,38 @@ const Buffer& Moving::vertices_before(const DrawItem& item) const {
     return deformed == deformed_.end() ? item.model->vertices[item.mesh] : deformed->second;
 }
 
-// [record]
-bool Moving::record(Frame& frame, const Scene& scene, const View& now, const View& before, const ImageView& depth) {
-    if (placed_ == scene.placed || transforms_.size() != scene.items.size()) return false;
-    const DrawList moved = scene.opaque().where([&](const DrawItem& item) {
-        return deforms(item) || item.transform != transforms_[static_cast<size_t>(&item - scene.items.data())];
+DrawList Moving::moved_items(const Scene& scene) const {
+    const bool known = placed_ != scene.placed && transforms_.size() == scene.items.size();
+    return scene.opaque().where([&](const DrawItem& item) {
+        return known &&
+               (deforms(item) || item.transform != transforms_[static_cast<size_t>(&item - scene.items.data())]);
     });
-    if (moved.size() == 0) return false;
+}
+
+// [record]
+bool Moving::record(Frame& frame, const Scene& scene, const View& now, const View& before, const ImageView& depth,
+                    const Drawings& drawings) {
+    const DrawList moved = moved_items(scene);
+    std::vector<const MovingSurface*> surfaces;
+    for (const Drawing& drawing : drawings)
+        if (const auto* surface = dynamic_cast<const MovingSurface*>(&drawing); surface && surface->has_moved())
+            surfaces.push_back(surface);
+    if (moved.size() == 0 && surfaces.empty()) return false;
     image_.fit(frame.gpu.device, {.name = "moving", .size = now.size});
-    RasterTargets targets{.color = {clear(image_, glm::vec4(0.0f))}, .reads = {depth, instances_}};
+    const MotionPass all{image_, depth, {without_shift(now), without_shift(before)}};
+    RasterTargets targets{.color = {clear(image_, glm::vec4(0.0f))}, .reads = {depth}};
+    if (moved.size() > 0) targets.reads.emplace_back(instances_);
     for (const auto& [mesh, vertices] : deformed_) targets.reads.push_back(vertices);
     frame.raster("motion vectors", targets, [&](Raster& pass) {
+        if (moved.size() == 0) return;
         pass.use(draw_).set("depth", depth, nearest_clamp).set("instances_before", instances_);
-        pass.set("from_to", FromTo{without_shift(now), without_shift(before)});
+        pass.set("from_to", all.from_to);
         for (const Batch& batch : moved.batches()) {
             pass.set("vertices_before", vertices_before(batch.item()));
             batch.draw(pass);
         }
     });
+    for (const MovingSurface* surface : surfaces) surface->draw_motion(frame, all);
     return true;
 }
 // [/record]

@@ -63,8 +63,9 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
     const View& now = seen.view;
     const Image &light = light_[0], &light_before = light_[1], &behind = behind_[0], &behind_before = behind_[1];
 
-    // 1. Motion of objects that move by themselves. Depth suffices for all others, which move with the camera alone.
-    const bool moves = valid && motion && seen.scene && moving_.record(frame, *seen.scene, now, *before_, seen.depth);
+    // 1. Motion of what moves by itself. Depth suffices for all else, which moves with the camera alone.
+    const bool moves =
+        valid && motion && seen.scene && moving_.record(frame, *seen.scene, now, *before_, seen.depth, seen.drawings);
 
     // 2. History at each pixel's former position, clipped to the pixel's new neighbourhood, mixed with the new light.
     Step step{.to_before = valid ? glm::mat4(to_before(now, *before_)) : glm::mat4(1.0f),

@@ -14,7 +14,8 @@ namespace lightwalk {
 struct Seen {
     const View& view;              ///< that it was drawn from
     const ImageView& depth;        ///< D32F, reversed: 0 where nothing is
-    const Scene* scene = nullptr;  ///< its items may move; null: none do
+    const Scene* scene = nullptr;  ///< its items may move; null: nothing does
+    Drawings drawings{};           ///< of the picture; those that are a MovingSurface may move as well
 };
 // [/seen]
 
@@ -50,7 +51,7 @@ struct Taa : Module {
                    "even",
                    "Weights of new light and history: their shares alone, or divided by 1 + luminance (tone), which "
                    "calms bright pixels and darkens edges"};
-    Knob<bool> motion{*this, "motion", true, "Motion of objects; without it only that of the camera"};
+    Knob<bool> motion{*this, "motion", true, "Motion of objects and water; without it only that of the camera"};
 
     /// `picture`: RGBA16F, drawn from the view with its shift; gets the picture without it. Once per frame and module.
     void record(Frame& frame, const Image& picture, const Seen& seen);

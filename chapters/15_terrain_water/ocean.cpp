@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "15_terrain_water/exercises.h"
 #include "15_terrain_water/spectrum.h"
@@ -78,26 +79,37 @@ std::vector<OceanWave> Ocean::waves(int part) const {
 
 // One-time setup, repeated when a knob changes.
 void Ocean::make(Frame& frame) {
-    const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips) {
+    const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips,
+                         bool kept = false) {
         image.fit(frame.gpu.device, {.name = path() + name,
                                      .format = format,
                                      .size = glm::uvec2(OCEAN_TEXELS),
                                      .mips = mips,
-                                     .layers = layers});
+                                     .layers = layers,
+                                     .kept = kept});
     };
     fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, 6, 1);
-    fit(moved_, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
+    for (Image& moved : moved_) fit(moved, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8, true);
     fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
     if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value, Exercises::version())) return;
     std::vector<OceanWave> all;
     height_variance_ = 0;
     for (int part = 0; part < 3; ++part) {
         double slopes = 0;
+        OceanTravel& travel = a_second_[part] = {};
         for (const OceanWave& wave : waves(part)) {
             // The variance of a sum over k and -k of amplitudes with these squares.
             const double square = double(glm::dot(wave.forward, wave.forward) + glm::dot(wave.backward, wave.backward));
             height_variance_ += square;
-            slopes += square * double(glm::dot(wave.k, wave.k));
+            const double slope = square * double(glm::dot(wave.k, wave.k));
+            slopes += slope;
+            const double onwards =
+                double(glm::dot(wave.forward, wave.forward) - glm::dot(wave.backward, wave.backward));
+            const double omega = 2 * M_PI / repeat_s * double(wave.cycles);
+            travel.squares +=
+                static_cast<float>(slope) * glm::vec3(wave.k.x * wave.k.x, wave.k.x * wave.k.y, wave.k.y * wave.k.y);
+            travel.turned += static_cast<float>(omega * onwards * double(glm::dot(wave.k, wave.k))) * wave.k;
+            travel.changed += static_cast<float>(slope * omega * omega);
             all.push_back(wave);
         }
         slope_variance_[part] = static_cast<float>(slopes);
@@ -105,22 +117,30 @@ void Ocean::make(Frame& frame) {
     frame.upload("ocean waves", waves_, all);
 }
 
+OceanTravel Ocean::travel(int part, double seconds) const {
+    const auto s = static_cast<float>(seconds);
+    const OceanTravel& one = a_second_[part];
+    return {one.squares, s * one.turned, s * s * one.changed};
+}
+
 // [ocean_record]
 void Ocean::record(Frame& frame) {
+    std::swap(moved_[0], moved_[1]);
     make(frame);
     // All frequencies are whole multiples of 1 / repeat_s: after 1e5 s nothing is lost but whole turns.
     const OceanNow now{.passed = static_cast<float>(std::fmod(double(frame.time_s), repeat_s) / repeat_s),
                        .chop = chop};
-    const ImageView moved = moved_.mip(0), sloped = sloped_.mip(0);
-    frame.compute("ocean", {.reads = {fields_, waves_, moved_, sloped_}, .writes = {fields_, moved_, sloped_}},
+    const Image& all_moved = moved_[0];
+    const ImageView moved = all_moved.mip(0), sloped = sloped_.mip(0);
+    frame.compute("ocean", {.reads = {fields_, waves_, all_moved, sloped_}, .writes = {fields_, all_moved, sloped_}},
                   [&](Compute& pass) {
                       pass.use(spectrum_).set("ocean_waves", waves_).set("ocean_now", now).set("fields", fields_);
                       pass.dispatch_threads(glm::uvec3(OCEAN_TEXELS, OCEAN_TEXELS, 3)).wait();
                       pass.use(rows_).set("fields", fields_).dispatch({OCEAN_TEXELS, 6, 1}).wait();
                       pass.use(columns_).set("fields", fields_).set("moved", moved).set("sloped", sloped);
                       pass.dispatch({OCEAN_TEXELS, 6, 1});
-                      for (uint32_t from = 0; from + 1 < moved_.desc.mips; from += levels_made)
-                          halve(pass.wait(), halve_, moved_, sloped_, from);
+                      for (uint32_t from = 0; from + 1 < all_moved.desc.mips; from += levels_made)
+                          halve(pass.wait(), halve_, all_moved, sloped_, from);
                   });
 }
 // [/ocean_record]

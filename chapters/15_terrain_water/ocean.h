@@ -27,22 +27,25 @@ struct Ocean : Module {
     static constexpr double repeat_s = 1000;
 
     void record(Frame& frame);
-    const Image& moved() const { return moved_; }
+    const Image& moved() const { return moved_[0]; }
+    const Image& moved_before() const { return moved_[1]; }  ///< by the record() before
     const Image& sloped() const { return sloped_; }
     static glm::vec3 tile_m() { return {256.0f, 34.0f, 5.0f}; }
     glm::vec3 slope_variance() const { return slope_variance_; }  ///< of each part, both axes together
     double height_variance() const { return height_variance_; }   ///< of all parts, in m²
+    OceanTravel travel(int part, double seconds) const;           ///< of the waves' slopes
 
     /// Waves of one part: cycles, amplitudes and wave vectors.
     std::vector<OceanWave> waves(int part) const;
 
   private:
     void make(Frame& frame);
-    Image fields_, moved_, sloped_;
+    Image fields_, moved_[2], sloped_;  ///< moved_: by this record(), by the one before
     Buffer waves_;
     Made<float, float, float, int, unsigned> made_;  ///< wind, fetch, its direction, shape, toggles
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
+    OceanTravel a_second_[3]{};
     Pipeline spectrum_ = compute({.shader = "15_terrain_water/ocean_spectrum.comp"});
     Pipeline rows_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "0"}}});
     Pipeline columns_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "1"}}});

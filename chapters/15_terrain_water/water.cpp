@@ -204,6 +204,7 @@ void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
 void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("none")) return;
     now_ = now(frame, view);
+    if (view.id == 0) kept_.now = {method.index, double(frame.time_s), waterline.exists(), waterline.map().phase, now_};
     const bool mirrored = now_.mirrored == 1u, below = now_.eye_depth_m > 0;
 
     // 1. The picture behind the water, with its distance.

@@ -1,5 +1,6 @@
 // Water drawing: a surface of waves that reflects, refracts and foams.
 #pragma once
+#include "13_mlaa/moving.h"
 #include "14_environment/image_light.h"
 #include "15_terrain_water/mirror.h"
 #include "15_terrain_water/ocean.h"
@@ -25,7 +26,7 @@ struct WaterRays {
 ///
 /// `light`: the surroundings, for rays that leave the picture; the owner records it before.
 /// Large (15 functions, 13 members): one member for each target and table that its passes share.
-struct Water : Drawing {
+struct Water : Drawing, MovingSurface {
     Water(Module& owner, std::string name, const ImageLight& light)
         : Drawing(owner, std::move(name), "water"), light_(light) {}
 
@@ -76,9 +77,7 @@ struct Water : Drawing {
     WaterRays* tracer = nullptr;  ///< for reflection by rays; null: these meet nothing but the surroundings
 
     void prepare(Gpu&, Scene& loaded) override;
-    bool animated() const override {
-        return !(method.is("none") || (method.is("flat") && waterline.method.is("none")));
-    }
+    bool animated() const override { return method.is("flat") ? waterline.exists() : !method.is("none"); }
     /// Whether its reflection looks into the surroundings' cube: a mirror image, and no reflection, do without.
     bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
@@ -90,6 +89,8 @@ struct Water : Drawing {
     Phase drawn_in() const override { return Phase::water; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
+    bool has_moved() const override;
+    void draw_motion(Frame& frame, const MotionPass& given) const override;
 
     /// At `time_s`; phases are right to a millionth of a radian after years.
     std::vector<WaveData> waves_at(double time_s) const;
@@ -109,12 +110,31 @@ struct Water : Drawing {
     bool has_foam_ = false;
     uint32_t mirrored_ = ~0u;  ///< the view of which there is a mirror image
     WaterNow now_{};
+    /// The frame's own view of the water, now and in the frame before.
+    struct Kept : TargetBase {
+        using TargetBase::TargetBase;
+        void begin_frame(Gpu&, glm::uvec2) override;
+        void forget() override { now.method = before.method = none; }
+        static constexpr size_t none = ~size_t(0);
+        struct State {
+            size_t method = none;  ///< none: not drawn
+            double time_s = 0;
+            bool has_rings = false;
+            glm::vec3 ring_phase{0};
+            WaterNow water{};
+        } now, before;
+    } kept_{*this};
     Pipeline keep_ = compute({.shader = "15_terrain_water/keep_depth.comp"});
     Pipeline foam_ = compute({.shader = "15_terrain_water/foam_tile.comp"});
     Pipeline under_ = compute({.shader = "15_terrain_water/under_water.comp"});
     Pipeline rays_of_ = graphics({.vertex = "15_terrain_water/water.vert",
                                   .fragment = "15_terrain_water/water_rays.frag",
                                   .cull = VK_CULL_MODE_NONE});
+    Pipeline moved_ = graphics({.vertex = "15_terrain_water/water.vert",
+                                .fragment = "15_terrain_water/water_moved.frag",
+                                .cull = VK_CULL_MODE_NONE,
+                                .depth_test = false,
+                                .depth_write = false});
     Pipeline surface_ = graphics({.vertex = "15_terrain_water/water.vert",
                                   .fragment = "15_terrain_water/water.frag",
                                   .cull = VK_CULL_MODE_NONE});

@@ -56,7 +56,7 @@ void Playground::frame(Frame& frame) {
         Canvas canvas(frame.hdr, frame.depth, bench.background());
         bench.draw_light(frame, view, canvas);
         if (antialias.method.is("taa")) canvas.depth(frame);
-        antialias.record(frame, frame.hdr, {view, frame.depth, &scene});
+        antialias.record(frame, frame.hdr, {view, frame.depth, &scene, bench.drawings()});
         bloom.record(frame, frame.hdr);
         post.record(frame, frame.hdr);
         draw_marks(frame, view);

@@ -87,7 +87,8 @@ void Ambiance::frame(Frame& frame) {
     }
 
     // 3. Chapter 13's edges, before chapter 09's grain, which has none. Two pictures in one have no motion to follow.
-    if (seen || !antialias.method.is("taa")) smooth_edges(frame, {view, frame.depth, seen});
+    if (seen || !antialias.method.is("taa"))
+        smooth_edges(frame, {view, frame.depth, seen, reel.alone() ? reel.alone()->drawings() : Drawings()});
     post.record(frame, frame.hdr);
 
     // 4. Titles, and linear light encoded as sRGB.

@@ -37,9 +37,10 @@ class FilmPart : public Module {
     /// Sets knobs over the scene file's and its tracks' values, instead of earlier ones; {}: none.
     void draw_by(const KnobSettings& way);
 
-    /// View and scene of record(), for methods that follow surfaces.
+    /// View, scene and drawings of record(), for methods that follow surfaces.
     const View& view() const { return view_; }
     const Scene& drawn() const { return scene_; }
+    Drawings drawings() const { return world_->drawings(); }
 
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since

@@ -37,5 +37,6 @@ struct CullingView {
 const uint NO_GROUP = 0xffffffffu;  // of an object that is drawn otherwise
 const uint DRAWN = 0x80000000u;     // bit of a rank: the object is in the list
 const uint LIST_GROUP = 256u;       // objects for each workgroup
+const uint PYRAMID_STEP = 5u;       // levels of a depth pyramid in one dispatch
 
 END_SHARED

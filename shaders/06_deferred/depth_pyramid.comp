@@ -1,17 +1,36 @@
-// One level of a depth pyramid from the one above it: the farthest of the texels that it covers.
-layout(local_size_x = 8, local_size_y = 8) in;
+// Five levels of a depth pyramid in one dispatch: each workgroup makes what one texel of the fifth covers.
+#include "06_deferred/culling_data.h"
+
+layout(local_size_x = 256) in;
 
 uniform sampler2D source;
-layout(r32f) writeonly uniform image2D level;
+layout(r32f) writeonly uniform image2D level[PYRAMID_STEP];
+layout(scalar) uniform PyramidStepBlock { int made; } pyramid_step;  // how many of the five there are
+
+const int widest = 31;  // texels of the first level, in the last workgroup of an odd size
+shared float texels[2][widest * widest];
 
 // [farthest]
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = imageSize(level), from = textureSize(source, 0);
-    if (any(greaterThanEqual(at, size))) return;
-    ivec2 last = mix(2 * at + 1, from - 1, equal(at, size - 1));  // of an odd size the last one covers three
-    float farthest = 1.0;
-    for (int y = 2 * at.y; y <= last.y; ++y)
-        for (int x = 2 * at.x; x <= last.x; ++x) farthest = min(farthest, texelFetch(source, ivec2(x, y), 0).r);
-    imageStore(level, at, vec4(farthest));
+    ivec2 group = ivec2(gl_WorkGroupID.xy), from = textureSize(source, 0), stride = ivec2(0);
+    bvec2 is_last = equal(group, ivec2(gl_NumWorkGroups.xy) - 1);
+    for (int made = 0, side = 16; made < pyramid_step.made; ++made, side /= 2) {
+        ivec2 size = max(from / 2, ivec2(1)), first = side * group, wide = mix(ivec2(side), size - first, is_last);
+        for (int i = int(gl_LocalInvocationIndex); i < wide.x * wide.y; i += 256) {
+            ivec2 at = first + ivec2(i % wide.x, i / wide.x);
+            ivec2 last = mix(2 * at + 1, from - 1, equal(at, size - 1));  // of an odd size the last one covers three
+            float farthest = 1.0;
+            for (int y = 2 * at.y; y <= last.y; ++y)
+                for (int x = 2 * at.x; x <= last.x; ++x) {
+                    int before = stride.x * (y - 2 * first.y) + x - 2 * first.x;  // in the level above, of this workgroup
+                    farthest = min(farthest, made == 0 ? texelFetch(source, ivec2(x, y), 0).r : texels[made & 1][before]);
+                }
+            texels[1 - (made & 1)][i] = farthest;
+            imageStore(level[made], at, vec4(farthest));
+        }
+        barrier();  // the next level reads what all invocations have written
+        from = size;
+        stride = wide;
+    }
 }
 // [/farthest]

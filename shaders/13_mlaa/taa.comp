@@ -48,6 +48,7 @@ float per_metre(float stored) { return depth_to_per_metre(stored, taa_step.inver
 struct Motion {
     vec2 pixels;     // to where the surface was
     float expected;  // its inverse distance then, per metre
+    float stays;     // how much of its light stays from frame to frame
     bool known;
 };
 
@@ -57,11 +58,11 @@ Motion motion_of(ivec2 pixel, vec2 size, mat3 depths) {
     float stored = depth_beside(nearest);
 #if MOVING
     vec4 moved = texelFetch(moving, clamp(pixel + nearest, ivec2(0), ivec2(size) - 1), 0);
-    if (moved.a > 0.0) return Motion(moved.xy, 1.0 / moved.z, true);
+    if (moved.a > 0.0) return Motion(moved.xy, 1.0 / moved.z, moved.a, true);
 #endif
     vec2 at = vec2(pixel + nearest) + 0.5 + taa_step.shift;
     vec3 then = reproject(at, stored, size, taa_step.to_before);
-    return Motion(then.xy - at, per_metre(stored) / max(then.z, 1e-6), then.z > 0.0);
+    return Motion(then.xy - at, per_metre(stored) / max(then.z, 1e-6), 1.0, then.z > 0.0);
 }
 // [/motion]
 
@@ -150,7 +151,9 @@ void main() {
         if (keep) {
             float speed = length(motion.pixels);
             float kept = texelFetch(history, texel, 0).a;
-            count = min(abs(kept), mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0)) - 1.0);
+            float worth = mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0));
+            worth = min(worth, 0.25 / max(1.0 - motion.stays, 1e-4));  // until a quarter of its light is another
+            count = min(abs(kept), max(worth - 1.0, 0.0));
             vec3 old = speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
             old = limit(to_ycocg(old), pixel, speed < still && kept > 0.0);
             moves = speed >= still;

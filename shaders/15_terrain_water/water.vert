@@ -16,8 +16,7 @@ void main() {
     // The innermost ring is a point below the camera.
     float radius = place.y == 0u ? 0.0 : water_now.first_m * pow(water_now.growth, float(place.y - 1u));
     at_rest = water_now.center + radius * vec2(cos(angle), sin(angle));
-    float spacing = radius * max(water_now.growth - 1.0, water_now.wide_rad / float(SPOKES));
-    vec3 moved = water_at(at_rest, spacing).moved;
+    vec3 moved = water_at(at_rest, ring_spacing(radius)).moved;
     position = vec3(at_rest.x, water_now.level_m, at_rest.y) + moved;
     gl_Position = view.view_projection * vec4(position, 1.0);
 }

@@ -37,6 +37,22 @@ struct WaterNow {
     WaveData wave[16];
 };
 
+// How the slopes of a part of the ocean have travelled: sums over its waves.
+struct OceanTravel {
+    vec3 squares;   // of slope² k kᵀ: xx, xz, zz; 1/m²
+    vec2 turned;    // of slope² turn k, the turn of a phase in radians; 1/m
+    float changed;  // of slope² turn²
+};
+
+// The water of the frame before.
+struct WaterBefore {
+    float level_m;
+    uint waves;
+    vec3 ring_phase;  // radians
+    OceanTravel ocean[3];
+    WaveData wave[16];
+};
+
 const uint RINGS = 288u, SPOKES = 256u;
 
 const uint OCEAN_TEXELS = 256u;

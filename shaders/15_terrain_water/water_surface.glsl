@@ -16,6 +16,15 @@ struct WaterPoint {
 // How much of a wave is drawn where points are `spacing` apart: none that would be shorter than two of them.
 float drawn_share(float wavelength, float spacing) { return smoothstep(2.0, 4.0, wavelength / max(spacing, 1e-6)); }
 
+// Distance of neighbouring points of the rings (water.vert) at that distance from their middle.
+float ring_spacing(float radius) { return radius * max(water_now.growth - 1.0, water_now.wide_rad / float(SPOKES)); }
+
+// One part of the ocean, sampled every `spacing` metres.
+vec4 ocean_point(sampler2DArray of, vec2 at, int part, float spacing) {
+    float texels = spacing * float(textureSize(of, 0).x) / water_now.tile_m[part];
+    return textureLod(of, vec3(at / water_now.tile_m[part], float(part)), log2(max(texels, 1.0)));
+}
+
 // [water_at]
 // The point that rests at `at` = (x, z), with the surface sampled every `spacing` metres.
 WaterPoint water_at(vec2 at, float spacing) {
@@ -31,9 +40,7 @@ WaterPoint water_at(vec2 at, float spacing) {
     }
 #elif WATER_METHOD == WATER_METHOD_FFT
     for (int i = 0; i < 3; ++i) {
-        vec3 tile = vec3(at / water_now.tile_m[i], float(i));
-        float texels = spacing * float(textureSize(ocean_moved, 0).x) / water_now.tile_m[i], level = log2(max(texels, 1.0));
-        vec4 moved = textureLod(ocean_moved, tile, level), sloped = textureLod(ocean_sloped, tile, level);
+        vec4 moved = ocean_point(ocean_moved, at, i, spacing), sloped = ocean_point(ocean_sloped, at, i, spacing);
         p.moved += moved.xyz;
         p.slopes[0] += vec3(sloped.z, sloped.x, moved.w);
         p.slopes[2] += vec3(moved.w, sloped.y, sloped.w);

@@ -19,21 +19,29 @@ vec3 from_waterline(vec2 at) {
 }
 
 // [ring_slope]
-// Slope of the rings along x and z. An obstacle sends part of the waves that meet it back in circles: more of them towards
+// Of the longest ring wave's length, or of its reach, that of another one.
+float ring_part(float longest, int i) {
+    for (int j = 0; j < i; ++j) longest *= RING_RATIO;
+    return longest;
+}
+float ring_length(int i) { return ring_part(waterline_map.length_m, i); }
+
+// Largest slope of a ring wave. An obstacle sends part of the waves that meet it back in circles: more of them towards
 // where they come from. Short waves fade sooner; none is drawn that would be shorter than two distances `spacing`.
+float ring_steepness(int i, vec3 from, float spacing) {
+    float length_m = ring_length(i), reach_m = ring_part(waterline_map.reach_m, i);
+    float facing = 0.65 + 0.35 * dot(from.yz, waterline_map.from_wind);
+    float wide = inversesqrt(1.0 + from.x / length_m);  // a circle grows, and its height with the root of that
+    float texel_m = waterline_map.side_m / float(textureSize(waterline_distances, 0).x);
+    return waterline_map.slope * facing * wide * exp(-from.x / reach_m) * drawn_share(length_m, max(spacing, texel_m));
+}
+
+// Slope of the rings along x and z.
 vec2 ring_slope(vec2 at, float spacing) {
     vec3 from = from_waterline(at);
     vec2 slope = vec2(0.0);
-    float length_m = waterline_map.length_m, reach_m = waterline_map.reach_m;
-    float facing = 0.65 + 0.35 * dot(from.yz, waterline_map.from_wind);
-    for (int i = 0; i < RING_WAVES; ++i) {
-        float wide = inversesqrt(1.0 + from.x / length_m);  // a circle grows, and its height with the root of that
-        float share = drawn_share(length_m, max(spacing, waterline_map.side_m / float(textureSize(waterline_distances, 0).x)));
-        float size = waterline_map.slope * facing * wide * exp(-from.x / reach_m) * share;
-        slope += size * sin(6.2831853 * from.x / length_m - waterline_map.phase[i]) * from.yz;
-        length_m *= RING_RATIO;
-        reach_m *= RING_RATIO;
-    }
+    for (int i = 0; i < RING_WAVES; ++i)
+        slope += ring_steepness(i, from, spacing) * sin(6.2831853 * from.x / ring_length(i) - waterline_map.phase[i]) * from.yz;
     return slope;
 }
 // [/ring_slope]

@@ -1,4 +1,6 @@
 // Culling against the ids in the picture: an object that was left out wrongly is a wrong pixel.
+#include <random>
+
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
@@ -150,4 +152,38 @@ TEST_CASE("planes of a view without a far plane leave out nothing far away", "[0
     endless[3][2] = 0.1f;
     for (const glm::vec4& plane : view_planes(endless, 0.0f)) CHECK(glm::dot(plane, glm::vec4(0, 0, -1e6f, 1)) >= 0.0f);
     CHECK(glm::dot(view_planes(endless, 0.0f)[5], glm::vec4(0, 0, -0.09f, 1)) < 0.0f);  // nearer than the near plane
+}
+
+TEST_CASE_METHOD(OnCulling, "a texel of the depth pyramid is the farthest of all pixels that it covers",
+                 "[06.culled]") {
+    DepthPyramid pyramid("pyramid");
+    std::mt19937 random(7);
+    for (const glm::uvec2 size : {glm::uvec2(1, 1), {1, 70}, {63, 37}, {64, 64}, {127, 95}, {129, 66}, {1090, 33}}) {
+        std::vector<float> depths(size_t(size.x) * size.y);
+        for (float& depth : depths) depth = float(random() % 65536) / 65536;
+        Image depth;
+        depth.fit(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+        begin({4, 4});
+        frame.upload("depth", depth, std::as_bytes(std::span(depths)));
+        pyramid.record(frame, depth);
+        frame.end();
+        const ImageView all(pyramid.image());
+        for (int m = 0; m < pyramid.levels(); ++m) {
+            // Of each direction: as many texels as whole steps of 2^(m+1) pixels, and the last one has the rest.
+            const uint32_t step = 2u << m;
+            const glm::uvec2 texels = glm::max(size / step, 1u);
+            const std::vector<float> found = read<float>(all.mip(uint32_t(m)));
+            REQUIRE(found.size() == size_t(texels.x) * texels.y);
+            std::vector<float> right(found.size(), 1.0f);
+            for (uint32_t y = 0; y < size.y; ++y)
+                for (uint32_t x = 0; x < size.x; ++x) {
+                    const glm::uvec2 at = glm::min(glm::uvec2(x, y) / step, texels - 1u);
+                    float& farthest = right[size_t(at.y) * texels.x + at.x];
+                    farthest = std::min(farthest, depths[size_t(y) * size.x + x]);
+                }
+            INFO(size.x << "x" << size.y << ", mip " << m);
+            CHECK(found == right);
+        }
+        CHECK(glm::uvec2(all.mip(uint32_t(pyramid.levels() - 1)).size()) == glm::uvec2(1));
+    }
 }
