@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/app/foreign_scene.h"
 #include "common/app/gpu_load.h"
 #include "common/app/headless.h"
 #include "common/app/read_picture.h"
@@ -91,7 +92,9 @@ class SceneStudy {
     void set(const KnobValues& values) {
         const KnobList knobs = chapter_.all_knobs();
         for (KnobBase* knob : knobs) knob->reset();
-        for (const auto& [name, value] : chapter_.scene.file.knobs) find_knob(knobs, name).set(value);
+        ForeignScene(scene_.file, chapter_.scene.file, chapter_.name, "this chapter")
+            .set_knobs(chapter_.scene.file,
+                       [&](const std::string& name) -> KnobBase& { return find_knob(knobs, name); });
         set_knobs(knobs, scene_.set);
         set_knobs(knobs, values);
         chapter_.forget_history();

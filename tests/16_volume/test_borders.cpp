@@ -85,6 +85,28 @@ TEST_CASE_METHOD(OnVolume,
     }
 }
 
+TEST_CASE_METHOD(OnVolume, "the reference goes on where a tenth of the light is left") {
+    load({8, 8, 8}, [](int, int, int) { return 1.0f; });
+    volume.transfer.set("even");
+    volume.method.set("exact");
+    volume.brightest.value = 1;
+    volume.density.value = float(std::log(1e-3) / (200 * std::log(0.8)));  // 0.001 gets through 2 m
+    CHECK(double(middle().g) == Approx(1 - 1e-3).margin(5e-4));
+}
+
+TEST_CASE_METHOD(OnVolume, "voxels that are four times as wide as deep make a box of a quarter of the depth") {
+    folder.write("flat.raw", std::string(64, '\xff'));
+    const auto header = folder.write(
+        "flat.volume", R"({"file": "flat.raw", "dtype": "uint8", "dims": [4, 4, 4], "spacing_mm": [8, 2, 8]})");
+    scene.file.objects.push_back({.name = "volume", .parent = "", .model = header});
+    owner.prepare_all(gpu, scene);
+    volume.transfer.set("even");
+    volume.method.set("midpoint");
+    volume.steps.value = 400;
+    volume.density.value = 0.05f;
+    CHECK(double(middle().g) == Approx(even_light(0.5, 0.05)).epsilon(0.01));
+}
+
 TEST_CASE_METHOD(OnVolume, "a wall ends a ray where they meet, also in the picture's corner, which is farther away") {
     load({8, 8, 8}, [](int, int, int) { return 1.0f; });
     volume.transfer.set("even");
@@ -111,6 +133,20 @@ TEST_CASE_METHOD(OnVolume, "noise that changes along the radius alone makes no b
                 .bound = {.absolute = 0.01}};
     for (const glm::dvec3 normal : {glm::dvec3(1, 0, 0), {0, 0.6, -0.8}, {-0.48, -0.6, 0.64}})
         probe.inputs.push_back({0, 0, 0, normal.x, normal.y, normal.z, -normal.x, -normal.y, -normal.z});
+    CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
+}
+
+TEST_CASE_METHOD(OnVolume, "noise that rises by a quarter in a cell tilts a shell of height 2 by a half") {
+    // The normal is (-1/2, 0, 1); the view from above is reflected to (-0.8, 0, 0.6). Schlick's share is 0.04001.
+    Probe probe{.include = "16_volume/shell.glsl",
+                .before = "#define EVEN_SLOPE 0.25\n#include \"../tests/16_volume/known_shell.glsl\"\n",
+                .signature = "vec3 shell_over(vec3 light, vec3 position, vec3 along)",
+                .inputs = {{0, 0, 0, 0, 0, 1, 0, 0, -1}},
+                .truth =
+                    [](auto) {
+                        return Row{-0.8 * 0.04001, 0, 0.6 * 0.04001};
+                    },
+                .bound = {.absolute = 1e-4}};
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
 }
 

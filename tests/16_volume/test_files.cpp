@@ -103,6 +103,20 @@ TEST_CASE("a lathe's panels: triangles face outwards, texture rectangles cover i
     CHECK(triangles < 40000);
 }
 
+TEST_CASE("a fifth of a lathe's panels that do not glow are sunk, the others raised") {
+    const Folder folder;
+    const LatheParts parts = turn_lathe(read_lathe(folder.write("v.lathe", R"({
+        "profile": [[1, 0], [2, 0], [2, 9], [1, 9]], "rows": [1, 64, 1, 1], "columns": 256, "glow": 0, "relief_m": 0.1})")));
+    double sunk = 0, raised = 0;
+    for (const LatheQuad& quad : parts.quads) {
+        const float radius = glm::length(glm::vec2(quad.position[0].x, quad.position[0].z));
+        if (!quad.is_top || quad.normal[0].y * quad.normal[0].y > 0.5f || radius < 1.9f) continue;
+        (radius < 2 ? sunk : raised) += 1;
+    }
+    REQUIRE(raised > 1000);
+    CHECK(sunk / (sunk + raised) == Approx(0.2).margin(0.03));
+}
+
 TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of the cache is not believed",
                  "[16.baked]") {
     frame.end();

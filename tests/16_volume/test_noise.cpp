@@ -69,6 +69,24 @@ TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, eve
     CHECK(squares / 500 == Approx(1.0 / 3).margin(0.06));
 }
 
+// Kernels (0.6 - r²)⁴ times gradients of length sqrt(3), sqrt(5) in a unit of volume: 3/4 π² 0.6¹¹ B(3, 9).
+TEST_CASE_METHOD(DeviceTest, "simplex noise varies as the kernels of its lattice sum to", "[16.simplex]") {
+    Probe probe{.include = "16_volume/simplex_4d.glsl",
+                .signature = "float simplex_4d(vec3 at, NoiseMoment moment)",
+                .inputs = {}};
+    Random random(32);
+    for (int i = 0; i < 20000; ++i) {
+        const NoiseMoment moment = noise_moment(random.uniform(0, 1000), 5);
+        probe.inputs.push_back({random.uniform(-99, 99), random.uniform(-99, 99), random.uniform(-99, 99),
+                                double(moment.cell), double(moment.time), double(moment.skew_cell),
+                                double(moment.skew_time), double(moment.seed)});
+    }
+    double squares = 0;
+    for (const Row& row : run_probe(gpu, probe, 1)) squares += row[0] * row[0] / 20000;
+    const double pi = 3.14159265358979;
+    CHECK(squares == Approx(27 * 27 * std::sqrt(5.0) * 0.75 * pi * pi * std::pow(0.6, 11) / 495).epsilon(0.06));
+}
+
 TEST_CASE("4-D noise in a cell's middle has 1/16 of its variance with linear weights, and with any that are even there",
           "[figures]") {
     Random random(4);

@@ -47,6 +47,32 @@ TEST_CASE_METHOD(OnLit, "a surface reflects by Lambert's cosine and by Blinn's l
 }
 
 // smoothstep(0.2, 1, 0.45) is 0.232.
+TEST_CASE_METHOD(OnLit, "a surface is lit by what reaches it from outside, however finely its own steps are sampled",
+                 "[16.shading]") {
+    load({32, 32, 32}, [](int, int y, int) { return y < 16 ? 1.0f : 0.0f; });
+    volume.density.value = 200;
+    volume.light_steps.value = 128;
+    sun_at(30);
+    CHECK(double(middle().g) == Approx(2 / pi * std::cos(30 * pi / 180)).epsilon(0.03));
+}
+
+// Both ways pass the same matter: extinction times T² integrates to (1 - T²) / 2.
+TEST_CASE_METHOD(OnLit, "light from behind the camera returns half of the square it loses, whatever the profile",
+                 "[16.shading]") {
+    load({2, 2, 2}, [](int, int y, int) { return y ? 0.0f : 1.0f; });
+    volume.shading.set("none");
+    volume.density.value = 0.05f;
+    volume.light_steps.value = 6;
+    camera.fov_y_rad = 0.06f;
+    sun_at(0);
+    const double lit = double(middle().g);
+    volume.light.set("none");
+    background = {1, 1, 1, 1};
+    const double through = double(middle().g);
+    REQUIRE(through < 0.5);
+    CHECK(lit == Approx(2 / pi * 0.5 * (1 - through * through)).epsilon(0.03));
+}
+
 TEST_CASE_METHOD(OnLit, "where the density changes slowly, little of it is a surface", "[16.shading]") {
     load({32, 32, 32}, [](int, int y, int) { return 0.05f + 0.9f * (float(y) + 0.5f) / 32; });
     volume.density.value = 1e-4f;
@@ -88,4 +114,28 @@ TEST_CASE_METHOD(OnVolume, "the view of errors is sixteen times the difference f
         CHECK(double(glm::length(shown.pixels[i] - wanted)) < 0.02 + 0.02 * double(glm::length(wanted)));
     }
     CHECK(most > 0.1);
+}
+
+TEST_CASE("jittered pictures are averaged with equal weights, each with an offset of its own", "[16.jitter]") {
+    const auto jittered = [](OnVolume& on) {
+        on.volume.method.set("jittered");
+        on.volume.steps.value = 12;
+    };
+    std::vector<ImageRgb> alone;
+    for (const int index : {0, 1, 2}) {
+        OnVolume on;
+        jittered(on);
+        on.frame.samples.index = index;
+        alone.push_back(on.picture());
+    }
+    CHECK(mean_difference(alone[0], alone[1]) > 1e-3);
+    OnVolume on;
+    jittered(on);
+    on.picture();
+    on.picture();
+    const ImageRgb third = on.picture();
+    ImageRgb mean = alone[0];
+    for (size_t i = 0; i < mean.pixels.size(); ++i)
+        mean.pixels[i] = (alone[0].pixels[i] + alone[1].pixels[i] + alone[2].pixels[i]) / 3.0f;
+    CHECK(mean_difference(third, mean) < 0.1 * mean_difference(alone[0], mean));
 }

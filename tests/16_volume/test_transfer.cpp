@@ -74,3 +74,22 @@ TEST_CASE_METHOD(OnVolume, "the reference sees a layer that is thinner than its 
     REQUIRE(std::exp(-depth) < 0.7);
     CHECK(double(middle().g) == Approx(std::exp(-depth)).epsilon(0.02));
 }
+
+TEST_CASE_METHOD(OnVolume, "where the density rises evenly, steps by their middle or both ends are exact",
+                 "[16.transfer]") {
+    load({2, 2, 2}, [](int, int y, int) { return y ? 1.0f : 0.0f; });
+    background = {1, 1, 1, 1};
+    camera.fov_y_rad = 0.06f;
+    volume.transfer.set("even");
+    volume.glow.value = 0;
+    volume.density.value = 0.1f;
+    // A metre that rises to density 1, and half a metre of it.
+    const double a = even_opacity, rising = ((1 - a) * std::log(1 - a) + a) / a;
+    const double depth = 0.1 / double(REFERENCE_M) * (rising - 0.5 * std::log(1 - a));
+    volume.steps.value = 8;
+    for (const char* method : {"midpoint", "skipping", "trapezium"}) {
+        INFO(method);
+        volume.method.set(method);
+        CHECK(double(middle().g) == Approx(std::exp(-depth)).epsilon(0.012));
+    }
+}

@@ -1,7 +1,10 @@
-// Picking by boxes on the device: a box without a thickness is met.
+// Picking by boxes on the device, outlines and lines.
 #include "../common/gpu_fixture.h"
+#include "01_obj/camera_view.h"
 #include "18_playground/item_box.h"
+#include "18_playground/mark_data.h"
 #include "18_playground/picking_error.h"
+#include "common/app/read_picture.h"
 #include "common/view_rays.h"
 
 using namespace lightwalk;
@@ -18,6 +21,68 @@ TEST_CASE_METHOD(DeviceTest, "a flat box is picked from above", "[18.flat_box]")
     });
     frame.end();
     for (const uint32_t id : read<uint32_t>(ImageView(ids))) CHECK(id == 1);
+}
+
+TEST_CASE_METHOD(DeviceTest, "of two boxes the nearer one is picked, in either order", "[18.flat_box]") {
+    const Pipeline pick = compute({.shader = "18_playground/boxes.comp"});
+    const Image ids(gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = {4, 4}});
+    const ItemBox near{{-1, 0, -1}, {1, 0.5f, 1}}, far{{-1, -2, -1}, {1, -1, 1}};
+    const ViewRays down{.eye = {0, 1, 0}, .corner = {-0.5f, -1, -0.5f}, .right = {0.25f, 0, 0}, .down = {0, 0, 0.25f}};
+    for (const uint32_t nearer : {1u, 2u}) {
+        const Buffer boxes =
+            gpu.upload("boxes", nearer == 1 ? std::vector<ItemBox>{near, far} : std::vector<ItemBox>{far, near});
+        frame.begin({4, 4}, 0);
+        frame.compute("pick", {.reads = {boxes}, .writes = {ids}}, [&](Compute& pass) {
+            pass.use(pick).set("boxes", boxes).set("through", down);
+            pass.set("count", uint32_t(2)).set("found_ids", ids).dispatch_threads(glm::uvec2(4));
+        });
+        frame.end();
+        for (const uint32_t id : read<uint32_t>(ImageView(ids))) CHECK(id == nearer);
+    }
+}
+
+// A pixel's share of a disc around the selected one: all of the first, half of that two pixels away, for a width of 2.
+TEST_CASE_METHOD(DeviceTest, "an outline reaches as far as its width, and half of a pixel is half as bright") {
+    const Pipeline outline = compute({.shader = "18_playground/outline.comp"});
+    const Image ids(gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = {9, 1}, .kept = true});
+    std::vector<uint32_t> one(9, 0);
+    one[4] = 1;
+    const Buffer selected = gpu.upload("selected", std::vector<uint32_t>{1});
+    frame.begin({9, 1}, 0);
+    frame.upload("ids", ids, std::as_bytes(std::span(one)));
+    frame.raster("black", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}}, [](Raster&) {});
+    frame.compute("outline", {.reads = {ids, selected, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
+        pass.use(outline).set("ids", ids, nearest_clamp).set("selected", selected).set("width", 2.0f);
+        pass.set("picture", frame.hdr).dispatch_threads(glm::uvec2(9, 1));
+    });
+    frame.end();
+    const ImageRgb seen = read_linear(gpu, frame.hdr);
+    const float wanted[] = {0, 0, 0.5f, 1, 0, 1, 0.5f, 0, 0};
+    for (int x = 0; x < 9; ++x) CHECK(seen.at(x, 0).r == Approx(wanted[x]).margin(1e-3));
+}
+
+TEST_CASE_METHOD(DeviceTest, "a line that ends behind the camera goes on to the picture's edge") {
+    const Pipeline lines = graphics({.vertex = "18_playground/line.vert",
+                                     .fragment = "18_playground/line.frag",
+                                     .cull = VK_CULL_MODE_NONE,
+                                     .depth_test = false,
+                                     .depth_write = false});
+    Camera camera;
+    camera.position = {0, 0, 0};
+    camera.target = {0, 0, -1};
+    const View view = view_of(camera, {32, 32});
+    for (const bool turned : {false, true}) {
+        MarkSegment line{{0, 0, -1}, 4, {0.7f, 0, 2}, 1, {1, 1, 1}};
+        if (turned) std::swap(line.from, line.to);
+        const Buffer buffer = gpu.upload("lines", std::vector<MarkSegment>{line});
+        frame.begin({32, 32}, 0);
+        const ViewScope scope(frame, view);
+        frame.raster("line", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}, .reads = {buffer}},
+                     [&](Raster& pass) { pass.use(lines).set("lines", buffer).draw(6); });
+        frame.end();
+        const ImageRgb seen = read_linear(gpu, frame.hdr);
+        for (int x = 0; x < 32; ++x) CHECK(seen.at(x, 16).g == (x < 16 ? 0.0f : 1.0f));
+    }
 }
 
 TEST_CASE("a pick is wrong where another item has an eighth of the pixel more", "[18.wrong_picks]") {

@@ -127,6 +127,15 @@ TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its 
     }
 }
 
+TEST_CASE_METHOD(StudyTest, "study: a scene of another chapter may name modules that this one lacks",
+                 "[common.foreign]") {
+    write_file(folder.scene("a"), R"({"knobs_of": "98_other", "knobs": {"air.haze": 3, "light": 0.5}})");
+    const json result = measure();
+    CHECK(chapter.prepared[0] == std::pair<std::string, float>("a", 0.5f));
+    CHECK(result["points"].size() == 6);
+    CHECK(result["points"][1]["error"]["max"] == 0.125);
+}
+
 TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scene") {
     study["truth"] = {{"set", {{"method", "coarse"}, {"looks", 16}}},
                       {"doubled", {{"method", "coarse"}, {"looks", 32}}},
