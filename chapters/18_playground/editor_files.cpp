@@ -96,6 +96,8 @@ void SceneFiles::draw_question() {
     const int pressed = std::exchange(asked_.key, 0);
     if (!asks()) return;
     if (!ImGui::IsPopupOpen("question")) ImGui::OpenPopup("question");
+    const glm::vec2 middle = glm::vec2(view_.picture.corner) + 0.5f * glm::vec2(view_.picture.size);
+    ImGui::SetNextWindowPos({middle.x, middle.y}, ImGuiCond_Always, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal("question", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar))
         return;
     const Question asked = asked_.what;

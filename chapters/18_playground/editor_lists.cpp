@@ -20,12 +20,17 @@ void StepsPanel::draw() {
             const bool undone = row > 0 && steps[row - 1].undone;
             ImGui::PushID(i);
             if (undone) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
-            const std::string label = row == 0 ? "(before all of these)" : steps[row - 1].name;
+            const std::string label = row == 0 ? "as it was opened" : steps[row - 1].name;
             if (ImGui::Selectable(label.c_str(), row == editor.document.done())) done = row;
             if (undone) ImGui::PopStyleColor();
             log_place(fmt::format("step.{}", i));
             ImGui::PopID();
         }
+    if (steps.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
+        ImGui::TextWrapped("Each change adds a step below. A click on a step goes back or forward to it.");
+        ImGui::PopStyleColor();
+    }
     if (done != editor.document.done()) {
         ++editor.gesture;
         editor.go_to(view_.chapter, done);

@@ -77,7 +77,7 @@ void SettingsPanel::draw_knobs() {
             for (const std::string& module : facet.modules)
                 if (path == module || path.starts_with(module + ".")) knobs.push_back(knob);
         }
-        const float width = label_column(knobs);
+        const float width = std::max<float>(label_column(knobs), label_px);
         std::string module = knobs.empty() ? "" : knobs.front()->owner.path();
         for (KnobBase* knob : knobs) {
             // Each has a method: one must see of what.

@@ -11,7 +11,16 @@ namespace lightwalk {
 
 namespace {
 
-constexpr TextWidth eye_px{20.0f};
+constexpr TextWidth eye_px{20.0f}, fold_px{20.0f};
+
+// The text, or its beginning and dots where it is wider.
+std::string cut_text(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const float room = width - ImGui::CalcTextSize("...").x;
+    const char* rest = text.c_str();
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(room, 1.0f), 0.0f, rest, nullptr, &rest);
+    return text.substr(0, static_cast<size_t>(rest - text.c_str())) + "...";
+}
 
 const char* icon_of(const Entry& entry) {
     if (const SceneObject* object = entry.object()) return object->model.empty() ? icon::group : icon::object;
@@ -35,6 +44,7 @@ void TreePanel::draw() {
     };
     if (editor.document.size() > 2000) editor.tree.node_count = nullptr;  // every item would be asked for every entry
     const std::vector<TreeRow> rows = editor.tree.rows(editor.document);
+    folds_ = std::any_of(rows.begin(), rows.end(), [](const TreeRow& row) { return row.has_children; });
     // As high as its rows, as long as the properties have the larger half.
     const float wanted =
         ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(rows.size() + SettingsPanel::names().size() + 1);
@@ -89,23 +99,40 @@ void TreePanel::draw_name_field(EntryId id) {
 void TreePanel::draw_name(const TreeRow& row) {
     const Entry& entry = editor.document.at(row.id);
     const std::string shown_as = shown_name(entry);
-    if (row.has_children && ImGui::SmallButton(editor.tree.is_unfolded(row.id) ? "-" : "+"))
-        editor.tree.unfold(row.id, !editor.tree.is_unfolded(row.id));
-    if (row.has_children) ImGui::SameLine();
+    draw_fold(row);
     if (entry.hidden) ImGui::PushStyleColor(ImGuiCol_Text, quiet_color);
     const bool hidden = entry.hidden;
     const std::string locked = entry.locked ? "  " + std::string(icon_or(icon::lock, "(locked)")) : "";
-    const std::string label = with_icon(icon_of(entry), shown_as) + locked + (entry.included ? "  (included)" : "");
     const ImVec2 room{ImGui::GetContentRegionAvail().x - eye_px, 0.0f};
+    const std::string more = locked + (entry.included ? "  (included)" : "");
+    const float beside = ImGui::CalcTextSize((with_icon(icon_of(entry), "") + more).c_str()).x;
+    const std::string name = cut_text(shown_as, room.x - beside);
+    const std::string label = with_icon(icon_of(entry), name) + more;
     if (ImGui::Selectable(label.c_str(), editor.selection.has(row.id), ImGuiSelectableFlags_AllowDoubleClick, room)) {
         choose(row.id);
         if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
     }
     if (hidden) ImGui::PopStyleColor();
     log_place("entry." + shown_as, label);
+    if (name != shown_as) help_on_hover(shown_as.c_str());
     draw_menu(row.id);
     drag_and_drop(row.id, shown_as);
     draw_eye(row.id, hidden, shown_as);
+}
+
+// Names stand in one column, with a button before them or without.
+void TreePanel::draw_fold(const TreeRow& row) {
+    if (!folds_) return;
+    const float left = ImGui::GetCursorPosX(), height = ImGui::GetTextLineHeight();
+    const bool unfolded = editor.tree.is_unfolded(row.id);
+    if (row.has_children) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, 0.0f});
+        if (ImGui::Button(unfolded ? "-" : "+", {height, height})) editor.tree.unfold(row.id, !unfolded);
+        ImGui::PopStyleVar();
+        log_place("fold." + shown_name(editor.document.at(row.id)));
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorPosX(left + fold_px);
 }
 
 // At the right end of its row.

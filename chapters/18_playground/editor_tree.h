@@ -22,9 +22,11 @@ class TreePanel : public EditorPart {
     void choose(EntryId id);
     void drag_and_drop(EntryId id, const std::string& shown_as);
     void draw_menu(EntryId id);
+    void draw_fold(const TreeRow& row);
     void draw_eye(EntryId id, bool hidden, const std::string& shown_as);
     SettingsPanel& settings_;
     std::string search_;
+    bool folds_ = false;     ///< some entry has children
     bool searches_ = false;  ///< the next frame puts the keyboard into the field
     struct {
         EntryId id = no_entry;

@@ -154,6 +154,7 @@ void FileBrowser::draw(float scale) {
         recent_ = recent_files();
     }
     if (take_image_) {
+        ImGui::AlignTextToFramePadding();
         ImGui::TextColored(reference_color, "choose: %s", image_for_.c_str());
         ImGui::SameLine();
         if (tool_button("none of them", "Esc: it stays as it was")) close();
@@ -181,9 +182,11 @@ void FileBrowser::draw(float scale) {
     if (place == 3) enter = course_root() / "assets" / "textures";
     if (place == 4) enter = fs::current_path(gone);
     ImGui::PopStyleVar(2);
-    ImGui::Checkbox("add to the scene", &adds_);
-    log_place("tool.adds");
-    help_on_hover("On: a model is added to this scene. Off: the file is opened in its place.");
+    if (!take_image_) {
+        ImGui::Checkbox("add to the scene", &adds_);
+        log_place("tool.adds");
+        help_on_hover("On: a model is added to this scene. Off: the file is opened in its place.");
+    }
     ImGui::SetNextItemWidth(-1.0f);
     if (text_field("##file filter", filter_, "filter by name", true)) go(listing_.folder);
     help_on_hover("Filter: words that must be in the name");

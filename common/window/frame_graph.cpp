@@ -12,7 +12,7 @@ namespace {
 
 constexpr glm::uvec2 small{256, 144};                               // pixels of an image of a target
 constexpr uint32_t columns = 8, rows = 24;                          // of such images
-constexpr float thumb_px = 112.0f, gap_px = 16.0f, lane_px = 6.0f;  // at scale 1
+constexpr float thumb_px = 112.0f, gap_px = 16.0f, lane_px = 6.0f;  // at scale 1; the least width of an image
 constexpr const char* pass_name = "small image";
 
 Area area_of(size_t output) {
@@ -23,6 +23,33 @@ Area area_of(size_t output) {
 std::string name_of(const Frame& frame, size_t output) {
     const auto& [pass, view] = frame.outputs[output];
     return pass + ": " + view.name();
+}
+
+std::string time_of(const FrameFlow::Node& node) { return fmt::format("{:.2f} ms {}", node.gpu_ms, node.stage); }
+
+std::string title_of(const FrameFlow::Node& node) {
+    return node.passes > 1 ? fmt::format("{} ×{}", node.name, node.passes) : node.name;
+}
+
+float count_of_images(const FrameFlow::Node& node) {
+    return static_cast<float>(std::max<size_t>(node.outputs.size(), 1));
+}
+
+// Of each edge: edges that overlap have others.
+std::vector<size_t> lanes_of(const std::vector<FrameFlow::Edge>& edges) {
+    std::vector<std::vector<FrameFlow::Edge>> lanes;
+    std::vector<size_t> of;
+    for (const FrameFlow::Edge& edge : edges) {
+        const auto is_free = [&](const auto& lane) {
+            return std::none_of(lane.begin(), lane.end(),
+                                [&](const auto& other) { return edge.from < other.to && other.from < edge.to; });
+        };
+        const auto lane = static_cast<size_t>(std::find_if(lanes.begin(), lanes.end(), is_free) - lanes.begin());
+        if (lane == lanes.size()) lanes.emplace_back();
+        lanes[lane].push_back(edge);
+        of.push_back(lane);
+    }
+    return of;
 }
 
 ImU32 edge_color(bool is_marked, bool another_is) {
@@ -70,6 +97,8 @@ bool FrameGraph::draw(const Area& room, float scale, const Frame& frame, Look& l
     if (room.size.y == 0) return false;
     nodes_ = flow.nodes();
     edges_ = flow.edges();
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [](const auto& a, const auto& b) { return a.to - a.from < b.to - b.from; });
     const glm::vec2 corner(room.corner), size(room.size);
     ImGui::SetNextWindowPos({corner.x, corner.y});
     ImGui::SetNextWindowSize({size.x, size.y});
@@ -82,15 +111,17 @@ bool FrameGraph::draw(const Area& room, float scale, const Frame& frame, Look& l
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) ImGui::SetScrollX(ImGui::GetScrollX() - 120.0f * scale * ImGui::GetIO().MouseWheel);
     const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float image_top = start.y + 2.0f * ImGui::GetTextLineHeightWithSpacing();
+    choose_width({ImGui::GetContentRegionAvail().x, corner.y + size.y - image_top}, scale);
     std::vector<Place> places;
     float left = start.x;
     for (size_t i = 0; i < nodes_.size(); ++i) {
-        const auto images = static_cast<float>(std::max<size_t>(nodes_[i].outputs.size(), 1));
-        places.push_back({i, left, images * thumb_px * scale, start.y, scale});
+        const float words = std::max(ImGui::CalcTextSize(title_of(nodes_[i]).c_str()).x,
+                                     ImGui::CalcTextSize(("00.00 ms " + nodes_[i].stage).c_str()).x);
+        places.push_back({i, left, std::max(count_of_images(nodes_[i]) * image_px_, words), start.y, scale});
         left += places.back().width + gap_px * scale;
     }
-    const float image_top = start.y + 2.0f * ImGui::GetTextLineHeightWithSpacing(),
-                image_bottom = image_top + thumb_px * scale * 9.0f / 16.0f;
+    const float image_bottom = image_top + image_px_ * 9.0f / 16.0f;
     hovered_ = SIZE_MAX;
     const float mouse_x = ImGui::GetIO().MousePos.x;
     for (const Place& place : places)
@@ -108,13 +139,25 @@ bool FrameGraph::draw(const Area& room, float scale, const Frame& frame, Look& l
     return clicked;
 }
 
+// As large as all of them fit, above the lanes; where they do not fit across, they are scrolled.
+void FrameGraph::choose_width(glm::vec2 room, float scale) {
+    size_t lanes = 0;
+    for (const size_t lane : lanes_of(edges_)) lanes = std::max(lanes, lane + 1);
+    float images = 0.0f;
+    for (const FrameFlow::Node& node : nodes_) images += count_of_images(node);
+    const float high = room.y - (static_cast<float>(lanes) + 4.0f) * lane_px * scale, least = thumb_px * scale,
+                across = (room.x - static_cast<float>(nodes_.size()) * gap_px * scale) / std::max(images, 1.0f);
+    const float most = std::min(high * 16.0f / 9.0f, 2.0f * least);
+    image_px_ = std::floor(std::max(across < least ? most : std::min(most, across), least));
+}
+
 // Where the images come nothing is drawn: the window copies them before the panels. Cut at the edges of the room.
 void FrameGraph::place_images(const std::vector<Place>& places, const Area& room, glm::vec2 rows_px,
                               const Frame& frame) {
     copies_.clear();
     const auto left_end = float(room.corner.x), right_end = float(room.corner.x + room.size.x);
     for (const Place& place : places) {
-        const float width = thumb_px * place.scale, texels = float(small.x) / width;
+        const float width = image_px_, texels = float(small.x) / width;
         float x = place.left - width;
         for (const size_t output : nodes_[place.index].outputs) {
             x += width;
@@ -148,17 +191,16 @@ void FrameGraph::fill_between(const Area& room, float top, float bottom) const {
 // Its name and time over its images.
 bool FrameGraph::draw_node(const FrameFlow::Node& node, const Place& place, const Frame& frame, Look& look) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float line = ImGui::GetTextLineHeightWithSpacing(), thumb = thumb_px * place.scale;
+    const float line = ImGui::GetTextLineHeightWithSpacing(), thumb = image_px_;
     const ImVec2 image{place.left, place.top + 2.0f * line};
     const ImU32 frame_color =
         ImGui::GetColorU32(hovered_ == place.index ? mine_color : ImGui::GetStyle().Colors[ImGuiCol_Separator]);
-    const std::string name = node.passes > 1 ? fmt::format("{} ×{}", node.name, node.passes) : node.name;
     const ImVec4 clip{place.left, place.top, place.left + place.width, image.y};
     const auto text = [&](float y, ImU32 color, const std::string& words) {
         list.AddText(nullptr, 0.0f, {place.left, y}, color, words.c_str(), nullptr, 0.0f, &clip);
     };
-    text(place.top, ImGui::GetColorU32(ImGuiCol_Text), name);
-    text(place.top + line, ImGui::GetColorU32(quiet_color), fmt::format("{:.2f} ms {}", node.gpu_ms, node.stage));
+    text(place.top, ImGui::GetColorU32(ImGuiCol_Text), title_of(node));
+    text(place.top + line, ImGui::GetColorU32(quiet_color), time_of(node));
     bool clicked = false;
     for (size_t i = 0; i < node.outputs.size(); ++i) {
         if (node.outputs[i] >= frame.outputs.size()) continue;
@@ -193,31 +235,20 @@ float FrameGraph::image_x(const FrameFlow::Edge& edge, const Frame& frame) const
 // From the image that is read to the left end of its reader, short ones nearest to the images.
 void FrameGraph::draw_edges(const std::vector<Place>& places, float bottom, const Frame& frame) {
     if (places.empty()) return;
-    std::vector<FrameFlow::Edge> edges = edges_;
-    std::stable_sort(edges.begin(), edges.end(),
-                     [](const auto& a, const auto& b) { return a.to - a.from < b.to - b.from; });
     const float scale = places.front().scale, end = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-    const auto most = static_cast<size_t>(std::max((end - bottom) / (lane_px * scale) - 4.0f, 1.0f));
-    std::vector<std::vector<std::pair<size_t, size_t>>> lanes(1);
+    const float most = std::max((end - bottom) / (lane_px * scale) - 4.0f, 1.0f);
+    const std::vector<size_t> lanes = lanes_of(edges_);
     std::string all;
-    for (const FrameFlow::Edge& edge : edges) {
-        const auto is_free = [&](const auto& lane) {
-            return std::none_of(lane.begin(), lane.end(),
-                                [&](const auto& other) { return edge.from < other.second && other.first < edge.to; });
-        };
-        size_t lane = 0;
-        while (lane < lanes.size() && !is_free(lanes[lane])) ++lane;
-        if (lane == lanes.size() && lane < most) lanes.emplace_back();
-        lane = std::min(lane, lanes.size() - 1);
-        lanes[lane].emplace_back(edge.from, edge.to);
-        const float y = bottom + (static_cast<float>(lane) + 1.5f) * lane_px * scale;
+    for (size_t i = 0; i < edges_.size(); ++i) {
+        const FrameFlow::Edge& edge = edges_[i];
+        const float y = bottom + (std::min(static_cast<float>(lanes[i]), most) + 1.5f) * lane_px * scale;
         const Place &from = places[edge.from], &to = places[edge.to];
-        const float x = from.left + image_x(edge, frame) * thumb_px * scale, into = to.left + 14.0f * scale;
+        const float x = from.left + image_x(edge, frame) * image_px_, into = to.left + 14.0f * scale;
         const bool is_marked = hovered_ == edge.from || hovered_ == edge.to;
         const ImU32 color = edge_color(is_marked, hovered_ != SIZE_MAX);
         const ImVec2 line[] = {{x, bottom}, {x, y}, {into, y}, {into, bottom + 2.0f * scale}};
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        for (int i = 0; i < 3; ++i) list.AddLine(line[i], line[i + 1], color, (is_marked ? 2.0f : 1.2f) * scale);
+        for (int j = 0; j < 3; ++j) list.AddLine(line[j], line[j + 1], color, (is_marked ? 2.0f : 1.2f) * scale);
         const float head = 3.5f * scale;
         list.AddTriangleFilled({into, bottom}, {into - head, bottom + 1.8f * head}, {into + head, bottom + 1.8f * head},
                                color);

@@ -35,12 +35,14 @@ class FrameGraph {
     float image_x(const FrameFlow::Edge& edge, const Frame& frame) const;
     void explain(const FrameFlow::Node& node, size_t index) const;
     void place_images(const std::vector<Place>& places, const Area& room, glm::vec2 rows_px, const Frame& frame);
+    void choose_width(glm::vec2 room, float scale);
     void fill_between(const Area& room, float top, float bottom) const;
     Image images_;                               ///< small ones in rows, by number of output
     std::vector<std::pair<Area, Area>> copies_;  ///< from images_ to the window
     std::vector<FrameFlow::Node> nodes_;
-    std::vector<FrameFlow::Edge> edges_;
-    size_t hovered_ = SIZE_MAX;  ///< node
+    std::vector<FrameFlow::Edge> edges_;  ///< short ones first
+    float image_px_ = 0.0f;               ///< width of an image
+    size_t hovered_ = SIZE_MAX;           ///< node
     std::string logged_;
 };
 

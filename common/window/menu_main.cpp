@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr glm::uvec2 picture_size{304, 171};  ///< pixels at scale 1
+constexpr glm::uvec2 picture_size{384, 216};                ///< pixels at scale 1; shown smaller or larger
+constexpr float least_width = 295.0f, most_width = 470.0f;  ///< of a tile, at scale 1
 
 struct Entry {
     std::string chapter, title;
@@ -165,8 +166,22 @@ class Menu {
         ImGui::TextColored(quiet_color, "%s", what_to_do().c_str());
         if (!message_.empty()) ImGui::TextColored(mine_color, "%s", message_.c_str());
         const float scale = display_.scale(), gap = 16.0f * scale;
-        const ImVec2 size{float(picture_size.x) * scale, (float(picture_size.y) + 34.0f) * scale};
-        const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (size.x + gap)));
+        // With or without a scrollbar tiles are as wide: else one could come and go.
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float across = io.DisplaySize.x - 2.0f * style.WindowPadding.x - style.ScrollbarSize;
+        const auto size_in = [&](int columns) {
+            const float width = std::floor((across + gap) / static_cast<float>(columns) - gap);
+            return ImVec2{width, std::floor(width * 9.0f / 16.0f) + 34.0f * scale};
+        };
+        // Larger ones as long as all of them are in sight.
+        const auto fit = [&](int columns) {
+            const int rows = (static_cast<int>(entries_.size()) + columns - 1) / columns;
+            return size_in(columns).x <= most_width * scale &&
+                   static_cast<float>(rows) * (size_in(columns).y + gap) < ImGui::GetContentRegionAvail().y;
+        };
+        int columns = std::max(1, static_cast<int>((across + gap) / (least_width * scale + gap)));
+        while (columns > 1 && fit(columns - 1)) --columns;
+        const ImVec2 size = size_in(columns);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
         for (size_t i = 0; i < entries_.size(); ++i) {
             if (i % static_cast<size_t>(columns) != 0) ImGui::SameLine();
@@ -195,7 +210,7 @@ class Menu {
         list.AddText({text.x + 30.0f * display_.scale(), text.y}, ImGui::GetColorU32(ImGuiCol_Text),
                      entry.title.c_str());
         if (entry.picture) {
-            tiles_.push_back({&entry, {corner.x, corner.y}});
+            tiles_.push_back({&entry, {corner.x, corner.y}, {size.x, foot}});
         } else {
             list.AddRectFilled(corner, {end.x, corner.y + foot}, ImGui::GetColorU32({0.12f, 0.13f, 0.155f, 1.0f}));
             list.AddText({corner.x + 10.0f, corner.y + 10.0f}, ImGui::GetColorU32(quiet_color), "no picture yet");
@@ -246,16 +261,17 @@ class Menu {
 
     struct Tile {
         const Entry* entry;
-        glm::vec2 corner;  ///< of its picture, pixels; outside the window where it is scrolled away
+        glm::vec2 corner, size;  ///< of its picture, pixels; outside the window where it is scrolled away
     };
 
     static void blit_clipped(VkCommandBuffer commands, const Tile& tile, const Image& target) {
         const Image& picture = tile.entry->picture;
-        const glm::ivec2 corner(tile.corner), size(picture.desc.size), window(target.desc.size);
+        const glm::ivec2 corner(tile.corner), size(tile.size), window(target.desc.size);
         const glm::ivec2 begin = glm::clamp(corner, glm::ivec2(0), window);
         const glm::ivec2 end = glm::clamp(corner + size, begin, window);
-        const glm::uvec2 shown(end - begin);
-        blit(commands, picture, {glm::uvec2(begin - corner), shown}, target, {glm::uvec2(begin), shown});
+        const glm::vec2 texels = glm::vec2(picture.desc.size) / tile.size;
+        const glm::uvec2 from(glm::vec2(begin - corner) * texels), to(glm::vec2(end - corner) * texels);
+        blit(commands, picture, {from, to - from}, target, {glm::uvec2(begin), glm::uvec2(end - begin)});
     }
 
     void start(const Entry& entry) {

@@ -79,6 +79,7 @@ void set_style(float scale) {
     set({ImGuiCol_TextDisabled}, quiet_color);
     set({ImGuiCol_Separator}, {0.20f, 0.22f, 0.26f, 1.0f});
     set({ImGuiCol_ScrollbarBg}, {0.0f, 0.0f, 0.0f, 0.0f});
+    set({ImGuiCol_ModalWindowDimBg}, {0.0f, 0.0f, 0.0f, 0.5f});
 }
 
 void check_imgui(VkResult result) { check(result, "the panel"); }

@@ -10,6 +10,7 @@ namespace {
 
 const std::vector<std::string> camera_words{"drag: orbit", "wheel: zoom", "Shift+drag: pan",
                                             "right button + WASD QE: fly"};
+const std::vector<std::string> pixel_words{"point at the picture: object, material, linear colour, depth"};
 
 // Whole words only, from the first on.
 void draw_words(const std::vector<std::string>& words, float right) {
@@ -20,6 +21,7 @@ void draw_words(const std::vector<std::string>& words, float right) {
         if (used + width > right) break;
         if (i > 0) ImGui::SameLine(0.0f, gap);
         ImGui::TextUnformatted(words[i].c_str());
+        log_place("status." + words[i]);
         used += width + gap;
     }
 }
@@ -58,7 +60,11 @@ void StatusLine::draw(const Area& picture, float scale, const std::string& notic
         ImGui::PopTextWrapPos();
         log_place("notice");
     }
-    if (lines < 1.5f * ImGui::GetTextLineHeight()) draw_words(pixel, right);
+    if (lines < 1.5f * ImGui::GetTextLineHeight()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, pixel.empty() ? quiet_color : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+        draw_words(pixel.empty() ? pixel_words : pixel, right);
+        ImGui::PopStyleColor();
+    }
     ImGui::End();
     ImGui::PopStyleVar(3);
 }

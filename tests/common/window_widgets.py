@@ -49,6 +49,10 @@ def faults(layout: list[Widget], scale: float) -> list[str]:
             found.append(f"{one.name}: text of {one.text_px} pixels at a scale of {scale}")
     for i, one in enumerate(layout):
         for other in layout[:i]:
+            if {one.kind, other.kind} == {"eye", "entry"} and one.overlaps(other):
+                eye, entry = (one, other) if one.kind == "eye" else (other, one)
+                if entry.left + entry.text_width > eye.left:
+                    found.append(f"{entry.name}: {entry.text_width} pixels of text reach under {eye.name}")
             if one.overlaps(other) and not {(one.kind, other.kind), (other.kind, one.kind)} & ON_OTHERS:
                 found.append(f"{one.name} lies on {other.name}")
     return found
