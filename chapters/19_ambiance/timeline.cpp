@@ -33,13 +33,15 @@ std::vector<double> numbers(const std::string& text) {
 
 // [track_at]
 std::string Track::at(double time_s) const {
-    const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s);
+    // A frame's time is a float: an entry has begun where that rounds to just before it.
+    constexpr double rounded_s = 2e-5;
+    const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s + rounded_s);
     if (after == times_s.begin()) return values.front();
     const auto i = static_cast<size_t>(after - times_s.begin()) - 1;
     if (steps || after == times_s.end()) return values[i];
     const std::vector<double> a = numbers(values[i]), b = numbers(values[i + 1]);
     if (a.empty() || a.size() != b.size()) return values[i];  // words
-    const double share = (time_s - times_s[i]) / (times_s[i + 1] - times_s[i]);
+    const double share = std::max(time_s - times_s[i], 0.0) / (times_s[i + 1] - times_s[i]);
     std::string text;
     for (size_t k = 0; k < a.size(); ++k) text += fmt::format("{}{:.9g}", k ? "," : "", a[k] + share * (b[k] - a[k]));
     return text;

@@ -242,6 +242,21 @@ TEST_CASE("rings: how far single scattering with a fit of the rest is from rando
     CHECK(most[0] < 1.5);
 }
 
+// Henyey and Greenstein's, with 0.45 back and 0.7 forward. Least squares: what is left has no part along the share.
+TEST_CASE("the table of rings with the sun behind the camera is the best fit to their phase function", "[17.tables]") {
+    const auto lobe = [](double cosine, double g) { return (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5); };
+    const auto phase = [&](double cosine) { return 0.98 * lobe(cosine, 0.45) + 0.02 * lobe(-cosine, 0.7); };
+    const std::vector<glm::vec4> thin{glm::vec4(1, 1, 1, 1e-5f)};
+    const double lit = double(ring_table(thin, 0, 0.35)[0].r), against = double(ring_table(thin, 1, 0.35)[0].r);
+    const double behind = lit / against * phase(-1);
+    double left = 0;
+    for (double cosine = 5e-4; cosine < 1; cosine += 1e-3) {
+        const double share = 0.5 + 0.5 * cosine;
+        left += 1e-3 * share * (phase(cosine) - share * behind - (1 - share) * phase(-1));
+    }
+    CHECK(left == Approx(0).margin(0.01));
+}
+
 TEST_CASE("three tables mixed by the cosine itself give less than no light", "[17.tables]") {
     const auto strip = ring_strip(BodyId::saturn, 512);
     const auto back = ring_table(strip, 0, 0.35), forward = ring_table(strip, 1, 0.35);

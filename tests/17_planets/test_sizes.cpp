@@ -129,6 +129,45 @@ TEST_CASE("Neptune's prime meridian is the IAU's, also where its term is largest
     }
 }
 
+// The eclipse of 21 August 2017 from 50 radii on the Sun's side, a map of no Earth: nothing is shaded beyond the Moon's
+// radius and the Sun's half angle.
+TEST_CASE_METHOD(OnPlanets, "the Moon's penumbra on the Earth is as wide as the Sun's disc makes it", "[17.penumbra]") {
+    const double earth_m = 6378e3, away_m = 50 * earth_m;
+    glm::dvec3 earth(0.0), z(0.0);
+    glm::dvec2 axis(1e30);
+    for (double days = 6441.75; days < 6442.75; days += 1.0 / 256) {  // floats: 20 s are 600 km
+        const glm::dvec3 place = place_body(BodyId::earth, days).position, to_sun = -glm::normalize(place);
+        const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun));
+        const glm::dvec3 moon = place_body(BodyId::moon, days).position - place;
+        const glm::dvec2 off(glm::dot(moon, right), glm::dot(moon, glm::cross(to_sun, right)));
+        if (glm::length(off) > glm::length(axis)) continue;
+        axis = off;
+        earth = place;
+        z = to_sun;
+        planets.date_days.value = float(days);
+    }
+    REQUIRE(glm::length(axis) < earth_m);
+    look_at("pluto", 6);
+    planets.exposed_for_m = glm::length(earth);
+    exact_eye = earth + away_m * z;
+    camera = {.position = {0, 0, 0}, .target = glm::vec3(-z), .fov_y_rad = 0.044f};
+    size = {128, 128};
+    const ImageRgb disc = picture();
+    planets.shadow.set("hard");
+    const ImageRgb hard = picture();
+    const double pixel_m = away_m * std::tan(0.022) / 64;
+    double widest = 0;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const glm::dvec2 at = pixel_m * glm::dvec2(x - 63.5, 63.5 - y);
+            const double ratio = double(disc.at(x, y).g) / double(hard.at(x, y).g);
+            if (glm::length(at) < 0.97 * earth_m && std::fabs(ratio - 1) > 1e-3)
+                widest = std::max(widest, glm::length(at - axis));
+        }
+    fmt::print("penumbra: {:.0f} km from its axis\n", widest / 1e3);
+    CHECK(widest == Approx(1737e3 + 372e6 * std::sin(glm::radians(0.2635))).epsilon(0.04));
+}
+
 TEST_CASE("the edges of Saturn's rings are NASA's") {
     std::vector<double> edges;
     for (const RingPart& part : ring_parts(BodyId::saturn)) {

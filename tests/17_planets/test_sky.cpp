@@ -127,6 +127,30 @@ TEST_CASE_METHOD(OnPlanets,
     }
 }
 
+TEST_CASE_METHOD(OnPlanets, "no sky shines through a disc of twenty pixels") {
+    planets.exposure.value = 0;
+    stars.brightness.value = 0;
+    stars.milky_way.value = 400;
+    with_stars = true;
+    look_at("mercury", 6);
+    const double pixel = 2 * std::tan(0.5 * double(camera.fov_y_rad)) / size.y;
+    camera.position = glm::normalize(camera.position) * float(2 * traits(BodyId::mercury).radius_m / (20 * pixel));
+    const ImageRgb found = picture();
+    for (int y = 0; y < int(size.y); ++y)
+        for (int x = 0; x < int(size.x); ++x)
+            if (glm::length(glm::vec2(x, y) + 0.5f - 0.5f * glm::vec2(size)) < 8.5f) CHECK(found.at(x, y).g == 0);
+}
+
+TEST_CASE_METHOD(OnPlanets, "a planet hides the Sun behind it, and only where it is wider") {
+    planets.exposure.value = 0;
+    const double sun_deg = 0.35;  // at Mars, about
+    for (const double radii : {3.0, 3000.0}) {
+        look_at("mars", radii, 180);
+        const bool hidden = 2 * glm::degrees(std::asin(1 / radii)) > sun_deg;
+        CHECK((sum_of(picture()) == 0) == hidden);
+    }
+}
+
 // In a film the Sun came into the picture and its pipeline was built then: 74 ms.
 TEST_CASE_METHOD(OnPlanets, "an unseen picture builds what bodies need that come nearer or into the picture later") {
     look_at("earth", 4, 30);

@@ -318,6 +318,26 @@ TEST_CASE_METHOD(OnPlanets, "the flight: a function of time, without a jump, whi
     }
 }
 
+TEST_CASE_METHOD(OnPlanets,
+                 "a flight's exposure changes by equal factors: halfway it is that of the mean in logarithms") {
+    const double turn = double(flight.stay_s + flight.travel_s);
+    for (size_t i = 1; i + 1 < body_count; ++i) {
+        const auto at = [&](double t) { return std::log(flight.at(t, 6500).exposed_for_m); };
+        const double from = double(i) * turn + double(flight.stay_s), to = double(i + 1) * turn;
+        CHECK(at(0.5 * (from + to)) == Approx(0.5 * (at(from) + at(to))).epsilon(1e-9));
+    }
+}
+
+TEST_CASE_METHOD(OnPlanets,
+                 "a planet is exposed for its distance from the Sun: half of it takes a quarter of the light") {
+    look_at("mars", 6);
+    const double away_m = glm::length(place_body(BodyId::mars, double(planets.date_days)).position);
+    planets.exposed_for_m = away_m;
+    const double whole = sum_of(picture());
+    planets.exposed_for_m = 0.5 * away_m;
+    CHECK(sum_of(picture()) == Approx(0.25 * whole).epsilon(0.01));
+}
+
 TEST_CASE("a catalogue of stars that is none says where and why") {
     const auto file = std::filesystem::temp_directory_path() / ("lightwalk_stars_" + std::to_string(getpid()) + ".csv");
     const auto says = [&](const char* text) -> std::string {

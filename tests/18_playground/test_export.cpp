@@ -193,6 +193,25 @@ TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
     CHECK(import_model(folder.path / "out.gltf").materials.at(0).roughness == Approx(0.5f));
 }
 
+// Khronos, "glTF 2.0 Specification", 3.8.4.1: v runs from the top. An OBJ's runs from the bottom.
+TEST_CASE("a texture's coordinates are exported from the top") {
+    const TestFolder folder;
+    write_file(folder.path / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.125\nf 1/1 2/1 3/1\n");
+    write_file(folder.path / "scene.json",
+               R"({"objects": [{"model": ")" + (folder.path / "one.obj").string() + R"("}]})");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
+    const nlohmann::json gltf = nlohmann::json::parse(read_file(folder.path / "out.gltf"));
+    const size_t accessor = gltf["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"];
+    const size_t view = gltf["accessors"].at(accessor)["bufferView"];
+    const std::string bytes = read_file(folder.path / std::string(gltf["buffers"][0]["uri"]));
+    glm::vec2 uv(0.0f);
+    std::memcpy(&uv, bytes.data() + gltf["bufferViews"].at(view).value("byteOffset", size_t(0)), sizeof uv);
+    CHECK(uv == glm::vec2(0.25f, 0.875f));
+}
+
 TEST_CASE("what textures cut out is cut out of the export, with the opacity map in the alpha of its colours") {
     const TestFolder folder;
     Image8 holes(8, 4), wood(4, 4);

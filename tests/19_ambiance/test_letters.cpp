@@ -44,7 +44,7 @@ TEST_CASE_METHOD(DeviceTest, "around its outline a letter has a shadow", "[19.le
         if (seen.at(x, 64).g > 0.8f) last = x;
     REQUIRE(last > 0);
     // 7 pixels beyond its edge: 0.11 of its height, where 0.55 smoothstep(-15 / 72, 0, -0.11) of the light is taken.
-    CHECK(double(seen.at(last + 7, 64).g) == Approx(0.5 * (1 - 0.55 * 0.45)).margin(0.05));
+    CHECK(double(seen.at(last + 7, 64).g) == Approx(0.5 * (1 - 0.55 * 0.45)).margin(0.03));
     CHECK(double(seen.at(last + 20, 64).g) == Approx(0.5).margin(0.002));
 }
 

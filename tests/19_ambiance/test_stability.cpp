@@ -335,6 +335,15 @@ TEST_CASE("the eye in its own target: it looks on, and no number is lost") {
     }
 }
 
+TEST_CASE("an eye that passes its own target looks on there as it did a moment before") {
+    const CameraPath path({{.time_s = 0, .position = {0, 0, 2}, .target = {0, 0, 0}},
+                           {.time_s = 4, .position = {0, 0, -2}, .target = {0, 0, 0}}},
+                          {Spline::linear, 0});
+    const Camera camera = path.at(2, {});
+    REQUIRE(camera.position == glm::vec3(0));
+    CHECK(camera.target.z < 0);
+}
+
 TEST_CASE("a clock that adds frames drifts; one that counts them does not", "[19.clock]") {
     float added = 0;
     for (int i = 0; i < 600 * 60; ++i) added += 1.0f / 60;

@@ -84,6 +84,12 @@ TEST_CASE("a cut shows one scene, a cross-fade two whose shares are 1 together, 
     CHECK(film.shown(17)[1].share == Approx(0.15625f));  // 3 s² - 2 s³ of a quarter
 }
 
+TEST_CASE("a third scene may begin where the first one ends") {
+    const Timeline film =
+        read("\"scenes\": [" + scene("a", 0, 5) + "," + scene("b", 4, 8) + "," + scene("c", 5, 9) + "]");
+    CHECK(film.shown(5).size() == 2);
+}
+
 TEST_CASE("fades last until the next one of their colour") {
     const Timeline film = read(R"("fades": [{"from_s": 0, "to_s": 2, "from": 1, "to": 0},
         {"from_s": 10, "to_s": 12, "from": 0, "to": 1, "color": "white"}, {"from_s": 20, "to_s": 20, "from": 0, "to": 1}])");
@@ -110,6 +116,19 @@ TEST_CASE("tracks run evenly between numbers, jump between words, and rest outsi
     CHECK(tracks.at("show")->at(3) == "normals");
     CHECK(tracks.at("trust")->at(0.9) == "0.5");
     CHECK(tracks.at("shadow")->at(7) == "off");
+}
+
+TEST_CASE("an entry has begun in the frame whose time, a float, rounds to just before it") {
+    const Timeline film = read("\"scenes\": [" + scene("a", 36, 60, R"(, "knobs": {"slice": [[14.3, 1], [20, 3]],
+        "show": ["steps", [0, "picture"], [14.3, "normals"]]})") +
+                               "]");
+    const double frame_s = double(50.3f) - 36;
+    REQUIRE(frame_s < 14.3);
+    std::map<std::string, const Track*> tracks;
+    for (const Track& track : film.scenes[0].knobs) tracks[track.name] = &track;
+    CHECK(tracks.at("show")->at(frame_s) == "normals");
+    CHECK(tracks.at("show")->at(14.299) == "picture");
+    CHECK(tracks.at("slice")->at(frame_s) == "1");
 }
 
 TEST_CASE("a scene turns where it begins and where a track jumps, not where one runs") {

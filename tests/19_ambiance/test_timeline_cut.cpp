@@ -54,6 +54,21 @@ TEST_CASE("the cuts between scenes stand on the music's beats", "[beats]") {
         }
 }
 
+TEST_CASE("a fade and a count that begin before a part go on in it; a title of less than 1.5 s is left out") {
+    const Timeline film =
+        parse_timeline(R"({"duration_s": 60, "cuts": {"short": {"parts": [[10, 20]], "music_from_s": 0}},
+        "fades": [{"from_s": 8, "to_s": 10.5, "from": 1, "to": 0, "color": "black"}],
+        "titles": [{"from_s": 8, "to_s": 14, "text": "{}", "count": [0, 600]},
+                   {"from_s": 9, "to_s": 11.4, "text": "short"}]})",
+                       "a.film");
+    const Timeline cut = cut_of(film, "short");
+    for (const double time_s : {0.0, 0.2, 0.4, 0.6, 5.0})
+        CHECK(cut.faded(time_s).black == Approx(film.faded(10 + time_s).black).margin(1e-6));
+    REQUIRE(cut.titles.size() == 1);
+    for (const double time_s : {0.5, 2.0, 3.5})
+        CHECK(title_text(cut.titles[0], time_s) == title_text(film.titles[0], 10 + time_s));
+}
+
 TEST_CASE("a cut that a film does not have is one line") {
     try {
         cut_of(parse_timeline("{\"duration_s\": 5}", "a.film"), "short");
