@@ -34,14 +34,26 @@ Texel texel_of(int layer, vec2 uv_m, float tile_m, float footprint_m) {
 }
 // [/scales]
 
-// Beds of rock, light and dark, some metres to tens of metres thick, that bend with the land.
-vec3 beds_of(vec3 position, float footprint_m) {
+// How hard the rock is at a height, 0 to 1: beds some metres to tens of metres thick.
+float bed_at(float height_m, float footprint_m) {
+    float thick = textureLod(materials, vec3(height_m / 430.0, 0.37, ROCK), log2(max(footprint_m / 430.0 * 512.0, 4.0))).a;
+    float thin = textureLod(materials, vec3(height_m / 83.0, 0.71, ROCK), log2(max(footprint_m / 83.0 * 512.0, 2.0))).a;
+    return smoothstep(0.4, 0.6, 0.6 * thick + 0.4 * thin);
+}
+
+// Light and dark beds that bend with the land. Hard ones stand out as ledges: the slope of the wall's relief along y.
+vec3 beds_of(vec3 position, float footprint_m, out float ledge) {
     float bent = position.y + 30.0 * textureLod(materials, vec3(position.xz / 1900.0, ROCK), 5.0).a;
-    float thick = textureLod(materials, vec3(bent / 430.0, 0.37, ROCK), log2(max(footprint_m / 430.0 * 512.0, 4.0))).a;
-    float thin = textureLod(materials, vec3(bent / 83.0, 0.71, ROCK), log2(max(footprint_m / 83.0 * 512.0, 2.0))).a;
-    float bed = smoothstep(0.3, 0.7, 0.6 * thick + 0.4 * thin);
-    vec3 color = mix(vec3(0.42, 0.3, 0.27), vec3(1.75, 1.6, 1.4), bed);
-    return mix(vec3(1.0), color, land.strata);
+    float step_m = max(0.7, footprint_m), bed = bed_at(bent, footprint_m);
+    ledge = 3.0 * (bed_at(bent + step_m, footprint_m) - bed) / step_m;
+    return mix(vec3(1.0), mix(vec3(0.3, 0.19, 0.16), vec3(1.9, 1.72, 1.5), bed), land.strata);
+}
+
+// Joints: the texture drawn out along y, as water runs down a wall.
+float joint_at(vec2 uv_m, float footprint_m) {
+    float bend = textureLod(materials, vec3(uv_m / 610.0, ROCK), 3.0).a;
+    vec2 uv = vec2(uv_m.x + 15.0 * bend, uv_m.y) / vec2(260.0, 1500.0);
+    return textureLod(material_bumps, vec3(uv, ROCK), log2(max(footprint_m / 260.0 * 512.0, 2.0))).r - 0.5;
 }
 
 // [triplanar]
@@ -58,13 +70,19 @@ Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
         if (land.strata > 0.0) {  // grain of decimetres, which a tile of 42 m is too coarse for
             float grain = textureLod(materials, vec3(uv.yx / 5.3, ROCK), log2(max(footprint_m / 5.3 * 512.0, 1.0))).a;
             one.albedo *= mix(1.0, 0.6 + 0.8 * grain, land.strata);
+            one.slope *= mix(1.0, 0.4, land.strata);
+            if (axis != 1) one.slope.x += 0.9 * land.strata * joint_at(uv, footprint_m);
         }
         sum.albedo += share[axis] * one.albedo;
         sum.height += share[axis] * one.height;
         vec3 along = axis == 0 ? vec3(0.0, one.slope.y, one.slope.x) : axis == 1 ? vec3(one.slope.x, 0.0, one.slope.y) : vec3(one.slope, 0.0);
         tilt += share[axis] * along;
     }
-    if (land.strata > 0.0) sum.albedo *= beds_of(position, footprint_m);
+    if (land.strata > 0.0) {
+        float ledge;
+        sum.albedo *= beds_of(position, footprint_m, ledge);
+        tilt.y += land.strata * ledge;
+    }
     return sum;
 }
 // [/triplanar]
