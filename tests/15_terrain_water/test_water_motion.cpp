@@ -14,7 +14,7 @@ struct OnMovingWater : OnWater {
     Taa taa{owner, "taa"};
     Moving moving;
     std::vector<uint64_t> vectors;
-    static constexpr double dt_s = 1.0 / 60;
+    static constexpr double dt_s = 1.0 / 20;
 
     OnMovingWater() {
         water.reflection.set("cube");
@@ -99,7 +99,8 @@ TEST_CASE_METHOD(OnMovingWater, "vectors of one wave follow its crests, at the s
     water.longest_m.value = water.shortest_m.value = 6;
     water.spread_deg.value = 0;
     water.wind_deg.value = 30;
-    size = {192, 128};
+    water.slope.value = 0.1f;
+    size = {384, 256};
     const double speed = std::sqrt(9.81 * 6 / (2 * M_PI)), angle = 30 * M_PI / 180;
     const glm::dvec3 way = -speed * dt_s * glm::dvec3(std::cos(angle), 0, std::sin(angle));
     for (const char* method : {"sines", "gerstner"})
@@ -122,7 +123,8 @@ TEST_CASE_METHOD(OnMovingWater, "vectors of several waves are the motion that le
     water.longest_m.value = 12;
     water.shortest_m.value = 4;
     water.spread_deg.value = 70;
-    size = {192, 128};
+    water.slope.value = 0.08f;
+    size = {384, 256};
     const double time_s = 2;
     REQUIRE(two_frames(time_s));
     // Slopes are the derivatives of the height.
@@ -244,7 +246,7 @@ TEST_CASE_METHOD(OnMovingWater,
     size = {192, 108};
     const auto lit = [&](int i, glm::vec2 shift, bool gathers) {
         const View seen = view(0, shift);
-        frame_at(2 + i * dt_s, seen, [&] {
+        frame_at(2 + i / 60.0, seen, [&] {
             if (gathers) taa.record(frame, frame.hdr, {seen, frame.depth, &scene, {water}});
         });
         return read_linear(gpu, frame.hdr);
