@@ -151,6 +151,17 @@ TEST_CASE_METHOD(OnPlanets, "a planet hides the Sun behind it, and only where it
     }
 }
 
+TEST_CASE_METHOD(OnPlanets, "a planet behind the camera hides nothing of the sky") {
+    planets.exposure.value = 0;
+    stars.milky_way.value = 400;
+    with_stars = true;
+    look_at("mercury", 1.001);
+    camera.target = 2.0f * camera.position;
+    const ImageRgb seen = picture();
+    with_planets = false;
+    CHECK(seen.pixels == picture().pixels);
+}
+
 // In a film the Sun came into the picture and its pipeline was built then: 74 ms.
 TEST_CASE_METHOD(OnPlanets, "an unseen picture builds what bodies need that come nearer or into the picture later") {
     look_at("earth", 4, 30);
