@@ -129,7 +129,10 @@ std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bo
 void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
     unseen_size_ = size;
     ahead_ = std::make_unique<Ahead>([this, &gpu, is_first = true](size_t place) mutable {
-        if (std::exchange(is_first, false) && before_scenes) before_scenes(gpu);
+        if (std::exchange(is_first, false) && before_scenes) {
+            before_scenes(gpu);
+            before_scenes_spent = Turn::spent();
+        }
         const Unseen later;
         return made(gpu, unseen_size_, place, true);
     });

@@ -83,6 +83,7 @@ struct Reel : Module {
 
     /// Called by the worker before its first scene.
     std::function<void(Gpu&)> before_scenes;
+    Turn::Spent before_scenes_spent;
 
     /// How a scene was made ready for playing.
     struct Preparation {

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/turn.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -27,21 +28,22 @@ float capital_units(const stbtt_fontinfo& font) {
 
 }  // namespace
 
-void Typeface::read() {
-    if (!letters_.empty()) return;
+Typeface::Letters Typeface::drawn() {
+    Letters all;
+    Turn::works(size_t(across) * down);
     const std::filesystem::path file = find_asset("fonts/inter_semibold.ttf");
     const std::string bytes = read_file(file);
     stbtt_fontinfo font;
     if (!stbtt_InitFont(&font, reinterpret_cast<const unsigned char*>(bytes.data()), 0))
         throw InputError("{}: not a font", file.string());
     const float capital = capital_units(font), scale = capital_px / capital;
-    texels_.assign(size_t(across) * down, 0);
+    all.texels.assign(size_t(across) * down, 0);
     glm::ivec2 pen(0);
     int row = 0;
     for (char sign = ' '; sign <= '~'; ++sign) {
         int advance = 0, bearing = 0, width = 0, height = 0, x = 0, y = 0;
         stbtt_GetCodepointHMetrics(&font, sign, &advance, &bearing);
-        Letter& letter = letters_[sign];
+        Letter& letter = all.by_sign[sign];
         letter = {{}, static_cast<float>(advance) / capital};
         unsigned char* drawn = stbtt_GetCodepointSDF(&font, scale, sign, border_px, outline,
                                                      float(outline) / float(border_px), &width, &height, &x, &y);
@@ -49,7 +51,7 @@ void Typeface::read() {
         if (pen.x + width > across) pen = {0, row};
         if (pen.y + height > down) throw InputError("{}: letters are larger than expected", file.string());
         for (int i = 0; i < height; ++i)
-            std::copy_n(drawn + i * width, width, texels_.begin() + (pen.y + i) * across + pen.x);
+            std::copy_n(drawn + i * width, width, all.texels.begin() + (pen.y + i) * across + pen.x);
         stbtt_FreeSDF(drawn, nullptr);
         letter.drawn = {.lower = glm::vec2(glm::ivec2(x, -(y + height))) / capital_px,
                         .upper = glm::vec2(glm::ivec2(x + width, -y)) / capital_px,
@@ -61,7 +63,16 @@ void Typeface::read() {
     for (char a = ' '; a <= '~'; ++a)
         for (char b = ' '; b <= '~'; ++b)
             if (const int apart = stbtt_GetCodepointKernAdvance(&font, a, b))
-                kerning_[{a, b}] = static_cast<float>(apart) / capital;
+                all.kerning[{a, b}] = static_cast<float>(apart) / capital;
+    return all;
+}
+
+void Typeface::read() {
+    if (letters_) return;
+    letters_ = aside([] {
+        static const Letters all = drawn();
+        return &all;
+    });
 }
 
 void Typeface::load(Gpu& gpu) {
@@ -69,7 +80,7 @@ void Typeface::load(Gpu& gpu) {
     read();
     distances_ = Image(gpu.device,
                        {.name = "typeface", .format = VK_FORMAT_R8_UNORM, .size = {uint32_t(across), uint32_t(down)}});
-    gpu.upload(distances_, std::as_bytes(std::span(texels_)));
+    gpu.upload(distances_, std::as_bytes(std::span(letters_->texels)));
 }
 
 std::vector<Glyph> Typeface::line(const std::string& text, float& width) const {
@@ -77,9 +88,10 @@ std::vector<Glyph> Typeface::line(const std::string& text, float& width) const {
     float at = 0;
     char before = 0;
     for (const char sign : text) {
-        const auto letter = letters_.find(sign);
-        const Letter& found = letter == letters_.end() ? letters_.at(' ') : letter->second;
-        if (const auto apart = kerning_.find({before, sign}); apart != kerning_.end()) at += apart->second;
+        const auto letter = letters_->by_sign.find(sign);
+        const Letter& found = letter == letters_->by_sign.end() ? letters_->by_sign.at(' ') : letter->second;
+        if (const auto apart = letters_->kerning.find({before, sign}); apart != letters_->kerning.end())
+            at += apart->second;
         Glyph glyph = found.drawn;
         glyph.lower.x += at;
         glyph.upper.x += at;

@@ -14,7 +14,8 @@ namespace lightwalk {
 /// Inter Semi Bold, from assets/fonts.
 class Typeface {
   public:
-    /// Reads the font and draws its letters, for line(). Throws InputError.
+    /// Reads the font and draws its letters, for line(). They take a third of a second, and are drawn once in a program.
+    /// Throws InputError.
     void read();
     /// Reads it and uploads distances().
     void load(Gpu& gpu);
@@ -30,9 +31,13 @@ class Typeface {
         Glyph drawn;  ///< at the pen's place; no size: a blank
         float advance;
     };
-    std::map<char, Letter> letters_;
-    std::map<std::pair<char, char>, float> kerning_;
-    std::vector<unsigned char> texels_;
+    struct Letters {
+        std::map<char, Letter> by_sign;
+        std::map<std::pair<char, char>, float> kerning;
+        std::vector<unsigned char> texels;
+    };
+    static Letters drawn();
+    const Letters* letters_ = nullptr;
     Image distances_;
 };
 // [/typeface]

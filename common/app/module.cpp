@@ -43,6 +43,7 @@ void Module::forget_macros() {
     for (Module* module = this; module; module = module->owner_) {
         module->variants_.clear();
         module->macros_ = {};
+        module->own_.clear();
     }
 }
 
@@ -69,13 +70,12 @@ Macros Module::macros() const {
 std::vector<std::byte> Module::block(const Binding& binding) const {
     if (binding.name != (kind_.empty() ? std::string_view("knobs") : std::string_view(kind_))) return {};
     std::vector<std::byte> bytes(binding.bytes);
-    std::vector<const KnobBase*> own;
-    visit_own([&](const KnobBase& knob) { own.push_back(&knob); });
+    if (own_.empty()) visit_own([&](const KnobBase& knob) { own_.push_back(&knob); });
     size_t next = 0;
     for (const BlockMember& member : binding.members) {
         const KnobBase* found = nullptr;
-        for (size_t i = 0; i < own.size() && !found; ++i, next = (next + 1) % own.size())
-            if (own[next]->name == member.name) found = own[next];
+        for (size_t i = 0; i < own_.size() && !found; ++i, next = (next + 1) % own_.size())
+            if (own_[next]->name == member.name) found = own_[next];
         if (!found)
             throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
                           path_.empty() ? "the chapter" : "the module " + path_);

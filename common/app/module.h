@@ -127,7 +127,8 @@ class Module : public Given {
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
     mutable Macros macros_;
-    mutable std::vector<size_t> variants_;  ///< of the knobs from which macros_ were made
+    mutable std::vector<size_t> variants_;      ///< of the knobs from which macros_ were made
+    mutable std::vector<const KnobBase*> own_;  ///< that visit_own() visits, once they were asked for
 };
 
 }  // namespace lightwalk

@@ -111,6 +111,7 @@ VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<Vk
     for (VkWriteDescriptorSet& write : writes) write.dstSet = one.set;
     vkUpdateDescriptorSets(device_.handle, static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
     ++gpu_work.sets;
+    ++written;
     return one.set;
 }
 

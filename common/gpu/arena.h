@@ -35,7 +35,8 @@ class DescriptorSets {
     /// A set that holds `writes`, until the next reset().
     VkDescriptorSet make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes);
     void reset();
-    size_t count = 0;  ///< made since then
+    size_t count = 0;      ///< made since then
+    uint64_t written = 0;  ///< in all
 
   private:
     using Pool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;

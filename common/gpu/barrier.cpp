@@ -116,6 +116,13 @@ void Barriers::add(const Buffer& buffer, const Access& next) {
                        .size = VK_WHOLE_SIZE});
 }
 
+void Barriers::record(Commands& commands) {
+    if (images.empty() && buffers.empty()) return;
+    commands.pipeline_barrier(images, buffers);
+    images.clear();
+    buffers.clear();
+}
+
 void Barriers::record(VkCommandBuffer commands) {
     if (images.empty() && buffers.empty()) return;
     const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,

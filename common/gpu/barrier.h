@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/gpu/buffer.h"
+#include "common/gpu/commands.h"
 #include "common/gpu/image.h"
 
 namespace lightwalk {
@@ -15,6 +16,7 @@ class Barriers {
     void add(const Buffer& buffer, const Access& next);
 
     /// One command for all that was added, or none; forgets them.
+    void record(Commands& commands);
     void record(VkCommandBuffer commands);
 
     std::vector<VkImageMemoryBarrier2> images;
@@ -22,8 +24,8 @@ class Barriers {
 };
 
 /// One alone.
-template <class T>
-void barrier(VkCommandBuffer commands, const T& resource, const Access& next) {
+template <class Into, class T>
+void barrier(Into&& commands, const T& resource, const Access& next) {
     Barriers one;
     one.add(resource, next);
     one.record(commands);

@@ -78,6 +78,7 @@ class Device {
     void set_name(VkObjectType type, uint64_t object, const std::string& name) const;
     void begin_label(VkCommandBuffer commands, const char* name) const;
     void end_label(VkCommandBuffer commands) const;
+    bool has_labels() const { return begin_label_; }
 
     /// Throws Failure with the first of validation's messages after `heard` of them, where there are any.
     void check_validation(size_t heard = 0) const;

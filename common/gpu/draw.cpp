@@ -5,14 +5,14 @@
 namespace lightwalk {
 
 Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
-    bind(pipeline, variant, formats, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    bind(pipeline, variant, formats(), VK_PIPELINE_BIND_POINT_GRAPHICS);
     two_sided_ = false;
-    vkCmdSetCullMode(commands, cull_ = pipeline.graphics.cull);
+    commands.set_cull_mode(cull_ = pipeline.graphics.cull);
     return mirrored(false);
 }
 
 Raster& Raster::two_sided(bool both) {
-    if (both != two_sided_) vkCmdSetCullMode(commands, both ? VkCullModeFlags{VK_CULL_MODE_NONE} : cull_);
+    if (both != two_sided_) commands.set_cull_mode(both ? VkCullModeFlags{VK_CULL_MODE_NONE} : cull_);
     two_sided_ = both;
     return *this;
 }
@@ -20,14 +20,14 @@ Raster& Raster::two_sided(bool both) {
 Raster& Raster::mirrored(bool mirrors) {
     if (mirrors && listener()) listener()->does_more("mirrored(true)");
     if (mirrors != mirrored_)
-        vkCmdSetFrontFace(commands, mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        commands.set_front_face(mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     mirrored_ = mirrors;
     return *this;
 }
 
 Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
     if (listener()) listener()->draws(vertices, instances, first_instance);
-    if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
+    if (flush()) commands.draw(vertices, instances, first_instance);
     return *this;
 }
 
@@ -35,7 +35,7 @@ void Raster::bind_indices(const Buffer& indices) {
     if (listener()) listener()->does_more("the indices '" + indices.name + "'");
     if (indices.handle == indices_) return;
     check_indirect(indices);
-    vkCmdBindIndexBuffer(commands, indices.handle, 0, VK_INDEX_TYPE_UINT32);
+    commands.bind_index_buffer(indices.handle);
     indices_ = indices.handle;
 }
 
@@ -43,7 +43,7 @@ Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32
                              uint32_t first_instance) {
     if (!flush()) return *this;
     bind_indices(indices);
-    vkCmdDrawIndexed(commands, count, instances, first_index, 0, first_instance);
+    commands.draw_indexed(count, instances, first_index, first_instance);
     return *this;
 }
 
@@ -63,7 +63,7 @@ void Raster::indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, 
 Raster& Raster::draw_indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset) {
     if (!flush()) return *this;
     indirect(draws, count, offset, sizeof(VkDrawIndirectCommand),
-             [&](auto... arguments) { vkCmdDrawIndirect(commands, arguments...); });
+             [&](auto... arguments) { commands.draw_indirect(arguments...); });
     return *this;
 }
 
@@ -71,7 +71,7 @@ Raster& Raster::draw_indexed_indirect(const Buffer& indices, const Buffer& draws
     if (!flush()) return *this;
     bind_indices(indices);
     indirect(draws, count, offset, sizeof(VkDrawIndexedIndirectCommand),
-             [&](auto... arguments) { vkCmdDrawIndexedIndirect(commands, arguments...); });
+             [&](auto... arguments) { commands.draw_indexed_indirect(arguments...); });
     return *this;
 }
 
@@ -91,7 +91,7 @@ Compute& Compute::dispatch_threads(glm::uvec3 threads) {
 
 Compute& Compute::dispatch(glm::uvec3 groups) {
     if (listener()) listener()->dispatches(groups);
-    if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+    if (flush() && groups.x && groups.y && groups.z) commands.dispatch(groups);
     return *this;
 }
 
@@ -101,7 +101,7 @@ Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
     check_indirect(groups);
     if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
         throw Failure("pass '{}': no dispatch at byte {} of '{}'", name, offset, groups.name);
-    vkCmdDispatchIndirect(commands, groups.handle, offset);
+    commands.dispatch_indirect(groups.handle, offset);
     return *this;
 }
 
@@ -114,9 +114,7 @@ Compute& Compute::wait() {
         .dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
         .dstAccessMask =
             VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
-    const VkDependencyInfo info{
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
-    vkCmdPipelineBarrier2(commands, &info);
+    commands.pipeline_barrier(memory);
     return *this;
 }
 

@@ -63,7 +63,7 @@ void Frame::make_room() {
     recording().restart();
 }
 
-VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
+Commands& Frame::begin_pass(const std::string& name, const char* stage) {
     make_room();
     if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, recording().passes.back().name);
     in_pass_ = true;
@@ -141,59 +141,59 @@ void Frame::need_light(const std::string& who, const Image& image) const {
                       image.desc.name);
 }
 
-void Frame::raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record) {
+void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record) {
     const size_t outputs_before = outputs.size();
-    Rendering rendering(name, targets, size, watch_.shows_discarded);
+    Rendering& rendering = lists_.rendering;
+    rendering.set(name, targets, size, watch_.shows_discarded);
     // After a pipeline without colour targets, Mesa 25's rasteriser blends every target as the first one, until the
     // frame ends (handle_graphics_pipeline in lvp_execute.c). One that is absent avoids this.
     if (gpu.device.software() && rendering.formats.color.empty()) rendering.formats.color = {VK_FORMAT_UNDEFINED};
-    const std::vector<const Given*> given = all_given(name, targets.with, root);
-    const std::vector<Stated> stated = state(name, with_given(targets.reads, given), targets.writes, &targets);
-    check_reads(name, stated, &rendering);
-    const VkCommandBuffer commands = begin_pass(name, "raster");
-    Barriers barriers;
-    add_barriers(barriers, false, stated);
-    rendering.add_barriers(barriers);
-    barriers.record(commands);
+    all_given(lists_.given, name, targets.with, root);
+    with_given(lists_.reads, targets.reads, lists_.given);
+    state(lists_.stated, name, lists_.reads, targets.writes, &targets);
+    check_reads(name, lists_.stated, &rendering);
+    Commands& commands = begin_pass(name, "raster");
+    add_barriers(lists_.barriers, false, lists_.stated);
+    rendering.add_barriers(lists_.barriers);
+    lists_.barriers.record(commands);
     for (const Attachment& target : targets.color)
         add_output(name, target.resolve_into ? target.resolve_into : target.view);
     if (targets.depth.load != Attachment::Load::read_only)
         add_output(name + " depth", targets.depth.resolve_into ? targets.depth.resolve_into : targets.depth.view);
-    Raster pass(*this, name, commands, stated, given);
-    pass.formats = rendering.formats;
+    Raster pass(*this, name, commands, lists_);
     rendering.begin(commands);
     if (watch_.listener) watch_.listener->begins(name, targets);
     record_and_end([&] { record(pass); },
                    [&] {
-                       vkCmdEndRendering(commands);
+                       commands.end_rendering();
                        end_pass();
                    });
-    note_writes(stated, &rendering);
+    note_writes(lists_.stated, &rendering);
     run_after_pass(outputs_before);
 }
 
-void Frame::compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record) {
+void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record) {
     const size_t outputs_before = outputs.size();
-    const std::vector<const Given*> given = all_given(name, access.with, root);
-    const std::vector<Stated> stated = state(name, with_given(access.reads, given), access.writes);
-    check_reads(name, stated, nullptr);
-    const VkCommandBuffer commands = begin_pass(name, "compute");
-    Barriers barriers;
-    add_barriers(barriers, true, stated);
-    barriers.record(commands);
+    all_given(lists_.given, name, access.with, root);
+    with_given(lists_.reads, access.reads, lists_.given);
+    state(lists_.stated, name, lists_.reads, access.writes);
+    check_reads(name, lists_.stated, nullptr);
+    Commands& commands = begin_pass(name, "compute");
+    add_barriers(lists_.barriers, true, lists_.stated);
+    lists_.barriers.record(commands);
     for (const Resource& written : access.writes) add_output(name, written.view);
-    Compute pass(*this, name, commands, stated, given);
+    Compute pass(*this, name, commands, lists_);
     if (watch_.listener) watch_.listener->begins(name, access);
     record_and_end([&] { record(pass); }, [&] { end_pass(); });
-    note_writes(stated, nullptr);
+    note_writes(lists_.stated, nullptr);
     run_after_pass(outputs_before);
 }
 
-void Frame::transfer(const std::string& name, const ComputeAccess& access,
-                     const std::function<void(VkCommandBuffer)>& record) {
-    const std::vector<Stated> stated = state(name, access.reads, access.writes);  // throws where they overlap
+void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(Commands&)> record) {
+    std::vector<Stated> stated;
+    state(stated, name, access.reads, access.writes);  // throws where they overlap
     note_writes(stated, nullptr);
-    const VkCommandBuffer commands = begin_pass(name, "transfer");
+    Commands& commands = begin_pass(name, "transfer");
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;
     const auto add = [&](const Resource& r, const Access& next) {
@@ -211,6 +211,11 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access,
                        barriers.record(commands);
                        end_pass();
                    });
+}
+
+void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record) {
+    transfer(name, access,
+             [&](Commands&) { record_and_end([&] { record(recording().open()); }, [&] { recording().shut(); }); });
 }
 
 }  // namespace lightwalk

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "common/base/function_ref.h"
 #include "common/gpu/pass.h"
 #include "common/gpu/pass_listener.h"
 #include "common/gpu/read_back.h"
@@ -18,7 +19,7 @@ struct Crop {
 };
 
 /// Records passes in order and submits them at once. A pass that never ends is named.
-/// Large (35 functions, 25 members): what one command buffer records, and its targets.
+/// Large (37 functions, 25 members): what one command buffer records, and its targets.
 class Frame {
   public:
     explicit Frame(Gpu& gpu, const FrameWatch& watch = {});
@@ -60,10 +61,11 @@ class Frame {
     /// Passes are recorded one after the other, never nested. One that throws is submitted all the same. Throws
     /// Failure if a pass reads an image that no pass of this frame wrote, unless it was uploaded or keeps its
     /// contents (Image::Desc::kept): it would show an earlier frame, or undefined memory.
-    void raster(const std::string& name, const RasterTargets& targets, const std::function<void(Raster&)>& record);
-    void compute(const std::string& name, const ComputeAccess& access, const std::function<void(Compute&)>& record);
-    void transfer(const std::string& name, const ComputeAccess& access,
-                  const std::function<void(VkCommandBuffer)>& record);
+    void raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record);
+    void compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record);
+    void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(Commands&)> record);
+    /// The same with commands that go into a command buffer at once, in every frame anew.
+    void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record);
 
     /// A transfer pass that fills the buffer, which is made, or made larger, where it is too small; every later pass
     /// may read it. `bytes` are copied now. `name` is the pass's and a new buffer's.
@@ -88,6 +90,9 @@ class Frame {
     void read_back(const Buffer& buffer, ReadBack& into);
     void read_back(const ImageView& view, ReadBack& into);
 
+    /// Makes the command buffer from the passes, or finds it among earlier frames' ones; end() does it otherwise.
+    void close() { recording().close(); }
+
     /// Submits. With one frame in flight it waits for it, else begin() waits for the oldest one. Where no pass ends within
     /// Device::timeout_ns, the process ends with the running one's name. Fills `times` and the read-backs of frames that
     /// have ended.
@@ -102,7 +107,7 @@ class Frame {
 
     std::vector<PassTime> times;                                 ///< of the last frame that ended, in order
     std::function<void(const std::vector<PassTime>&)> on_ended;  ///< called with the times of each frame, in order
-    double recording_ms = 0;  ///< processor time that the chapter took to record the last one
+    double recording_ms = 0;  ///< processor time that the chapter and close() took for the last one
 
     /// Outputs of this frame's passes, in order, for viewing: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
@@ -124,7 +129,7 @@ class Frame {
     friend class Pass;
     const FrameWatch watch_;
     Recording& recording() const { return *recordings_[current_]; }
-    VkCommandBuffer begin_pass(const std::string& name, const char* stage);
+    Commands& begin_pass(const std::string& name, const char* stage);
     void end_pass();
     void check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const;
     void note_writes(const std::vector<Stated>& stated, const Rendering* targets) const;
@@ -140,6 +145,7 @@ class Frame {
     std::vector<std::unique_ptr<Recording>> recordings_;
     size_t current_ = 0;  ///< the one in the making, or the last
     bool in_pass_ = false;
+    PassLists lists_;
     Image mean_;
     Owned<VkSemaphore, vkDestroySemaphore> timeline_;  ///< counts submissions that have ended
     uint64_t submitted_ = 0;

@@ -52,6 +52,9 @@ class Gpu {
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
 };
 
+/// The view's first mip, all its layers, tightly packed in a buffer from byte `offset` on.
+VkBufferImageCopy region_of(VkDeviceSize offset, const ImageView& view);
+
 /// Copies between a buffer, from byte `offset` on, and the view's first mip, all its layers. The image is in the layout
 /// for transfers.
 void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to);

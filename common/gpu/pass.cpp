@@ -42,16 +42,13 @@ bool turn_into(ImageView& view, VkImageViewType wanted) {
 
 }  // namespace
 
-Pass::Pass(Frame& owner, std::string pass_name, VkCommandBuffer command_buffer, std::vector<Stated> stated_resources,
-           std::vector<const Given*> given)
-    : commands(command_buffer),
-      frame(owner),
-      name(std::move(pass_name)),
-      stated_(std::move(stated_resources)),
-      given_(std::move(given)) {
-    for (const Given* one : given_) macros_.push_back(one->macros());
-    for (const Macros& macros : macros_) scopes_.push_back(&macros);
-    scopes_.push_back(nullptr);
+Pass::Pass(Frame& owner, const std::string& pass_name, Commands& frame_commands, PassLists& lists)
+    : commands(frame_commands), frame(owner), name(pass_name), lists_(lists) {
+    lists_.macros.clear();
+    lists_.scopes.clear();
+    for (const Given* one : lists_.given) lists_.macros.push_back(one->macros());
+    for (const Macros& macros : lists_.macros) lists_.scopes.push_back(&macros);
+    lists_.scopes.push_back(nullptr);
 }
 
 Pass::Slot Pass::slot(std::string_view binding) const {
@@ -84,43 +81,46 @@ void Pass::fail_unstated(std::string_view use, bool writes) const {
 }
 
 const Stated* Pass::stated(const ImageView& view, bool writes) const {
-    for (const Stated& s : stated_)
+    for (const Stated& s : lists_.stated)
         if (s.resource.view && (s.writable || !writes) && s.resource.view.contains(view)) return &s;
     return nullptr;
 }
 
 void Pass::check_stated(std::string_view use, const Buffer& buffer, bool writes) const {
     if (buffer.constant && !writes) return;
-    for (const Stated& s : stated_)
+    for (const Stated& s : lists_.stated)
         if (s.resource.buffer == &buffer && (s.writable || !writes)) return;
     fail_unstated(use, writes);
 }
 
 void Pass::check_indirect(const Buffer& buffer) const {
     if (buffer.constant) return;
-    for (const Stated& s : stated_)
+    for (const Stated& s : lists_.stated)
         if (s.resource.buffer == &buffer && s.read) return;
     fail_unstated(buffer.name, false);
 }
 
 void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
                 VkPipelineBindPoint point) {
-    scopes_.back() = &variant;
-    const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, scopes_);
+    lists_.scopes.back() = &variant;
+    const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, lists_.scopes);
     if (pipeline && pipeline == pipeline_) return;  // bindings are still valid
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) return;
-    vkCmdBindPipeline(commands, point, pipeline->handle);
-    if (frame.gpu.device.hides_blocks) {
-        const uint32_t index = 0;
-        vkCmdPushConstants(commands, pipeline->layout, hidden_index.stageFlags, 0, hidden_index.size, &index);
+    commands.bind_pipeline(point, pipeline->handle);
+    if (frame.gpu.device.hides_blocks) commands.push_constant(pipeline->layout, hidden_index.stageFlags, 0);
+    lists_.bound.assign(pipeline->bindings.size(), {});
+    size_t bytes_in_all = 0;
+    for (const Binding& binding : pipeline->bindings) {
+        lists_.bound[binding.number].at = static_cast<uint32_t>(bytes_in_all);
+        if (binding.used) bytes_in_all += binding.bytes;
     }
-    bound_.assign(pipeline->bindings.size(), {});
+    lists_.bytes.resize(bytes_in_all);
     missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
-    dirty_.clear();
-    image_infos_.assign(pipeline->descriptors, {});
-    buffer_infos_.assign(pipeline->descriptors, {});
+    lists_.dirty.clear();
+    lists_.image_infos.assign(pipeline->descriptors, {});
+    lists_.buffer_infos.assign(pipeline->descriptors, {});
     if (listener()) listener()->uses(wanted, variant);
     modules_bind_ = true;
     for (const Binding& binding : pipeline->bindings) {
@@ -129,20 +129,20 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
             set_bytes(binding.name, it->second);
             continue;
         }
-        for (const Given* given : given_)
+        for (const Given* given : lists_.given)
             if (const auto bytes = given->block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
     }
-    for (const Given* given : given_) given->bind(*this);
+    for (const Given* given : lists_.given) given->bind(*this);
     modules_bind_ = false;
 }
 
 PassListener* Pass::listener() const { return modules_bind_ ? nullptr : frame.watch_.listener; }
 
 void Pass::mark(const Binding& binding) {
-    Bound& bound = bound_[binding.number];
+    PassLists::Bound& bound = lists_.bound[binding.number];
     if (bound.dirty) return;
     bound.dirty = true;
-    dirty_.push_back(binding.number);
+    lists_.dirty.push_back(binding.number);
 }
 
 template <class Info>
@@ -184,9 +184,9 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
     VkDescriptorImageInfo info{};
     for (uint32_t i = 0; i < binding.count; ++i) {
         if (i < views.size()) info = image_info(binding, views[i], sampler);
-        store(binding, i, image_infos_, info);
+        store(binding, i, lists_.image_infos, info);
     }
-    missing_ -= !std::exchange(bound_[binding.number].set, true);
+    missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
 }
 
 void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
@@ -198,8 +198,8 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     if (binding->count > 1)
         throw Failure("pass '{}': '{}' is an array of buffers, which passes do not bind", name, binding->name);
     check_stated(binding->name, buffer, binding->writable);
-    store(*binding, 0, buffer_infos_, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
-    missing_ -= !std::exchange(bound_[binding->number].set, true);
+    store(*binding, 0, lists_.buffer_infos, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
+    missing_ -= !std::exchange(lists_.bound[binding->number].set, true);
 }
 
 void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
@@ -211,11 +211,12 @@ void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> byte
     if (bytes.size() != binding->bytes)
         throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding->name, bytes.size(),
                       binding->bytes);
-    Bound& bound = bound_[binding->number];
+    PassLists::Bound& bound = lists_.bound[binding->number];
     // Compared with a host copy: reading device memory back can be slow.
-    if (bound.bytes.size() != bytes.size() || std::memcmp(bound.bytes.data(), bytes.data(), bytes.size()) != 0) {
-        bound.bytes.assign(bytes.begin(), bytes.end());
-        store(*binding, 0, buffer_infos_, frame.copy_to_arena(bytes));
+    std::byte* const known = lists_.bytes.data() + bound.at;
+    if (!bound.set || std::memcmp(known, bytes.data(), bytes.size()) != 0) {
+        std::memcpy(known, bytes.data(), bytes.size());
+        store(*binding, 0, lists_.buffer_infos, frame.copy_to_arena(bytes));
     }
     missing_ -= !std::exchange(bound.set, true);
 }
@@ -224,30 +225,29 @@ bool Pass::flush() {
     if (!pipeline_) return false;
     if (missing_ > 0)
         for (const Binding& binding : pipeline_->bindings)
-            if (binding.used && !bound_[binding.number].set)
+            if (binding.used && !lists_.bound[binding.number].set)
                 throw Failure("pass '{}' draws or dispatches without '{}' being set", name, binding.name);
-    if (dirty_.empty()) return true;
-    writes_.clear();
+    if (lists_.dirty.empty()) return true;
+    lists_.writes.clear();
     const auto write = [&](const Binding& binding) {
-        writes_.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                           .dstBinding = binding.number,
-                           .descriptorCount = binding.count,
-                           .descriptorType = binding.type,
-                           .pImageInfo = &image_infos_[binding.first],
-                           .pBufferInfo = &buffer_infos_[binding.first]});
+        lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                 .dstBinding = binding.number,
+                                 .descriptorCount = binding.count,
+                                 .descriptorType = binding.type,
+                                 .pImageInfo = &lists_.image_infos[binding.first],
+                                 .pBufferInfo = &lists_.buffer_infos[binding.first]});
     };
-    for (const uint32_t number : dirty_) bound_[number].dirty = false;
+    for (const uint32_t number : lists_.dirty) lists_.bound[number].dirty = false;
     if (pipeline_->pushes) {
-        for (const uint32_t number : dirty_) write(pipeline_->bindings[number]);
-        frame.gpu.device.push_descriptors(commands, point_, pipeline_->layout, 0, static_cast<uint32_t>(writes_.size()),
-                                          writes_.data());
+        for (const uint32_t number : lists_.dirty) write(pipeline_->bindings[number]);
+        commands.push_descriptors(point_, pipeline_->layout, lists_.writes);
     } else {
         for (const Binding& binding : pipeline_->bindings)
             if (binding.used) write(binding);
-        const VkDescriptorSet set = frame.descriptor_set(*pipeline_, writes_);
-        vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
+        const VkDescriptorSet set = frame.descriptor_set(*pipeline_, lists_.writes);
+        commands.bind_descriptor_set(point_, pipeline_->layout, set);
     }
-    dirty_.clear();
+    lists_.dirty.clear();
     return true;
 }
 

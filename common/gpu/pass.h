@@ -13,24 +13,44 @@ class Frame;
 struct PassListener;
 class Raster;
 
+/// What a pass lists while it is recorded. A frame keeps it from pass to pass, so that few of them take memory.
+struct PassLists {
+    struct Bound {
+        bool set = false, dirty = false;
+        uint32_t at = 0;  ///< of a uniform block's bytes
+    };
+    std::vector<const Given*> given;
+    std::vector<Resource> reads;
+    std::vector<Stated> stated;
+    Rendering rendering;
+    Barriers barriers;
+    std::vector<Macros> macros;                      ///< of the modules given
+    std::vector<const Macros*> scopes;               ///< the same, and the variant's
+    std::vector<Bound> bound;                        ///< by binding number
+    std::vector<std::byte> bytes;                    ///< of all uniform blocks
+    std::vector<VkDescriptorImageInfo> image_infos;  ///< by element
+    std::vector<VkDescriptorBufferInfo> buffer_infos;
+    std::vector<uint32_t> dirty;  ///< numbers of bindings
+    std::vector<VkWriteDescriptorSet> writes;
+};
+
 /// An object drawn through the pass's bindings and draw functions.
 struct Drawable {
     virtual ~Drawable() = default;
     virtual void draw(Raster& pass) const = 0;
 };
 
-/// Bindings by name. set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
+/// Bindings by name.
+/// set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
 /// nothing is missing.
-/// Large (21 functions, 16 members): what a pass binds, and what it has bound.
 class Pass {
   public:
-    Pass(Frame& frame, std::string name, VkCommandBuffer commands, std::vector<Stated> stated,
-         std::vector<const Given*> given);
+    Pass(Frame& frame, const std::string& name, Commands& commands, PassLists& lists);
     Pass(const Pass&) = delete;
 
-    VkCommandBuffer commands;
+    Commands& commands;
     Frame& frame;
-    const std::string name;
+    const std::string& name;
 
     /// A binding of the pipeline in use, looked up once, for many set(). False if its shaders have none of that
     /// name; setting it then does nothing.
@@ -83,13 +103,10 @@ class Pass {
     const BuiltPipeline* pipeline_ = nullptr;
     /// Null if nobody listens, and while modules bind.
     PassListener* listener() const;
+    const TargetFormats& formats() const { return lists_.rendering.formats; }
 
   private:
     bool modules_bind_ = false;
-    struct Bound {
-        bool set = false, dirty = false;
-        std::vector<std::byte> bytes;  ///< of a uniform block
-    };
     const Binding* find(const Name& binding) const;
     void check_stated(std::string_view use, const Buffer& buffer, bool writes) const;
     const Stated* stated(const ImageView& view, bool writes) const;
@@ -98,15 +115,7 @@ class Pass {
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
     void mark(const Binding& binding);
-    std::vector<Stated> stated_;
-    const std::vector<const Given*> given_;
-    std::vector<Macros> macros_;                      ///< of the modules given
-    std::vector<const Macros*> scopes_;               ///< the same, and the variant's
-    std::vector<Bound> bound_;                        ///< by binding number
-    std::vector<VkDescriptorImageInfo> image_infos_;  ///< by element
-    std::vector<VkDescriptorBufferInfo> buffer_infos_;
-    std::vector<uint32_t> dirty_;  ///< numbers of bindings
-    std::vector<VkWriteDescriptorSet> writes_;
+    PassLists& lists_;
     size_t missing_ = 0;  ///< bindings that were not set since use()
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
 };
@@ -146,7 +155,6 @@ class PassSetters : public Pass {
 class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
-    TargetFormats formats;
     /// `variant`: macros for this use only, taking precedence over the pass's.
     Raster& use(const Pipeline& pipeline, const Macros& variant = {});
 

@@ -91,8 +91,18 @@ Attachment resolve(Attachment from, const ImageView& into) {
     return from;
 }
 
-Rendering::Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size, bool shows_discarded)
-    : layers(targets.layers) {
+void Rendering::set(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
+                    bool shows_discarded) {
+    layers = targets.layers;
+    size = glm::uvec2(0);
+    accesses.clear();
+    loaded.clear();
+    color_.clear();
+    depth_ = {};
+    formats.color.clear();
+    formats.depth = VK_FORMAT_UNDEFINED;
+    formats.depth_read_only = false;
+    formats.samples = 1;
     formats.mixing = targets.mixing;
     for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
     if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
@@ -159,27 +169,24 @@ void Rendering::add_barriers(Barriers& barriers) const {
     }
 }
 
-void Rendering::begin(VkCommandBuffer commands) const {
+void Rendering::begin(Commands& commands) {
     const VkRect2D area{.extent = {size.x, size.y}};
     // A format without an image is an absent target's.
-    std::vector<VkRenderingAttachmentInfo> color = color_;
-    color.resize(formats.color.size(), {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
+    color_.resize(formats.color.size(), {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = layers,
-                               .colorAttachmentCount = static_cast<uint32_t>(color.size()),
-                               .pColorAttachments = color.data(),
+                               .colorAttachmentCount = static_cast<uint32_t>(color_.size()),
+                               .pColorAttachments = color_.data(),
                                .pDepthAttachment = depth_.imageView ? &depth_ : nullptr};
-    vkCmdBeginRendering(commands, &info);
-    const VkViewport viewport{.width = float(size.x), .height = float(size.y), .maxDepth = 1.0f};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &area);
-    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    commands.begin_rendering(info);
+    commands.set_viewport(size.x, size.y);
+    commands.set_front_face(VK_FRONT_FACE_COUNTER_CLOCKWISE);
 }
 
-std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& reads,
-                          const std::vector<Resource>& writes, const RasterTargets* targets) {
-    std::vector<Stated> result;
+void state(std::vector<Stated>& result, const std::string& pass, const std::vector<Resource>& reads,
+           const std::vector<Resource>& writes, const RasterTargets* targets) {
+    result.clear();
     for (const Resource& w : writes) result.push_back({w, VK_IMAGE_LAYOUT_GENERAL, contains(reads, w), true});
     if (targets && targets->depth.load == Attachment::Load::read_only)
         result.push_back(
@@ -197,7 +204,7 @@ std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& 
         for (size_t j = i + 1; j < result.size(); ++j)
             if (result[i].layout != result[j].layout && overlap(result[i].resource, result[j].resource))
                 fail(result[i].resource.view, result[j].resource.view);
-    if (!targets) return result;
+    if (!targets) return;
     const auto check_target = [&](const Attachment& target) {
         for (const Stated& s : result)
             if (target.view && s.layout != VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL && s.resource.view &&
@@ -206,7 +213,6 @@ std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& 
     };
     for (const Attachment& target : targets->color) check_target(target);
     check_target(targets->depth);
-    return result;
 }
 
 void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& stated) {
@@ -225,21 +231,22 @@ void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& s
 
 std::vector<Resource> Given::reads() const { return {}; }
 
-std::vector<const Given*> all_given(const std::string& pass, const std::vector<With>& with, const Given* root) {
-    std::vector<const Given*> all;
+void all_given(std::vector<const Given*>& all, const std::string& pass, const std::vector<With>& with,
+               const Given* root) {
+    all.clear();
     if (root) all.push_back(root);
     for (const Given& given : with) given.expand(all);
     for (size_t i = 0; i < all.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (all[i]->kind() == all[j]->kind())
                 throw Failure("pass '{}' is given two modules of the kind '{}'; it takes one", pass, all[i]->kind());
-    return all;
 }
 
-std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given) {
+void with_given(std::vector<Resource>& all, const std::vector<Resource>& reads,
+                const std::vector<const Given*>& given) {
+    all = reads;
     for (const Given* one : given)
-        for (const Resource& resource : one->reads()) reads.push_back(resource);
-    return reads;
+        for (const Resource& resource : one->reads()) all.push_back(resource);
 }
 
 }  // namespace lightwalk

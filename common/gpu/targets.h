@@ -80,9 +80,9 @@ struct Stated {
 /// The targets of one pass, checked. Throws Failure, with the pass's name, if they differ in size or samples.
 struct Rendering {
     /// `shows_discarded`: fills discarded targets with bright magenta, or the nearest depth.
-    Rendering(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
-              bool shows_discarded = false);
-    void begin(VkCommandBuffer commands) const;
+    void set(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
+             bool shows_discarded = false);
+    void begin(Commands& commands);
     void add_barriers(Barriers& barriers) const;
 
     TargetFormats formats;
@@ -99,15 +99,16 @@ struct Rendering {
 
 /// All that is given to a pass by the modules it names, and by `root` (may be null). Throws Failure if two are of
 /// one kind: they would share their names in its shaders.
-std::vector<const Given*> all_given(const std::string& pass, const std::vector<With>& with, const Given* root);
+void all_given(std::vector<const Given*>& all, const std::string& pass, const std::vector<With>& with,
+               const Given* root);
 
 /// `reads`, and the reads of the modules given.
-std::vector<Resource> with_given(std::vector<Resource> reads, const std::vector<const Given*>& given);
+void with_given(std::vector<Resource>& all, const std::vector<Resource>& reads, const std::vector<const Given*>& given);
 
 /// Resources that the shaders of a pass may bind, beside its targets. Throws Failure for overlapping parts that
 /// differ.
-std::vector<Stated> state(const std::string& pass, const std::vector<Resource>& reads,
-                          const std::vector<Resource>& writes, const RasterTargets* targets = nullptr);
+void state(std::vector<Stated>& result, const std::string& pass, const std::vector<Resource>& reads,
+           const std::vector<Resource>& writes, const RasterTargets* targets = nullptr);
 
 /// The barriers for that.
 void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& stated);

@@ -18,12 +18,6 @@ std::vector<std::byte> contents(const Buffer& staging, VkDeviceSize bytes) {
     return aside([&] { return std::vector<std::byte>(staging.mapped, staging.mapped + bytes); });
 }
 
-VkBufferImageCopy region(VkDeviceSize offset, const ImageView& view) {
-    const glm::uvec3 size = view.size();
-    return {
-        .bufferOffset = offset, .imageSubresource = view.first_mip_layers(), .imageExtent = {size.x, size.y, size.z}};
-}
-
 VkOffset3D corner(const ImageView& view) {
     const glm::ivec3 size(view.size());
     return {size.x, size.y, size.z};
@@ -36,13 +30,19 @@ void check_size(const ImageView& view, VkDeviceSize bytes) {
 
 }  // namespace
 
+VkBufferImageCopy region_of(VkDeviceSize offset, const ImageView& view) {
+    const glm::uvec3 size = view.size();
+    return {
+        .bufferOffset = offset, .imageSubresource = view.first_mip_layers(), .imageExtent = {size.x, size.y, size.z}};
+}
+
 void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to) {
-    const VkBufferImageCopy one = region(offset, to);
+    const VkBufferImageCopy one = region_of(offset, to);
     vkCmdCopyBufferToImage(commands, from, to.image->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &one);
 }
 
 void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
-    const VkBufferImageCopy one = region(0, from);
+    const VkBufferImageCopy one = region_of(0, from);
     vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
 }
 

@@ -1,4 +1,6 @@
 // Extensions of glTF: the drawn ones, and the names of the others.
+#include <meshoptimizer.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -72,6 +74,36 @@ void list_gltf_extensions(const GltfFile& file, Model& model) {
     if (const auto used = file.root.find("extensionsUsed"); used != file.root.end())
         for (const json& name : *used)
             if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);
+}
+
+// EXT_meshopt_compression.
+std::string GltfFile::decompressed(const json& how) const {
+    const std::string_view bytes = buffer(how.at("buffer").get<size_t>());
+    const size_t offset = value_or<size_t>(how, "byteOffset", 0), length = how.at("byteLength").get<size_t>();
+    const size_t count = how.at("count").get<size_t>(), stride = how.at("byteStride").get<size_t>();
+    const std::string mode = how.at("mode"), filter = value_or<std::string>(how, "filter", "NONE");
+    if (offset > bytes.size() || length > bytes.size() - offset) refuse("compressed bytes reach beyond their buffer");
+    if (stride == 0 || stride > 256 || count > most_values)
+        refuse("compressed values are {} of {} bytes", count, stride);
+    const bool attributes = mode == "ATTRIBUTES";
+    if (attributes ? stride % 4 != 0 : stride != 2 && stride != 4) refuse("compressed {} of {} bytes", mode, stride);
+    if (mode == "TRIANGLES" && count % 3 != 0) refuse("{} compressed indices of triangles", count);
+    std::string out(count * stride, '\0');
+    const auto* from = reinterpret_cast<const unsigned char*>(bytes.data()) + offset;
+    const int failed = attributes            ? meshopt_decodeVertexBuffer(out.data(), count, stride, from, length)
+                       : mode == "TRIANGLES" ? meshopt_decodeIndexBuffer(out.data(), count, stride, from, length)
+                       : mode == "INDICES"   ? meshopt_decodeIndexSequence(out.data(), count, stride, from, length)
+                                             : 1;
+    if (failed) refuse("its compressed {} cannot be read", mode);
+    if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8))
+        meshopt_decodeFilterOct(out.data(), count, stride);
+    else if (filter == "QUATERNION" && stride == 8)
+        meshopt_decodeFilterQuat(out.data(), count, stride);
+    else if (filter == "EXPONENTIAL")
+        meshopt_decodeFilterExp(out.data(), count, stride);
+    else if (filter != "NONE")
+        refuse("compressed with filter {} of {} bytes", filter, stride);
+    return out;
 }
 
 }  // namespace lightwalk

@@ -1,7 +1,5 @@
 #include "common/scene/gltf_file.h"
 
-#include <meshoptimizer.h>
-
 #include <array>
 #include <cstring>
 
@@ -11,8 +9,6 @@
 namespace lightwalk {
 namespace {
 using nlohmann::json;
-
-constexpr size_t most_values = size_t{1} << 28;  // of an accessor without bytes, which no file's length bounds
 
 std::string decode_base64(std::string_view text) {
     std::string out;
@@ -92,15 +88,16 @@ GltfFile::GltfFile(const std::filesystem::path& file) : path(file) {
 
 // A .glb is a header of 12 bytes, a chunk of JSON and one of bytes, each with its length and name before it.
 void GltfFile::read_container() {
-    std::string text = read_file(path);
+    text_ = read_file(path);
+    std::string_view text = text_;
     if (text.starts_with("glTF")) {
         if (text.size() < 20) refuse("the file ends within its header");
         if (const auto version = read_as<uint32_t>(&text[4]); version != 2)
             refuse("binary glTF {}, expected 2", version);
-        std::string json_text;
+        std::string_view json_text;
         for (size_t at = 12; at + 8 <= text.size();) {
             const size_t bytes = read_as<uint32_t>(&text[at]);
-            const std::string_view kind(&text[at + 4], 4);
+            const std::string_view kind = text.substr(at + 4, 4);
             if (bytes > text.size() - at - 8) refuse("the file ends within a chunk");
             if (kind == "JSON" && json_text.empty()) json_text = text.substr(at + 8, bytes);
             if (kind == std::string_view("BIN\0", 4) && !has_binary_) {
@@ -109,9 +106,9 @@ void GltfFile::read_container() {
             }
             at += 8 + (bytes + 3) / 4 * 4;
         }
-        text = std::move(json_text);
+        text = json_text;
     }
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     root = json::parse(text);
 }
 
@@ -147,19 +144,20 @@ std::string GltfFile::read_uri(const std::string& uri) const {
     } catch (const InputError& e) { refuse("{}", e.what()); }
 }
 
-const std::string& GltfFile::buffer(size_t index) const {
+std::string_view GltfFile::buffer(size_t index) const {
     if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
     const json& from = entry("buffers", index);
     const auto uri = from.find("uri");
+    const bool binary = uri == from.end() && index == 0 && has_binary_;
     std::string bytes;
     if (uri != from.end())
         bytes = read_uri(uri->get<std::string>());
-    else if (index == 0 && has_binary_)
-        bytes = binary_;
-    else
+    else if (!binary)
         refuse("buffer {} names no file", index);
-    if (const size_t length = from.at("byteLength").get<size_t>(); bytes.size() < length)
-        refuse("buffer {} has {} bytes, the file says {}", index, bytes.size(), length);
+    const size_t size = binary ? binary_.size() : bytes.size();
+    if (const size_t length = from.at("byteLength").get<size_t>(); size < length)
+        refuse("buffer {} has {} bytes, the file says {}", index, size, length);
+    if (binary) return binary_;
     return buffers_[index] = std::move(bytes);
 }
 
@@ -172,11 +170,11 @@ std::string_view GltfFile::view(size_t index) const {
         if (known == decompressed_.end()) known = decompressed_.emplace(index, decompressed(*packed)).first;
         return known->second;
     }
-    const std::string& bytes = buffer(from.at("buffer").get<size_t>());
+    const std::string_view bytes = buffer(from.at("buffer").get<size_t>());
     const size_t offset = value_or<size_t>(from, "byteOffset", 0), length = from.at("byteLength").get<size_t>();
     if (offset > bytes.size() || length > bytes.size() - offset)
         refuse("buffer view {} reaches beyond its buffer's {} bytes", index, bytes.size());
-    return std::string_view(bytes).substr(offset, length);
+    return bytes.substr(offset, length);
 }
 
 std::string_view GltfFile::slice(size_t index, size_t offset, size_t bytes, const char* what) const {
@@ -184,36 +182,6 @@ std::string_view GltfFile::slice(size_t index, size_t offset, size_t bytes, cons
     if (offset > all.size() || bytes > all.size() - offset)
         refuse("{} reaches beyond the {} bytes of buffer view {}", what, all.size(), index);
     return all.substr(offset, bytes);
-}
-
-// EXT_meshopt_compression.
-std::string GltfFile::decompressed(const json& how) const {
-    const std::string& bytes = buffer(how.at("buffer").get<size_t>());
-    const size_t offset = value_or<size_t>(how, "byteOffset", 0), length = how.at("byteLength").get<size_t>();
-    const size_t count = how.at("count").get<size_t>(), stride = how.at("byteStride").get<size_t>();
-    const std::string mode = how.at("mode"), filter = value_or<std::string>(how, "filter", "NONE");
-    if (offset > bytes.size() || length > bytes.size() - offset) refuse("compressed bytes reach beyond their buffer");
-    if (stride == 0 || stride > 256 || count > most_values)
-        refuse("compressed values are {} of {} bytes", count, stride);
-    const bool attributes = mode == "ATTRIBUTES";
-    if (attributes ? stride % 4 != 0 : stride != 2 && stride != 4) refuse("compressed {} of {} bytes", mode, stride);
-    if (mode == "TRIANGLES" && count % 3 != 0) refuse("{} compressed indices of triangles", count);
-    std::string out(count * stride, '\0');
-    const auto* from = reinterpret_cast<const unsigned char*>(bytes.data()) + offset;
-    const int failed = attributes            ? meshopt_decodeVertexBuffer(out.data(), count, stride, from, length)
-                       : mode == "TRIANGLES" ? meshopt_decodeIndexBuffer(out.data(), count, stride, from, length)
-                       : mode == "INDICES"   ? meshopt_decodeIndexSequence(out.data(), count, stride, from, length)
-                                             : 1;
-    if (failed) refuse("its compressed {} cannot be read", mode);
-    if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8))
-        meshopt_decodeFilterOct(out.data(), count, stride);
-    else if (filter == "QUATERNION" && stride == 8)
-        meshopt_decodeFilterQuat(out.data(), count, stride);
-    else if (filter == "EXPONENTIAL")
-        meshopt_decodeFilterExp(out.data(), count, stride);
-    else if (filter != "NONE")
-        refuse("compressed with filter {} of {} bytes", filter, stride);
-    return out;
 }
 
 GltfFile::Accessor GltfFile::accessor(size_t index) const {
@@ -244,13 +212,19 @@ size_t GltfFile::components(size_t index) const {
     return components_of(entry("accessors", index).at("type").get<std::string>());
 }
 
+size_t GltfFile::length(size_t index) const { return accessor(index).count; }
+
+// `out` holds zeros.
 template <class T, class Read>
-std::vector<T> GltfFile::values(size_t index, size_t components, Read read) const {
+void GltfFile::values(size_t index, size_t components, T* out, Read read) const {
     const Accessor a = accessor(index);
     if (a.components != components)
         refuse("accessor {} has {} components, expected {}", index, a.components, components);
-    std::vector<T> out(a.count * components, T(0));
-    if (!a.bytes.empty())
+    const bool as_they_are = a.type == 5126 && std::is_same_v<T, float>;
+    if (as_they_are)
+        for (size_t i = 0; !a.bytes.empty() && i < a.count; ++i)
+            std::memcpy(out + i * components, a.bytes.data() + i * a.stride, components * sizeof(T));
+    else if (!a.bytes.empty())
         for (size_t i = 0; i < a.count; ++i)
             for (size_t c = 0; c < components; ++c)
                 out[i * components + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
@@ -274,21 +248,37 @@ std::vector<T> GltfFile::values(size_t index, size_t components, Read read) cons
                 out[place * components + c] = read(values.data() + i * bytes + c * a.component_bytes, a);
         }
     }
-    return out;
 }
 
-std::vector<float> GltfFile::floats(size_t index, size_t components) const {
-    return values<float>(index, components, [](const char* p, const Accessor& a) {
+void GltfFile::read(size_t index, size_t components, float* out) const {
+    values(index, components, out, [](const char* p, const Accessor& a) {
         const ComponentType& type = *component_type(a.type);
         const float value = type.to_float(p);
         return a.normalized && type.most > 0 ? std::max(value / type.most, -1.0f) : value;
     });
 }
 
+std::vector<float> GltfFile::floats(size_t index, size_t components) const {
+    std::vector<float> out(length(index) * components);
+    read(index, components, out.data());
+    return out;
+}
+
 std::vector<uint32_t> GltfFile::integers(size_t index, size_t components) const {
-    if (const int type = accessor(index).type; type != 5121 && type != 5123 && type != 5125)
-        refuse("accessor {} does not hold unsigned integers", index);
-    return values<uint32_t>(index, components, [](const char* p, const Accessor& a) { return to_integer(p, a.type); });
+    const int type = accessor(index).type;
+    if (type != 5121 && type != 5123 && type != 5125) refuse("accessor {} does not hold unsigned integers", index);
+    std::vector<uint32_t> out(length(index) * components);
+    switch (type) {  // each a loop of its own
+        case 5121:
+            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint8_t>(p); });
+            break;
+        case 5123:
+            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint16_t>(p); });
+            break;
+        default:
+            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint32_t>(p); });
+    }
+    return out;
 }
 
 }  // namespace lightwalk

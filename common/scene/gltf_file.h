@@ -16,6 +16,7 @@ class GltfFile {
     using json = nlohmann::json;
 
     explicit GltfFile(const std::filesystem::path& path);
+    GltfFile(const GltfFile&) = delete;
 
     const std::filesystem::path path;
     json root;
@@ -26,6 +27,13 @@ class GltfFile {
 
     /// The numbers of an accessor, `components` each: normalised integers as floats, sparse values put in.
     std::vector<float> floats(size_t accessor, size_t components) const;
+    /// The same as vectors of as many numbers.
+    template <class Vector>
+    std::vector<Vector> vectors(size_t accessor) const {
+        std::vector<Vector> result(length(accessor));
+        read(accessor, static_cast<size_t>(Vector::length()), reinterpret_cast<float*>(result.data()));
+        return result;
+    }
     std::vector<uint32_t> integers(size_t accessor, size_t components) const;
     size_t components(size_t accessor) const;
 
@@ -41,6 +49,8 @@ class GltfFile {
     }
 
   private:
+    /// Of an accessor without bytes, which no file's length bounds.
+    static constexpr size_t most_values = size_t{1} << 28;
     struct Accessor {
         size_t count, components, component_bytes, stride;
         int type;
@@ -48,15 +58,18 @@ class GltfFile {
         std::string_view bytes;  ///< none: zeros
     };
     Accessor accessor(size_t index) const;
+    size_t length(size_t index) const;
+    void read(size_t index, size_t components, float* out) const;
     template <class T, class Read>
-    std::vector<T> values(size_t index, size_t components, Read read) const;
+    void values(size_t index, size_t components, T* out, Read read) const;
     std::string_view slice(size_t view, size_t offset, size_t bytes, const char* what) const;
-    const std::string& buffer(size_t index) const;
+    std::string_view buffer(size_t index) const;
     std::string decompressed(const json& how) const;
     void read_container();
     void check_version() const;
 
-    std::string binary_;  ///< of a .glb
+    std::string text_;
+    std::string_view binary_;  ///< of a .glb, a part of the text
     bool has_binary_ = false;
     mutable std::map<size_t, std::string> buffers_, decompressed_;
 };

@@ -12,8 +12,11 @@ using nlohmann::json;
 constexpr int points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, strip = 5, fan = 6;
 
 // Corners of triangles, counter-clockwise as in the file.
-std::vector<uint32_t> as_triangles(const std::vector<uint32_t>& corners, int mode) {
-    if (mode == triangles) return {corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(corners.size() % 3)};
+std::vector<uint32_t> as_triangles(std::vector<uint32_t> corners, int mode) {
+    if (mode == triangles) {
+        corners.resize(corners.size() - corners.size() % 3);
+        return corners;
+    }
     std::vector<uint32_t> result;
     for (size_t i = 0; i + 2 < corners.size(); ++i) {
         const uint32_t a = corners[mode == fan ? 0 : i], b = corners[i + 1], c = corners[i + 2];
@@ -69,10 +72,10 @@ class PrimitiveReader {
         if (draco_ && &object == &attributes_)
             unpacked =
                 draco_->floats(key, components, value_or(file_.entry("accessors", accessor), "normalized", false));
-        const std::vector<float> numbers = unpacked ? *unpacked : file_.floats(accessor, components);
-        std::vector<Vector> result(numbers.size() / static_cast<size_t>(Vector::length()));
-        if (!numbers.empty())
-            std::memcpy(static_cast<void*>(result.data()), numbers.data(), numbers.size() * sizeof(float));
+        if (!unpacked) return file_.vectors<Vector>(accessor);
+        std::vector<Vector> result(unpacked->size() / components);
+        if (!unpacked->empty())
+            std::memcpy(static_cast<void*>(result.data()), unpacked->data(), unpacked->size() * sizeof(float));
         return result;
     }
 
@@ -124,7 +127,7 @@ class PrimitiveReader {
         } else {
             for (uint32_t i = 0; i < count_; ++i) corners.push_back(i);
         }
-        return as_triangles(corners, value_or(from_, "mode", triangles));
+        return as_triangles(std::move(corners), value_or(from_, "mode", triangles));
     }
 
     void read_joints(Deformation& how) const {

@@ -25,6 +25,16 @@ void add_views(std::vector<ImageView>& views, const std::vector<Resource>& resou
         if (one.view) views.push_back(one.view);
 }
 
+// A pass's own, and those of the modules that it names.
+template <class Statement>
+std::vector<Resource> all_reads(const std::string& pass, const Statement& statement, const Given* root) {
+    std::vector<const Given*> given;
+    all_given(given, pass, statement.with, root);
+    std::vector<Resource> all;
+    with_given(all, statement.reads, given);
+    return all;
+}
+
 }  // namespace
 
 // A frame that began since the last pass is another one.
@@ -42,7 +52,7 @@ bool FrameFlow::follows(const std::string& pass) {
 void FrameFlow::begins(const std::string& pass, const RasterTargets& targets) {
     if (!follows(pass)) return;
     std::vector<ImageView> reads, writes;
-    add_views(reads, with_given(targets.reads, all_given(pass, targets.with, frame->root)));
+    add_views(reads, all_reads(pass, targets, frame->root));
     std::vector<Attachment> all = targets.color;
     if (targets.depth.view) all.push_back(targets.depth);
     for (const Attachment& target : all) {
@@ -58,7 +68,7 @@ void FrameFlow::begins(const std::string& pass, const RasterTargets& targets) {
 void FrameFlow::begins(const std::string& pass, const ComputeAccess& access) {
     if (!follows(pass)) return;
     std::vector<ImageView> reads, writes;
-    add_views(reads, with_given(access.reads, all_given(pass, access.with, frame->root)));
+    add_views(reads, all_reads(pass, access, frame->root));
     add_views(writes, access.writes);
     add(pass, "compute", reads, writes);
 }

@@ -33,6 +33,7 @@ struct Still {
         CHECK(gpu_work.macro_lists - work.macro_lists <= lists);
         CHECK(gpu_work.searches == work.searches);
         CHECK(gpu_work.sets == work.sets);
+        CHECK(gpu_work.command_buffers == work.command_buffers);
         CHECK(gpu_work.allocations == work.allocations);
         for (const PassTime& pass : frame.times) {
             INFO(pass.name);
@@ -95,6 +96,7 @@ TEST_CASE("the worker makes a film's later scenes while the first is drawn, and 
         }
         chapter.reel.wait_until_ready();
         CHECK(chapter.reel.parts().size() == 3);
+        CHECK(chapter.reel.before_scenes_spent.most_items == 0);  // the second frame would wait for it
         CHECK(gpu.device.validation_message_count() == 0);
         return all;
     };

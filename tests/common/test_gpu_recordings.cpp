@@ -1,7 +1,22 @@
 // Frames in flight: each has its own uploads, blocks and read-backs, and they end in order.
+#include <dlfcn.h>
+
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
+
+namespace {
+
+int command_buffers = 0;  // begun by anybody in this program
+
+}  // namespace
+
+// The loader's function of this name is called by way of this one.
+extern "C" VkResult vkBeginCommandBuffer(VkCommandBuffer commands, const VkCommandBufferBeginInfo* info) {
+    static const auto loaded = reinterpret_cast<PFN_vkBeginCommandBuffer>(dlsym(RTLD_NEXT, "vkBeginCommandBuffer"));
+    ++command_buffers;
+    return loaded(commands, info);
+}
 
 namespace {
 
@@ -67,4 +82,96 @@ TEST_CASE_METHOD(OnDevice, "of two frames in flight one may be abandoned, and on
     frame.end();
     CHECK(frame.times.empty());
     CHECK(sums_of(gpu, frame, 3) == std::vector<uint32_t>{0, 1001, 2002});
+}
+
+namespace {
+
+// Frames of a sum and its read-back, as one records them again and again.
+struct Sums : DeviceTest {
+    Buffer added{gpu.device, {.name = "added", .bytes = 16}};
+    Buffer values = gpu.upload("values", std::vector<uint32_t>(10, 7));
+    ReadBack read;
+
+    uint32_t frame_of(uint32_t plus, bool twice = false) {
+        frame.begin({4, 4}, 0);
+        for (int i = 0; i < (twice ? 2 : 1); ++i)
+            frame.compute("sum", {.writes = {added}}, [&](Compute& pass) {
+                pass.use(add_up).set("values", values).set("total", added).set("add", plus).dispatch({1, 1, 1});
+            });
+        frame.read_back(added, read);
+        frame.end();
+        frame.finish();
+        return read.as<uint32_t>().at(0);
+    }
+    int recorded_for(uint32_t plus, bool twice = false) {
+        const int before = command_buffers;
+        CHECK(frame_of(plus, twice) == 7 * values.bytes / 4 + plus);
+        return command_buffers - before;
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Sums, "a frame of the same commands as an earlier one records none, whatever its blocks hold") {
+    for (uint32_t i = 0; i < 4; ++i) frame_of(i);
+    for (uint32_t i = 0; i < 6; ++i) CHECK(recorded_for(i) == 0);
+    CHECK(recorded_for(1, true) == 1);
+    CHECK(recorded_for(2) == 0);  // the one before is still there
+    for (uint32_t i = 0; i < 4; ++i) recorded_for(i, true);
+    CHECK(recorded_for(2, true) == 0);
+    frame.fly(2);
+    for (uint32_t i = 0; i < 8; ++i) frame_of(i);
+    for (uint32_t i = 0; i < 6; ++i) CHECK(recorded_for(i) == 0);
+}
+
+TEST_CASE_METHOD(Sums, "a buffer that took the place of another one is bound, whatever its handle is") {
+    for (uint32_t i = 0; i < 4; ++i) frame_of(i);
+    for (uint32_t count = 4; count < 9; ++count) {
+        values = Buffer();
+        values = gpu.upload("values", std::vector<uint32_t>(count, 7));
+        CHECK(recorded_for(count) >= 1);
+        recorded_for(count);
+        recorded_for(count);
+        recorded_for(count);
+        CHECK(recorded_for(count) == 0);
+    }
+}
+
+// With no descriptors pushed, each draw has a set: one that is written again has ended the command buffers that bind it.
+TEST_CASE("frames whose descriptor sets change record anew", "[recorded.sets]") {
+    Gpu gpu(validated(0));
+    {
+        Frame frame(gpu);
+        const Buffer a = gpu.upload("a", std::vector<uint32_t>(3, 5)), b = gpu.upload("b", std::vector<uint32_t>(3, 6));
+        const Buffer added(gpu.device, {.name = "added", .bytes = 16});
+        ReadBack read;
+        for (const Buffer* values : {&a, &a, &b, &a, &b, &b, &a, &a, &a, &b}) {
+            frame.begin({4, 4}, 0);
+            frame.compute("sum", {.writes = {added}}, [&](Compute& pass) {
+                pass.use(add_up).set("values", *values).set("total", added).set("add", 1u).dispatch({1, 1, 1});
+            });
+            frame.read_back(added, read);
+            frame.end();
+            CHECK(read.as<uint32_t>().at(0) == (values == &a ? 16 : 19));
+        }
+    }
+    CHECK_NOTHROW(gpu.device.check_validation());
+}
+
+TEST_CASE_METHOD(Sums, "commands that go in at once are recorded in every frame, the others around them are not") {
+    const auto draw = [&](uint32_t count) {
+        frame.begin({4, 4}, 0);
+        frame.transfer("at once", {.writes = {added}}, [&](VkCommandBuffer commands) {
+            vkCmdFillBuffer(commands, added.handle, 0, VK_WHOLE_SIZE, count);
+        });
+        frame.read_back(added, read);
+        frame.end();
+        return read.as<uint32_t>().at(0);
+    };
+    for (uint32_t i = 0; i < 4; ++i) draw(i);
+    for (uint32_t i = 0; i < 4; ++i) {
+        const int before = command_buffers;
+        CHECK(draw(i) == i);
+        CHECK(command_buffers - before == 1);
+    }
 }

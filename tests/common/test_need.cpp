@@ -33,6 +33,22 @@ ImageRgb part(const ImageRgb& image, glm::uvec2 origin) {
     return result;
 }
 
+struct PatchOfLight {
+    glm::ivec2 low, high;
+    float light;
+};
+
+const Pipeline fill = compute({.shader = "patch of light", .macros = {}, .source = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) writeonly uniform image2D result;
+layout(scalar) uniform PatchBlock { ivec2 low, high; float light; } patch_of_light;
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    bool within = all(greaterThanEqual(pixel, patch_of_light.low)) && all(lessThan(pixel, patch_of_light.high));
+    if (all(lessThan(pixel, imageSize(result)))) imageStore(result, pixel, vec4(vec3(within ? patch_of_light.light : 0.0), 1));
+}
+)"});
+
 // A black picture with a patch of light in one corner of it; `coarse` is too bright there by `excess`.
 struct Patch : Chapter {
     Choice method{*this, "method", {"exact", "coarse", "dear"}, "exact", "how"};
@@ -54,15 +70,9 @@ struct Patch : Chapter {
                                           glm::ivec2(0), glm::ivec2(frame.size));
         const glm::ivec2 high = glm::clamp(glm::ivec2(glm::vec2(upper) * scale) - glm::ivec2(frame.crop.origin),
                                            glm::ivec2(0), glm::ivec2(frame.size));
-        frame.raster("fill", {.color = {frame.hdr}}, [&](Raster& pass) {
-            if (high.x <= low.x || high.y <= low.y) return;
-            const VkClearAttachment clear{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
-                                          .colorAttachment = 0,
-                                          .clearValue = {.color = {.float32 = {light, light, light, 1}}}};
-            const VkClearRect rect{.rect = {{low.x, low.y}, {uint32_t(high.x - low.x), uint32_t(high.y - low.y)}},
-                                   .baseArrayLayer = 0,
-                                   .layerCount = 1};
-            vkCmdClearAttachments(pass.commands, 1, &clear, 1, &rect);
+        frame.compute("fill", {.writes = {frame.hdr}}, [&](Compute& pass) {
+            pass.use(fill).set("result", frame.hdr).set("patch_of_light", PatchOfLight{low, high, light});
+            pass.dispatch_threads(frame.size);
         });
         encode_srgb(frame);
     }
