@@ -23,8 +23,7 @@ struct Still {
     /// `lists`: macro lists that one frame makes at most, of modules that it draws with in several ways.
     void check(double time_s, uint64_t lists = 0) {
         INFO(time_s);
-        draw(time_s);
-        draw(time_s);
+        for (int i = 0; i < 4; ++i) draw(time_s);  // images take turns
         const uint64_t uploaded = gpu.uploaded_bytes;
         const std::vector<PassTime> before = frame.times;
         const GpuWork work = gpu_work;
