@@ -123,6 +123,9 @@ foreach(script ${scripts})
     if(name MATCHES "course|grade|live|pages|chart")
       set_tests_properties(${name} PROPERTIES COST 60)  # the longest: first
     endif()
+    if(name MATCHES "grade_user$")
+      set_tests_properties(${name} PROPERTIES COST 800)  # all of grading once more: minutes, beside all others
+    endif()
     if(name MATCHES "live_(browser|links|rest)")
       set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
     endif()

@@ -4,8 +4,9 @@ A successful attack throws "BROKE OUT", or leaves the file OUTSIDE, or gets a ma
 """
 
 import json
+import os
 
-OUTSIDE = "/var/tmp/lightwalk-broke-out"
+OUTSIDE = f"/var/tmp/lightwalk-broke-out.{os.getpid()}"
 ABSTRACT = "lightwalk-grade-test"  # a socket that the tests listen on
 
 HEAD = """#include <cstdio>

@@ -34,6 +34,19 @@ class Words(unittest.TestCase):
                             ('"=1', "\"'=1")):
             self.assertEqual(cell(text), meant)
 
+    def test_gradings_that_begin_at_once_have_one_seed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judge.__new__(Judge)
+            judge.folder = Path(folder)
+
+            def draws_after_another(_):
+                Path(folder, "seed").write_text("5\n")
+                return 8
+
+            with mock.patch("grading.judge.secrets.randbelow", draws_after_another):
+                self.assertEqual(judge.draw_seed(), 5)
+            self.assertEqual([path.name for path in Path(folder).iterdir()], ["seed"])
+
     def test_what_is_no_class_is_one_line(self):
         for path, words in (("/dev/null", "neither a folder nor an archive"), ("/no/such", "no such file"),
                             ("x" * 300, "too long"), ("a\0b", "no such file")):

@@ -123,8 +123,11 @@ class Judge:
         """Drawn once for a class: with another one results would be another's."""
         path = self.folder / "seed"
         if not path.exists():
-            write_atomically(path, f"{1 + secrets.randbelow(1 << 31)}\n")
-            path.chmod(0o600)
+            own = path.with_name(f"seed.{os.getpid()}")
+            write_atomically(own, f"{1 + secrets.randbelow(1 << 31)}\n", 0o600)
+            with contextlib.suppress(FileExistsError):  # of two gradings that begin at once the first draws for both
+                os.link(own, path)
+            own.unlink()
         return int(path.read_text())
 
     def version(self, chapter: str, with_pictures: bool) -> str:

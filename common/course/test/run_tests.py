@@ -41,10 +41,10 @@ PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them
 LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
-TURNS = ("autograder|equal_methods|live_rest|course_shards|grade_slurm|window_passes|window_tour",
+TURNS = ("autograder|equal_methods|live_rest|page_start|course_shards|grade_slurm|window_passes|window_tour",
          "grade_later|page_site|window_files|window_monkey|window_panels|warm",
          "grade_shards|page_verdicts|page_pictures|grade_user|grade_trouble|window_properties",
-         "grade_forged|random_scenes|course_new|course_trouble|window_fields")
+         "grade_forged|random_scenes|course_new|live_links|course_trouble|window_fields")
 
 
 def add_arguments(parser):
