@@ -99,15 +99,14 @@ VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<Vk
     if (count == made_.size()) made_.emplace_back();
     Made& one = made_[count++];
     std::vector<uint64_t> contents = contents_of(writes);
-    // A later handle may be another object's, and a later layout that of a pipeline built since.
-    const uint64_t changes = device_.destroyed() + gpu_work.pipelines;
-    const bool fits = one.layout == pipeline.set_layout && one.destroyed == changes;
+    const uint64_t destroyed = device_.destroyed();
+    const bool fits = one.layout == pipeline.set_layout && one.destroyed == destroyed;
     if (fits && one.contents == contents) return one.set;
     reordered_ |= one.layout && !fits;
     if (!fits) one.set = allocate(pipeline);
     one.layout = pipeline.set_layout;
     one.contents = std::move(contents);
-    one.destroyed = changes;
+    one.destroyed = destroyed;
     for (VkWriteDescriptorSet& write : writes) write.dstSet = one.set;
     vkUpdateDescriptorSets(device_.handle, static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
     ++gpu_work.sets;

@@ -44,7 +44,7 @@ class DescriptorSets {
         VkDescriptorSetLayout layout = VK_NULL_HANDLE;
         VkDescriptorSet set = VK_NULL_HANDLE;
         std::vector<uint64_t> contents;
-        uint64_t destroyed = 0;  ///< Device::destroyed(), when it was written: a later handle may be another object's
+        uint64_t destroyed = 0;  ///< Device::destroyed(), when it was written
     };
     Pool make_pool(const BuiltPipeline& pipeline) const;
     VkDescriptorSet allocate(const BuiltPipeline& pipeline);

@@ -2,6 +2,7 @@
 #pragma once
 #include <vulkan/vulkan.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -100,14 +101,17 @@ class Device {
     void end_recording(uint64_t use);
     void destroy(Doomed objects);
     size_t doomed_count() const { return doomed_.size(); }
-    uint64_t destroyed() const { return destroyed_; }  ///< so many so far: a later handle may equal one of theirs
+    /// So many resources and pipelines so far, by all threads: a later handle may equal one of theirs.
+    uint64_t destroyed() const { return destroyed_; }
+    void count_destroyed() { ++destroyed_; }
 
   private:
     Device() = default;  // the other constructor goes on from it, so that the destructor runs where that throws
     void destroy_now(const Doomed& objects);
     std::vector<uint64_t> uses_;
     std::vector<std::pair<uint64_t, std::thread::id>> recording_;
-    uint64_t last_use_ = 0, destroyed_ = 0;
+    uint64_t last_use_ = 0;
+    std::atomic<uint64_t> destroyed_ = 0;
     std::vector<std::pair<uint64_t, Doomed>> doomed_;  ///< with the last frame that had begun
 
     friend VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,

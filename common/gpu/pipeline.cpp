@@ -77,10 +77,11 @@ uint64_t TargetFormats::hash() const {
 }
 
 BuiltPipeline::~BuiltPipeline() {
-    vkDestroyPipeline(device_, handle, nullptr);
-    vkDestroyPipelineLayout(device_, layout, nullptr);
-    vkDestroyDescriptorSetLayout(device_, set_layout, nullptr);
-    for (const VkShaderModule module : modules) vkDestroyShaderModule(device_, module, nullptr);
+    device_.count_destroyed();
+    vkDestroyPipeline(device_.handle, handle, nullptr);
+    vkDestroyPipelineLayout(device_.handle, layout, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle, set_layout, nullptr);
+    for (const VkShaderModule module : modules) vkDestroyShaderModule(device_.handle, module, nullptr);
 }
 
 std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& macros) {
@@ -230,7 +231,7 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     ++gpu_work.pipelines;
     CompiledStages stages = compile_stages(pipeline, flat);
 
-    auto built = std::make_unique<BuiltPipeline>(device_.handle);
+    auto built = std::make_unique<BuiltPipeline>(device_);
     built->bindings = assign_bindings(stages, &built->local_size);
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const Binding& binding : built->bindings) {

@@ -75,7 +75,7 @@ struct TargetFormats {
 /// One variant, built.
 /// Large (3 functions, 9 members): Vulkan's handles.
 struct BuiltPipeline {
-    explicit BuiltPipeline(VkDevice device) : device_(device) {}
+    explicit BuiltPipeline(Device& device) : device_(device) {}
     ~BuiltPipeline();
     BuiltPipeline(const BuiltPipeline&) = delete;
     VkPipeline handle = VK_NULL_HANDLE;
@@ -88,7 +88,7 @@ struct BuiltPipeline {
     std::vector<VkShaderModule> modules;
 
   private:
-    VkDevice device_;
+    Device& device_;
 };
 
 class PipelineLibrary {

@@ -99,7 +99,7 @@ void Recording::add(Kept& kept) {
 void Recording::close() {
     if (commands_.empty()) return;
     // A handle may have become another object's, and no buffer outlives what it uses, or a later write to its sets.
-    const uint64_t changes = device_.destroyed() + gpu_work.pipelines + sets.written;
+    const uint64_t changes = device_.destroyed() + sets.written;
     std::array<Kept, 2>& two = next();
     const auto same = std::ranges::find_if(
         two, [&](const Kept& kept) { return kept.changes == changes && kept.commands == commands_; });
