@@ -166,7 +166,7 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
         now.other_radius = static_cast<float>(traits(other).radius_m);
     }
     const double passed = static_cast<double>(frame.time_s) * static_cast<double>(days_per_s);
-    now.cloud_turn = static_cast<float>(std::fmod(passed * 0.02, 1.0));
+    now.cloud_turn = static_cast<float>(std::fmod(passed * -0.02, 1.0));  // to the east, 9 m/s at the equator
     now.flow_days = static_cast<float>(static_cast<double>(flow_days) + passed);
     now.flow_period = flow_period_days;
     now.moment = static_cast<float>(std::fmod(0.4 * static_cast<double>(frame.time_s), 4096.0));

@@ -43,7 +43,7 @@ struct BodyNow {
     Rings rings;
     vec3 other;          // a body that may stand before the sun: from this one's centre, world axes
     float other_radius;  // 0: there is none
-    float cloud_turn;    // of the cloud map against the ground, in turns
+    float cloud_turn;    // of the cloud map against the ground, in turns to the west
     float flow_days;     // since the map of moving clouds was photographed
     float flow_period;   // days between two of its frames
     float moment;        // of the Sun's granules, in cells of time
