@@ -47,6 +47,7 @@ std::vector<std::string> Skin::status() const {
 void Skin::prepare(Gpu& gpu, Scene& scene) {
     add_charts(gpu, scene);
     for (Unwrapped* unwrapped : {&coarse_, &fine_, &eye_}) unwrapped->forget();
+    scale_made_.forget();
 }
 
 // How wide a pixel is there, in mm.
@@ -58,10 +59,17 @@ double Skin::widest_px(float away_m, const Camera& camera, uint32_t screen_heigh
     return std::sqrt(double(skin_variance_mm2[SKIN_GAUSSIANS - 1])) / pixel_mm(double(away_m), camera, screen_height);
 }
 
+// Measured once for each placement: all triangles take most of a frame's recording.
+double Skin::scale_of(const DrawItem& item) const {
+    if (!scale_made_.from(item.model.get(), item.mesh, item.part, item.transform)) return mm_per_uv_;
+    ++measured;
+    return mm_per_uv_ = mm_per_uv(item);
+}
+
 uint32_t Skin::size_for(const DrawItem& item, const Camera& camera, uint32_t screen_height) const {
     if (map_size > 0) return static_cast<uint32_t>(map_size);
     const double away_m = double(glm::length(item.bounds.center() - camera.position));
-    const double texels = double(density) * mm_per_uv(item) / pixel_mm(away_m, camera, screen_height);
+    const double texels = double(density) * scale_of(item) / pixel_mm(away_m, camera, screen_height);
     return 1u << std::clamp(static_cast<int>(std::lround(std::log2(std::max(texels, 1.0)))), 6, 11);
 }
 

@@ -83,12 +83,15 @@ struct Skin : Module {
     /// The standard deviation of the widest Gaussian in pixels of a picture so many pixels high, for skin so far away.
     static double widest_px(float away_m, const Camera& camera, uint32_t screen_height);
 
+    mutable uint64_t measured = 0;  ///< times that the surface's triangles were measured for size_for()
+
     bool on_map() const { return method.is("exact") || sum_count() > 0; }
     bool empty() const { return empty_; }  ///< the scene of the frame recorded last had nothing to draw
     int sum_count() const;                 ///< of Gaussians; 0 for other methods
 
   private:
     static const DrawItem* part(const Scene& scene, Role role, bool any = false);
+    double scale_of(const DrawItem& item) const;
     void make_tables(Frame& frame);
     void light_map(Frame& frame, const Lit& lit);
     void draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with);
@@ -103,7 +106,8 @@ struct Skin : Module {
     float tables_f0_ = -1;
     unsigned tables_toggles_ = 0;
     int sky_rays_ = 0;
-    const void* sky_of_ = nullptr;
+    mutable Made<const GpuModel*, uint32_t, uint32_t, glm::mat4> scale_made_;  ///< mesh, part, placement
+    mutable double mm_per_uv_ = 0;
     Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});
     Pipeline preintegrated_table_ = compute({.shader = "12_skin/preintegrated.comp"});
