@@ -55,10 +55,10 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
     lightwalk_test_needs(stability.${number} test_${chapter})
   endif()
   if(TARGET test_${chapter} AND TARGET test_minimal)
-    # What the lesson names is run once more, to be compared with what the lesson says.
+    # What the lesson names is run once more, to be compared with what the lesson says; and what pages print for the chapter.
     lightwalk_python_test(figures.${number} "study;${chapter}" common/course test.figures ${chapter})
     set_tests_properties(figures.${number} PROPERTIES COST 60 TIMEOUT 900)
-    lightwalk_test_needs(figures.${number} test_${chapter} test_minimal)
+    lightwalk_test_needs(figures.${number} test_${chapter} test_minimal ${chapter})
   endif()
   if(EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/study.json)
     lightwalk_python_test(study.${number} "study;${chapter}" common/course test.study_test ${chapter})

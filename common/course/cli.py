@@ -14,37 +14,8 @@ import signal
 import sys
 
 from build.build import alone
+from commands import COMMANDS
 from tree import BUILD, Failure, UsageError, nearest, warn
-
-# command: its module. The help of all of them is in the shell script, which must print it without Python.
-COMMANDS = {
-    "run": "run",
-    "test": "test.run_tests",
-    "accept": "shots.accept",
-    "check": "check.check",
-    "progress": "check.check",
-    "next": "check.next_step",
-    "reset": "check.reset",
-    "study": "charts.study",
-    "figures": "test.figures",
-    "stretch": "check.stretch",
-    "models": "models",
-    "shader": "pages.shader",
-    "film": "film",
-    "quote": "pages.quotes",
-    "new": "new",
-    "format": "build.format_tree",
-    "fuzz": "build.fuzz",
-    "handout": "grading.handout",
-    "grade": "grading.grade",
-    "autograder": "grading.autograder",
-    "docs": "pages.docs",
-    "serve": "live.serve",
-    "slides": "pages.slides",
-    "book": "pages.book",
-    "doctor": "build.doctor",
-    "clean": "build.clean",
-}
 
 
 class Parser(argparse.ArgumentParser):

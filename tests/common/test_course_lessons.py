@@ -9,6 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 from pages.reading import minutes, sections  # noqa: E402
+from test import lesson_commands  # noqa: E402
 from tree import chapters, lesson_pages, lessons  # noqa: E402
 
 PARTS = ["What you will be able to do", "The first ten minutes", "What you will see", "The smallest program", "The frame",
@@ -84,6 +85,31 @@ class Lessons(unittest.TestCase):
         for word in ("graphics pipeline", "vertex shader", "fragment shader", "uniform", "texture", "sampler", "mip levels",
                      "depth buffer", "compute shader", "dispatch", "workgroup", "invocation", "Shared memory", "barrier", "subgroup"):
             self.assertEqual(text.count(f"**{word}**"), 1, word)
+
+
+class Commands(unittest.TestCase):
+    PAGE = """Run `./course run 02 --shot statue --set
+mist=0.3`, then
+
+    for a in 1 2; do build/chapters/02_lambert_phong --shininess $a \\
+        --size 96x64 --screenshot $a.png; done   # twice
+
+or `./course run 02 --shot NAME` or (`build/chapters/03_attenuation --study FILE`).
+"""
+
+    def test_programs_commands_are_found_in_text_and_in_blocks(self):
+        found = lesson_commands.printed_on(Path("a.md"), self.PAGE)
+        self.assertEqual([(one.line, one.chapter[:2], " ".join(one.words)) for one in found], [
+            (1, "02", "--shot statue --set mist=0.3"), (4, "02", "--shininess 1 --size 96x64 --screenshot 1.png"),
+            (4, "02", "--shininess 2 --size 96x64 --screenshot 2.png"), (7, "03", "--study FILE")])
+        self.assertEqual([lesson_commands.is_drawn(one.words) for one in found], [True, True, True, False])
+        self.assertEqual(lesson_commands.small(found[1].words), ["--shininess", "1", "--size", "32x18"])
+
+    def test_most_pages_print_some(self):
+        found = lesson_commands.printed()
+        self.assertEqual({one.chapter for one in found}, set(chapters()))
+        self.assertGreater(len(found), 250)
+        self.assertIn(("--shot", "forge", "--set", "method=window"), [one.words for one in found if lesson_commands.is_drawn(one.words)])
 
 
 if __name__ == "__main__":

@@ -34,6 +34,13 @@ class Text(Course):
             self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
             self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
 
+    def test_commands_that_the_course_refuses(self):
+        for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --rounds 3"):
+            self.put("docs/02_lambert.md", f"# Two\n\nSee `{bad}`.\n")
+            self.assertEqual(self.wrong().count("docs/02_lambert.md:3:"), 1, bad)
+        self.put("docs/02_lambert.md", "# Two\n\n    ./course check 01.one --hint   # a word\n    ./course grade --merge\n    ./course accept 20.new\n")
+        self.assertEqual(self.wrong(), "")
+
     def test_lessons_that_are_ahead_of_the_course(self):
         self.put("docs/02_lambert.md", "# Two\nAs in chapter 01.\nMore in chapters 02 and 14.\n`chapter 15`\n")
         self.assertEqual(self.wrong(), "docs/02_lambert.md:3: there is no chapter 14\n")

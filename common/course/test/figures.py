@@ -19,6 +19,7 @@ from charts.measured import earlier
 from check import lesson_tests
 from pages import tables
 from pages.quotes import lessons
+from test import lesson_commands
 from tree import BUILD, ROOT, UsageError, chapters, find_chapter, run_on_chapter, say
 
 HELP = """Runs the tests that lessons name, and prints their output beside the lesson's lines: every figure can be measured again.
@@ -27,8 +28,9 @@ HELP = """Runs the tests that lessons name, and prints their output beside the l
   ./course figures 08           one lesson
   ./course figures 08 --list    what would be run; builds and runs nothing
 
-It builds what is needed. Tables of studies and numbers with a source are compared with it; a line that begins with WRONG
-says where a figure is not what was found, and the exit code is then 1. Studies that measured an earlier version of the
+It builds what is needed. Tables of studies and numbers with a source are compared with it, and a chapter's program reads the
+commands that any page prints for it, and draws those that set something. A line that begins with WRONG says where a figure is
+not what was found, or a command is refused, and the exit code is then 1. Studies that measured an earlier version of the
 chapter's code are listed at the end."""
 
 NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
@@ -50,6 +52,7 @@ def run(arguments, _rest) -> int:
                           {program_of(source) for lesson in chosen for *_, source in commands(lesson)})
         build([*programs, *(one for one in chapters() if one.startswith(chapter[:2]))])
     wrong = sum(check(lesson, arguments.list) for lesson in chosen)
+    wrong += sum(check_commands(one, arguments.list) for one in chapters() if one.startswith(chapter[:2]))
     old = [study for study in earlier() if study.name.startswith(chapter[:2])]
     if old:
         say("measured with an earlier version of the chapter's code: " + ", ".join(str(study.relative_to(ROOT / "docs/studies").with_suffix("")) for study in old))
@@ -103,6 +106,19 @@ def check(lesson: Path, only_list: bool) -> int:
     return wrong
 
 
+def check_commands(chapter: str, only_list: bool) -> int:
+    """Prints the commands for a chapter's program that are wrong, or lists all of them. How many are wrong."""
+    if only_list:
+        for one in lesson_commands.printed():
+            if one.chapter == chapter:
+                say(str(one))
+        return 0
+    wrong = lesson_commands.wrong_of(chapter)
+    for problem in wrong:
+        say(f"WRONG {problem}")
+    return len(wrong)
+
+
 def compared(lines: list[str], at: int, output: str) -> tuple[list[str], list[str]]:
     """The numbers of the paragraph at a line, and of a table that follows it: those found in the output, and the others."""
     begin = end = at
@@ -142,7 +158,8 @@ def printed(output: str, pattern: str) -> float | None:
 def test_of(chapter: str) -> list[str]:
     """As a test, of a chapter with built programs: a line for each wrong figure."""
     wrong = sum(check(lesson, False) for lesson in lesson_tests.of_chapters(lessons()) if lesson.stem.startswith(chapter[:2]))
-    return [f"{wrong} figures of chapter {chapter} are wrong; ./course figures {chapter[:2]} shows them"] if wrong else []
+    wrong += check_commands(chapter, False)
+    return [f"{wrong} figures or commands of chapter {chapter} are wrong; ./course figures {chapter[:2]} shows them"] if wrong else []
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from tree import ROOT
 
 ROOMS = ("base", "gpu", "check", "image", "scene", "app", "measure", "study", "judge", "window")
 # Modules beside the packages have a position in the order as well.
-PACKAGES = ("tree", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "models", "run", "new", "film", "cli", "__main__")
+PACKAGES = ("tree", "commands", "progress", "many", "build", "shots", "charts", "check", "pages", "grading", "live", "test", "gallery", "models", "run", "new", "film", "cli", "__main__")
 
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 IMPORT = re.compile(r"\s*(?:from|import) (\w+)")

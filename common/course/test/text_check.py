@@ -17,6 +17,7 @@ from check.starters import check_starters
 from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
 from pages import tables
 from shots.golden import measured_distances
+from test.lesson_commands import wrong_words
 from test.order import check_order
 from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots
 
@@ -221,6 +222,7 @@ def check_all() -> list[str]:
     for name in files():
         if name.suffix == ".md":
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
+            wrong += wrong_words(name, (ROOT / name).read_text())
         wrong += check_private_paths(name)
     wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]

@@ -1,0 +1,31 @@
+"""The commands of ./course and the module of each."""
+
+# The help of all of them is in the shell script, which must print it without Python.
+COMMANDS = {
+    "run": "run",
+    "test": "test.run_tests",
+    "accept": "shots.accept",
+    "check": "check.check",
+    "progress": "check.check",
+    "next": "check.next_step",
+    "reset": "check.reset",
+    "study": "charts.study",
+    "figures": "test.figures",
+    "stretch": "check.stretch",
+    "models": "models",
+    "shader": "pages.shader",
+    "film": "film",
+    "quote": "pages.quotes",
+    "new": "new",
+    "format": "build.format_tree",
+    "fuzz": "build.fuzz",
+    "handout": "grading.handout",
+    "grade": "grading.grade",
+    "autograder": "grading.autograder",
+    "docs": "pages.docs",
+    "serve": "live.serve",
+    "slides": "pages.slides",
+    "book": "pages.book",
+    "doctor": "build.doctor",
+    "clean": "build.clean",
+}
