@@ -124,6 +124,41 @@ TEST_CASE_METHOD(DeviceTest, "clouds carried around the Great Red Spot stay as f
     }
 }
 
+// After a day the ground is where it was. The same clouds over a body that is turned further show how far they went.
+TEST_CASE_METHOD(OnPlanets, "the Earth's clouds drift east at 45 degrees as fast as the wind blows there, 5 to 10 m/s",
+                 "[17.cloud_drift]") {
+    size = {64, 64};
+    look_at("earth", 4);
+    planets.days_per_s.value = 1;
+    const auto clouds = [&](float time_s, float turn_deg) {
+        planets.turn_deg.value = turn_deg;
+        planets.clouds.value = 1;
+        ImageRgb with = picture(time_s);
+        planets.clouds.value = 0;
+        const ImageRgb without = picture(time_s);
+        for (size_t i = 0; i < with.pixels.size(); ++i) with.pixels[i] -= without.pixels[i];
+        return with;
+    };
+    const ImageRgb later = clouds(1, 0);
+    float drift_deg = 0;
+    double least = 1e9;
+    for (int step = -6; step <= 6; ++step) {
+        const float turn = 2.4f * float(step);
+        const ImageRgb turned = clouds(0, turn);
+        double change = 0;
+        for (size_t i = 0; i < later.pixels.size(); ++i)
+            change += std::pow(double(later.pixels[i].g) - double(turned.pixels[i].g), 2);
+        if (change < least) {
+            least = change;
+            drift_deg = turn;
+        }
+    }
+    const double speed = glm::radians(double(drift_deg)) * 6.378e6 * std::cos(glm::radians(45.0)) / 86400;
+    INFO(drift_deg << " degrees to the east in a day, " << speed << " m/s");
+    CHECK(speed > 5);
+    CHECK(speed < 10);
+}
+
 TEST_CASE_METHOD(DeviceTest, "the Sun's network changes a tenth as fast as its granules, and neither jumps") {
     Probe probe{.include = "17_planets/sun_surface.glsl",
                 .before = "",

@@ -61,27 +61,45 @@ TEST_CASE_METHOD(DeviceTest, "an outline reaches as far as its width, and half o
     for (int x = 0; x < 9; ++x) CHECK(seen.at(x, 0).r == Approx(wanted[x]).margin(1e-3));
 }
 
-TEST_CASE_METHOD(DeviceTest, "a line that ends behind the camera goes on to the picture's edge") {
+namespace {
+
+// A line from the middle of a picture of 32 by 32 pixels, a metre away, to a point, seen from the eye; or the same turned round.
+ImageRgb lined(DeviceTest& test, glm::vec3 to, bool turned) {
     const Pipeline lines = graphics({.vertex = "18_playground/line.vert",
                                      .fragment = "18_playground/line.frag",
                                      .cull = VK_CULL_MODE_NONE,
                                      .depth_test = false,
                                      .depth_write = false});
-    Camera camera;
-    camera.position = {0, 0, 0};
-    camera.target = {0, 0, -1};
+    Camera camera{.fov_y_rad = glm::half_pi<float>()};
+    camera.position = {5, 3, 2};
+    camera.target = camera.position - glm::vec3(0, 0, 1);
     const View view = view_of(camera, {32, 32});
+    MarkSegment line{camera.target, 4, camera.position + to, 1, {1, 1, 1}};
+    if (turned) std::swap(line.from, line.to);
+    const Buffer buffer = test.gpu.upload("lines", std::vector<MarkSegment>{line});
+    Frame& frame = test.frame;
+    frame.begin({32, 32}, 0);
+    const ViewScope scope(frame, view);
+    frame.raster("line", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}, .reads = {buffer}},
+                 [&](Raster& pass) { pass.use(lines).set("lines", buffer).draw(6); });
+    frame.end();
+    return read_linear(test.gpu, frame.hdr);
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(DeviceTest, "a line that ends behind the camera goes on to the picture's edge") {
     for (const bool turned : {false, true}) {
-        MarkSegment line{{0, 0, -1}, 4, {0.7f, 0, 2}, 1, {1, 1, 1}};
-        if (turned) std::swap(line.from, line.to);
-        const Buffer buffer = gpu.upload("lines", std::vector<MarkSegment>{line});
-        frame.begin({32, 32}, 0);
-        const ViewScope scope(frame, view);
-        frame.raster("line", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}, .reads = {buffer}},
-                     [&](Raster& pass) { pass.use(lines).set("lines", buffer).draw(6); });
-        frame.end();
-        const ImageRgb seen = read_linear(gpu, frame.hdr);
+        const ImageRgb seen = lined(*this, {0.7f, 0, 2}, turned);
         for (int x = 0; x < 32; ++x) CHECK(seen.at(x, 16).g == (x < 16 ? 0.0f : 1.0f));
+    }
+}
+
+// At 2 m the picture is 4 m wide: 8 pixels a metre from its middle.
+TEST_CASE_METHOD(DeviceTest, "a line ends where its end is seen, at either end", "[18.line_end]") {
+    for (const bool turned : {false, true}) {
+        const ImageRgb seen = lined(*this, {1, 0, -2}, turned);
+        for (int x = 0; x < 32; ++x) CHECK(seen.at(x, 16).g == (x < 16 || x >= 24 ? 0.0f : 1.0f));
     }
 }
 
