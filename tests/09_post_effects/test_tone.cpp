@@ -53,7 +53,7 @@ TEST_CASE("the reference: middle grey is 10 percent, white is white, and no colo
     }
 }
 
-TEST_CASE("curves at equal middle grey against the reference, in codes", "[figures]") {
+TEST_CASE("curves at equal middle grey against the reference, in codes", "[figures][09.curves]") {
     for (const char* const curve : curves) {
         const double gain = matching_gain(curve);
         double grey = 0, sum = 0, most = 0;

@@ -101,9 +101,13 @@ class Tables(unittest.TestCase):
         self.assertNotIn("<!--", noted)
 
 
+# What prints a table, named somewhere in its section: a test, a test's program or a figure's script.
+PRINTS = re.compile(r'build/tests/|\[\d\d\.\w+\]|"\[figures\]"|docs/figures/')
+
+
 def typed(lines: list[str]) -> list[int]:
-    """The lines at which tables of measurements begin that name no source: times, FLIP or a device's name in the heading or the
-    paragraph before, and three fractions or more. A source is a comment before the table, or one in each row."""
+    """The lines at which tables of three fractions or more begin that name no source. A source is a comment before the table, or
+    one in each row, or what prints it. Examples by hand and tables of sources have none."""
     found, i = [], 0
     while i < len(lines):
         begin = i
@@ -115,13 +119,14 @@ def typed(lines: list[str]) -> list[int]:
         above = begin
         while above > 0 and not lines[above - 1].strip():
             above -= 1
-        end = above
-        while above > 0 and lines[above - 1].strip():
-            above -= 1
-        before, rows = " ".join(lines[above:end]), lines[begin + 2:i]
-        measured = re.search(r"\bms\b|FLIP|\bH[12]00\b|MB/s|llvmpipe", f"{before} {lines[begin]}")
-        sourced = "-->" in before or all("<!-- figure: " in row for row in rows)
-        if measured and not sourced and len(re.findall(r"\d\.\d|\d%", " ".join(rows))) > 2:
+        section = next((k for k in range(begin, 0, -1) if lines[k].startswith("#")), 0)
+        end = next((k for k in range(i, len(lines)) if lines[k].startswith("#")), len(lines))
+        folds = " ".join(lines[section:begin]).split("<details>")
+        by_hand = "example by hand" in folds[-1] and "</details>" not in folds[-1]
+        rows = lines[begin + 2:i]
+        sourced = "-->" in lines[above - 1] or all("<!-- figure: " in row for row in rows) or \
+            PRINTS.search("\n".join(lines[section:end])) or "| source |" in lines[begin] or by_hand
+        if not sourced and len(re.findall(r"\d\.\d|\d%", " ".join(rows))) > 2:
             found.append(begin + 1)
     return found
 
@@ -132,11 +137,15 @@ class Lessons(unittest.TestCase):
             lines = (ROOT / name).read_text().splitlines()
             self.assertEqual(tables.check_tables(name, lines)[0] + tables.check_figures(name), [])
 
-    def test_no_table_of_measurements_is_typed(self):
+    def test_no_table_of_fractions_is_typed(self):
         for name in lesson_tests.of_chapters(lessons()):
             lines = (ROOT / name).read_text().splitlines()
             self.assertEqual([f"{name}:{at}" for at in typed(lines)], [], "<!-- table: ... -->")
-        self.assertEqual(typed(["Times on an H200:", "", "| | ms |", "|---|---|", "| a | 1.2 |", "| b | 1.3 |", "| c | 1.4 |"]), [3])
+        table = ["| | m |", "|---|---|", "| a | 1.2 |", "| b | 1.3 |", "| c | 1.4 |"]
+        self.assertEqual(typed(["Errors on the reef:", "", *table]), [3])
+        for named in ("(`[11.reef]`)", "<details><summary>An example by hand</summary>", "<!-- table: a.json#all -->"):
+            self.assertEqual(typed([named, "", *table]), [], named)
+        self.assertEqual(typed(["(`[11.reef]`)", "## Next", *table]), [3])
 
     def test_no_name_of_a_test_matches_nothing(self):
         texts = lesson_tests.of_chapters(lessons())
