@@ -30,6 +30,12 @@ class Commands(Course):
         for command in cli.COMMANDS:
             self.assertTrue(self.course(command, "--help").strip())
 
+    def test_the_tests_have_the_packages_of_every_command_that_they_try(self):
+        groups = dict(re.findall(r'^    (\S.*)\) groups="([^"]*)" ;;', (REAL / "course").read_text(), re.M))
+        for command in ("run | shader", "film", "check | progress | next | accept | stretch", "figures", "grade",
+                        "study | models", "docs", "serve", "format"):
+            self.assertLessEqual(set(groups[command].split()), set(groups["test"].split()), command)
+
     def test_bad_words_are_one_line_and_2(self):
         for words, expected in (("rum", "no command 'rum'; the nearest are run and"), ("run 03", "no chapter '03'; the nearest are 01_obj and 02_lambert; the README"), ("run lamb", "the nearest are 02_lambert and 01_obj"),
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "the nearest is 01.one; ./course run 01 --list exercises"),

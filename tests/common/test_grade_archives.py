@@ -13,6 +13,7 @@ import zipfile
 from pathlib import Path
 
 import graded_class
+import libarchive
 from grading.archives import MOST_MEMBERS, refuse_many_members
 from grading.submission import find, read
 from test_grade_handins import LAMBERT, RIGHT, WANTED, by_libarchive, zip_of
@@ -128,7 +129,7 @@ ARCHIVES = {
     "zeros.7z": (b"7z\xbc\xaf\x27\x1c\0\4" + bytes(24), NONE),
     "encrypted.zip": (with_bits(zip_of({LAMBERT: RIGHT}), 6, 1), "is encrypted"),
     "other name within.zip": (zip_of({LAMBERT: RIGHT}).replace(LAMBERT.encode(), b"../" + LAMBERT.encode()[3:], 1), BROKEN),
-    "overlapping.zip": (overlapping(19999), BROKEN),
+    "overlapping.zip": (overlapping(19999), BROKEN if libarchive.ffi.version_number() < 3007000 else READ),
     "list of files.tar": (LISTED, "is not an archive of the kinds"),
     "cpio.tar": (by_libarchive("cpio", None, {LAMBERT: RIGHT}), "is not an archive of the kinds"),
     "negative.tar": (negative_tar(), BROKEN),

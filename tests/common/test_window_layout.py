@@ -16,11 +16,11 @@ SCENE = {"camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fov_deg": 40}, 
 
 
 class Layout(unittest.TestCase):
-    def start(self, options: list, layout: str = "", scale: float = 1.0) -> Session:
+    def start(self, options: list, layout: tuple = (), scale: float = 1.0) -> Session:
         server = XServer(2000, 1500)
         self.addCleanup(server.close)
         if layout:
-            subprocess.run(["setxkbmap", "-display", server.display, layout], check=True)
+            subprocess.run(["setxkbmap", "-display", server.display, *layout], check=True)
         if scale != 1.0:
             server.set_text_scale(scale)
         folder = self.enterContext(tempfile.TemporaryDirectory())
@@ -38,7 +38,7 @@ class Layout(unittest.TestCase):
         self.assertEqual([line for line in session.errors if line], [])
 
     def test_keys_are_those_with_the_letter_on_them(self):
-        session = self.start(["--size", "360x300"], "dvorak")  # H is where others have J
+        session = self.start(["--size", "360x300"], ("us", "-variant", "dvorak"))  # H is where others have J
         before = session.settled(360, 0, PANEL, 300)
         session.key("h")
         session.wait(lambda: session.pixels(360, 0, PANEL, 300) != before, "the panel to go")
