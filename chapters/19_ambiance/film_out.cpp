@@ -39,13 +39,12 @@ std::vector<std::string> ffmpeg(const FilmOut& out, const Reel& reel, glm::uvec2
     else
         words.insert(words.end(), {"-c:v", "libsvtav1", "-preset", "8", "-crf", "26"});
     // Both encode pairs of rows and columns. Players assume ITU-R BT.709 above standard definition; without these
-    // options colours are converted by BT.601, and no file says so.
+    // filters colours are converted by BT.601, and no file says so. Pictures carry the tags: ffmpeg 7 ignores options.
     words.insert(
         words.end(),
         {"-vf",
          "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
-         "format=yuv420p",
-         "-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"});
+         "format=yuv420p,setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709"});
     words.insert(words.end(),
                  {"-movflags", "+faststart", "-f", into.extension() == ".mkv" ? "matroska" : "mp4", into.string()});
     return words;

@@ -10,6 +10,7 @@ The scenes' ways are judged by their mean FLIP against the first one with many s
 import io
 import json
 import sys
+from math import fsum
 from pathlib import Path
 
 import matplotlib
@@ -72,12 +73,12 @@ def cheapest(scene: dict, budget: float) -> dict:
 def within_budgets(measured: dict) -> dict:
     """Of each budget, the scenes with a way within it, and the film's time as a share of that of the most accurate ways."""
     scenes = measured["scenes"]
-    whole = sum(scene["ways"][0]["gpu_ms"] for scene in scenes)
+    whole = fsum(scene["ways"][0]["gpu_ms"] for scene in scenes)
     points = []
     for budget in BUDGETS:
         ways = [cheapest(scene, budget) for scene in scenes]
         points.append({"method": f"{budget:g}", "within": sum(way["error"] <= budget for way in ways),
-                       "share": sum(way["gpu_ms"] for way in ways) / whole})
+                       "share": fsum(way["gpu_ms"] for way in ways) / whole})
     return {"device": measured["device"], "driver": measured["driver"], "size": measured["size"], "points": points}
 
 
