@@ -1,6 +1,7 @@
 // Malformed files of volumes and lathes, and the cache of baked occlusion.
 #include <set>
 
+#include "01_obj/obj.h"
 #include "16_volume/finish.h"
 #include "16_volume/lathe.h"
 #include "16_volume/volume_file.h"
@@ -210,4 +211,27 @@ TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the op
     CHECK(hidden == 0);
     for (const auto& entry : kept_occlusion())
         if (!before.contains(entry)) std::filesystem::remove(entry);
+}
+
+// A workgroup has 64 texels, a part here ten of them.
+TEST_CASE_METHOD(DeviceTest, "a part's bake writes its own texels and no others", "[16.bake_part]") {
+    struct Owner : Module {
+    } owner;
+    SceneRays rays(owner, "rays");
+    Scene scene;
+    SceneFile file;
+    file.objects.push_back({.name = "cube", .parent = "", .model = "models/cube.obj"});
+    scene.load(gpu, file, [](const auto& path) { return load_model(path); });
+    rays.build(gpu, scene);
+    const Pipeline bake = compute({.shader = "16_volume/bake.comp"});
+    const Buffer nowhere = gpu.upload("places", std::vector<glm::vec4>(64, glm::vec4(0))),
+                 result = gpu.upload("result", std::vector<float>(64, -1.0f));
+    frame.begin({1, 1}, 0);
+    frame.compute("bake", {.reads = {nowhere}, .writes = {result}, .with = {rays}}, [&](Compute& pass) {
+        pass.use(bake).set("places", nowhere).set("normals", nowhere).set("result", result);
+        pass.set("part", glm::uvec4(20, 10, 1, 0)).set("reach_m", 1.0f).dispatch_threads(glm::uvec3(10, 1, 1));
+    });
+    frame.end();
+    const std::vector<float> open = read<float>(result);
+    for (size_t i = 0; i < open.size(); ++i) CHECK(open[i] == (i < 20 || i >= 30 ? -1.0f : 1.0f));
 }
