@@ -147,6 +147,17 @@ class Lessons(unittest.TestCase):
             self.assertEqual(typed([named, "", *table]), [], named)
         self.assertEqual(typed(["(`[11.reef]`)", "## Next", *table]), [3])
 
+    # Delays of sound and windows, other people's programs, and what was measured once: to become fewer.
+    UNSOURCED = 55
+
+    def test_a_time_in_running_text_names_its_source(self):
+        count = 0
+        for name in lesson_tests.of_chapters(lessons()):
+            text = re.sub(r"```.*?```|<!-- table: .*?-->", "", (ROOT / name).read_text(), flags=re.S)
+            text = re.sub(r"^ *\|.*$", "", tables.FIGURE.sub("", text), flags=re.M)
+            count += len(re.findall(r"(?<![\w.,])[\d.,]*\d\s(?:ms|µs)\b", text))
+        self.assertLessEqual(count, self.UNSOURCED, "<!-- figure: ... --> behind the number")
+
     def test_no_name_of_a_test_matches_nothing(self):
         texts = lesson_tests.of_chapters(lessons())
         self.assertGreater(sum(len(lesson_tests.named_in(text)) for text in texts), 100)
