@@ -13,7 +13,9 @@ sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 from PIL import Image  # noqa: E402
 
 from browser import CHROMIUM, Browser  # noqa: E402
+from part_in_ci import part  # noqa: E402
 from pages.gallery import write_gallery  # noqa: E402
+from pages.page import chart_uri, data_uri  # noqa: E402
 from pages.report import write_report  # noqa: E402
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
@@ -92,7 +94,7 @@ class ReportText(ReportCase):
                      "02.blinn", "f(x = 0) &lt; nothing", "unit.bad", "1 == 2 &lt;b&gt;", "./course test '^unit.bad$'",
                      "41 lines before", "there is none"):
             self.assertIn(text, failed)
-        for text in ("What good shows.", "02.phong", "unit.good"):
+        for text in ("What good shows.", "02.phong", "unit.good", "<span>02 Lambert and Phong shading</span>"):
             self.assertNotIn(text, failed)
             self.assertIn(text, chapters)
         self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; the teeth's rejections are right
@@ -114,6 +116,16 @@ class ReportText(ReportCase):
         html = self.write().replace("http://www.w3.org", "")
         for outside in ("http:", "https:", "//cdn", 'src="/', "url(", "@import"):
             self.assertNotIn(outside, html)
+
+    def test_all_pictures_and_charts_are_below_10_mb(self):
+        """Of all goldens, as where every test has passed; in part by the mean of some."""
+        mega = 0.0
+        for files, embedded in ((ROOT.glob("tests/*/golden/*.png"), lambda file: data_uri(file, lossless=False)),
+                                (ROOT.glob("docs/studies/*.png"), chart_uri)):
+            files = sorted(files)
+            chosen = part(files, 8)
+            mega += sum(len(embedded(file)) for file in chosen) / len(chosen) * len(files) / 1e6
+        self.assertLess(mega + 1.5, 10, "with 1.5 MB of figures and words")
 
     def test_what_cannot_be_read_is_a_failure(self):
         (self.results / "shot.torn.json").write_text('{"kind": "sh')

@@ -16,7 +16,7 @@ except ImportError:  # ./course run does not need it; pictures are then embedded
 
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg", ".webp": "image/webp"}
 
-SMALL = 640  # of 198 passed pictures a page has 8 MB so, and 30 at their own size
+SMALL = 560  # 207 pictures that passed take 6 MB of a report so, and 30 at their own size
 # Mkdocs' theme has small scripts and styles within its pages; nothing is asked from elsewhere.
 POLICY = ("default-src 'none'; script-src 'self' 'unsafe-inline' blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; "
           "img-src 'self' data: blob:; connect-src 'self' blob:; worker-src 'self' blob:; form-action 'none'; base-uri 'none'; "
@@ -47,6 +47,16 @@ def data_uri(path: Path, lossless: bool = True) -> str:
             picture.save(out, "WEBP", quality=80, method=4)
         data, kind = out.getvalue(), "image/webp"
     return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+
+
+def chart_uri(path: Path) -> str:
+    """A chart as a data URI: a WebP of the same pixels, which takes a quarter less than the PNG. Raises OSError as data_uri()."""
+    if not Image or Path(path).suffix != ".png":
+        return data_uri(path)
+    out = io.BytesIO()
+    with Image.open(path) as picture:
+        picture.convert("RGBA").save(out, "WEBP", lossless=True, quality=50, method=2)
+    return f"data:image/webp;base64,{base64.b64encode(out.getvalue()).decode()}"
 
 
 def lesson_link(chapter: str, folder: Path) -> str:

@@ -26,7 +26,7 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from pages.page import TEMPLATES, data_uri, lesson_link, page
+from pages.page import TEMPLATES, chart_uri, lesson_link, page
 from pages.report_cards import Pictures, figures, read_result
 from tree import ROOT, relative, write_atomically
 
@@ -113,7 +113,7 @@ def charts(chapter_name: str, results: list[dict]) -> list[dict]:
         path = result.get("picture")
         chart = {"alt": f"{result['name']}: {result.get('title') or 'time against error'}", "again": result.get("again")}
         try:
-            chart["uri"] = data_uri(ROOT / path) if path else None
+            chart["uri"] = chart_uri(ROOT / path) if path else None
         except OSError as error:
             chart["error"] = error
         beside = ROOT / (result.get("table") or (Path(path).with_suffix(".md") if path else "none.md"))
