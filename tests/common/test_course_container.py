@@ -1,12 +1,12 @@
 """Tests of ./course test --on: a line with the reason if it cannot run; and its commands."""
 # Builds: nothing
 
+import io
 import os
 import shutil
 import subprocess
 import sys
 import unittest
-from pathlib import Path
 from unittest import mock
 
 from small_course import REAL, Course
@@ -79,28 +79,37 @@ class Runs(Course):
         for words in ("init -q", "add -A", "-c user.name=x -c user.email=x commit -qm x"):
             subprocess.run(["git", "-C", cls.root, *words.split()], check=True)
 
-    def commands(self, *words, code=0):
-        """Its commands, with `code` as the exit code of each."""
+    def commands(self, *words, code=0, served="building\nhttp://127.0.0.1:8100/?token=x\n"):
+        """Its commands, with `code` as the exit code of each, and what the server prints."""
         ran = []
 
         def run(command, **_):
             ran.append([str(word) for word in command])
             return subprocess.CompletedProcess(command, code)
+
+        def start(command, **_):
+            run(command)
+            return mock.Mock(stdout=io.StringIO(served), wait=lambda: -15)
         with mock.patch.multiple(container, BUILD=self.root / "build", require=lambda _: None, copy_tree=lambda _: None), \
-                mock.patch.object(container.subprocess, "run", run):
+                mock.patch.object(container.subprocess, "run", run), mock.patch.object(container.subprocess, "Popen", start):
             (self.root / "build/on/trixie/root").mkdir(parents=True, exist_ok=True)
             result = container.test_on("trixie", list(words))
         return result, ran
 
-    def test_its_two_commands_in_a_container(self):
-        result, [first, pages, second] = self.commands()
+    def test_a_newcomers_commands_in_a_container(self):
+        result, [first, pages, live, second] = self.commands()
         self.assertEqual(result, 0)
         root = str(self.root / "build/on/trixie/root")
         self.assertEqual(first[:4], ["bwrap", "--bind", root, "/"])
         self.assertEqual(first[-4:], [container.TREE, "--", "./course", "run"])
         self.assertEqual(pages[-2:], ["./course", "docs"])
+        self.assertEqual(live[-4:], ["./course", "serve", "--port", "0"])
         self.assertEqual(second[-4:], [container.TREE, "--", "./course", "test"])
         self.assertNotIn(str(self.root), first[4:])
+
+    def test_a_server_that_ends_without_an_address_is_a_failure(self):
+        result, ran = self.commands(served="there is no tornado\n")
+        self.assertEqual((result, ran[-1][-3]), (-15, "serve"))
 
     def test_a_selection_is_one_command_and_a_failure_is_its_code(self):
         result, [only] = self.commands("shot", "-E", "07")

@@ -1,4 +1,4 @@
-"""./course test --on trixie: the course's two commands on a bare Debian of another release, in a container of its own.
+"""./course test --on trixie: a newcomer's commands on a bare Debian of another release, in a container of its own.
 
 The system is debootstrap's smallest; bubblewrap makes its folder the root of a process that sees nothing else of this
 machine but the network. ./course installs there what it needs, as on a student's machine. All of it stays in
@@ -26,12 +26,23 @@ def test_on(system: str, words: list[str]) -> int:
     if not root.exists():
         make_system(system, root)
     copy_tree(root / TREE[1:])
-    for command in ([["run"], ["docs"], ["test"]] if not words else [["test", *words]]):
+    for command in ([["run"], ["docs"], ["serve", "--port", "0"], ["test"]] if not words else [["test", *words]]):
         warn(f"on {SYSTEMS[system]}: ./course {' '.join(command)}")
-        code = subprocess.run(contained(root, ["./course", *command]), stdin=subprocess.DEVNULL).returncode
+        there = contained(root, ["./course", *command])
+        code = serves(there) if command[0] == "serve" else subprocess.run(there, stdin=subprocess.DEVNULL).returncode
         if code:
             return code
     return 0
+
+
+def serves(command: list[str]) -> int:
+    """Starts the server and ends it once it has printed its address. 0, or its exit code where it never does."""
+    server = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    with server.stdout:
+        is_there = any(line.startswith("http://") for line in server.stdout)
+    server.terminate()
+    code = server.wait()
+    return 0 if is_there else code or 1
 
 
 def require(system: str):

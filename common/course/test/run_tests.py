@@ -27,7 +27,7 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --sanitize       these tests, then all but those of windows with the address and undefined-behaviour sanitizers
   ./course test -L window        other options are passed to ctest
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
-  ./course test --on trixie      ./course run and then all tests on a bare Debian 13, in a container in build/on/trixie;
+  ./course test --on trixie      ./course run, docs, serve and test on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
 Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs)
