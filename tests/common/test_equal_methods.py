@@ -86,13 +86,13 @@ OTHER_SCENE_ALONE = ("18", "19")
 
 def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
     """The scenes in which a chapter's values are compared. In a CI, values compared in an earlier chapter are compared in
-    one scene, that of many lights where the chapter draws it, and in a third of the chapters; the others follow with
+    one scene, that of many lights where the chapter draws it, and in a sixth of the chapters; the others follow with
     other commits."""
     scenes = [scene for scene in equal.scenes
               if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
     if not known or not in_part():
         return scenes
-    return scenes[-1:] if chapter in part(CHAPTERS[EQUAL.index(equal) % 3:], 3) else []
+    return scenes[-1:] if chapter in part(CHAPTERS[EQUAL.index(equal) % 6:], 6) else []
 
 
 def usable(equal: Equal, knobs: dict) -> tuple | None:

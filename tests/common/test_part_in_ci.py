@@ -1,6 +1,8 @@
 """Tests of the CI's sampling of cases in ./course test: with each commit another part, in the end all of them, and never none."""
 # Builds: nothing
 
+import hashlib
+import itertools
 import os
 import subprocess
 import sys
@@ -12,7 +14,7 @@ from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
-from test.run_tests import TURNS  # noqa: E402
+from test.run_tests import SHARE, TURNS, chosen  # noqa: E402
 
 CASES = list("abcdefghij")
 
@@ -45,6 +47,13 @@ class Part(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
         for name in names:
             self.assertTrue(list(ROOT.glob(f"tests/*/test_{name}.py")), name)
+
+    def test_whoever_takes_a_turn_tries_all_cases_in_time(self):
+        """A test that runs with one commit of six chose the same cases each time: those of that commit's remainder."""
+        commits = [int(hashlib.sha1(str(i).encode()).hexdigest(), 16) for i in range(2000)]
+        for of in (2, 3, 4, 6, 8):
+            self.assertEqual({(chosen(commit)[0], commit % of) for commit in commits}, set(itertools.product(range(len(TURNS)), range(of))))
+            self.assertEqual({(chosen(commit)[1], commit % of) for commit in commits}, set(itertools.product(range(SHARE), range(of))))
 
 
 if __name__ == "__main__":
