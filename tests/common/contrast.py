@@ -1,6 +1,6 @@
 """Texts of a page that are hard to read: their contrast with the background is below 4.5 (WCAG 2.1, 1.4.3).
 
-`browser.evaluate(CONTRAST)` gives {element: [contrast, colour, background, words]}; texts over pictures are not judged."""
+Texts over pictures are not judged."""
 
 CONTRAST = """(() => {
   const rgb = text => (text.match(/[\\d.]+/g) ?? [0, 0, 0, 0]).map(Number);
@@ -24,3 +24,18 @@ CONTRAST = """(() => {
   }
   return found;
 })()"""
+
+# Colours change at once.
+AT_ONCE = "document.head.append(Object.assign(document.createElement('style'), {textContent: '* { transition: none !important; }'}))"
+
+
+def hard_to_read(browser) -> dict:
+    """{scheme: {element: [contrast, colour, background, words]}} of the page that is open, in dark and in light by a reader's button."""
+    browser.evaluate(AT_ONCE)
+    found = {}
+    for scheme in ("slate", "default"):
+        browser.evaluate(f"document.querySelector('.md-option[data-md-color-scheme={scheme}]').click()")
+        browser.wait(f"document.body.dataset.mdColorScheme === '{scheme}'")
+        if texts := browser.evaluate(CONTRAST):
+            found[scheme] = texts
+    return found

@@ -1,9 +1,7 @@
 """Tests of ./course serve in a browser: chapter 02's lesson on a copy of the course, drawn by its program."""
 
 import base64
-import json
 import os
-import re
 import signal
 import unittest
 from pathlib import Path
@@ -11,14 +9,11 @@ from pathlib import Path
 from browser import Browser
 from live_page import LivePage
 from live_server import is_there, until
-from part_in_ci import in_part
 from small_course import REAL
 
 CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"
 SHOWN = "Picture.all[0].answers[0]"
-DRAWN = ['[src*="/golden/"]', *(f'[src*="images/{name}."]' for name in json.loads((REAL / "docs/images/pictures.json").read_text()))]
-IMAGES = f"document.querySelectorAll('article img:is({', '.join(DRAWN)})')"
 # An image's colours, one after the other, once it is there: while one is read, an image draws nothing.
 PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); "
           "c.drawImage(image, 0, 0, 320, 180); return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
@@ -79,21 +74,6 @@ class InBrowser(LivePage):
         self.answered("Picture.all[0].state.turn_rad === 0 && !Object.keys(Picture.all[0].state.set).length")
         self.assertEqual(self.picture(), first)
         self.assertGreater(self.browser.evaluate(f"{SHOWN}.passes.length"), 1)
-
-    def test_every_lesson_is_live(self):
-        chapters = sorted(path.parent.name for path in (self.root / "tests").glob("[0-9][0-9]_*/shots.json"))
-        pages = [page for chapter in chapters for page in sorted((self.root / "docs").glob(f"{chapter[:2]}*_*.md"))]
-        for page in pages if not in_part() else pages[::6]:
-            with self.subTest(lesson=page.stem):
-                self.opened(self.browser, page.stem)
-                # Images other than charts and diagrams are drawn by a chapter.
-                self.browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
-                opened = self.browser.evaluate("[...document.querySelectorAll('.live-open')].map(button => button.dataset.exercise)")
-                self.assertEqual(opened, re.findall(r"^### (\d\d\.\w+)", page.read_text(encoding="utf-8"), re.M))
-                # A specification is read without scrolling sideways.
-                cut = "[...document.querySelectorAll('.spec pre > code')].map(c => c.scrollWidth > c.clientWidth + 1)"
-                self.assertFalse(self.browser.evaluate(f"{cut}.some(Boolean)"))
-                self.assertEqual(self.browser.evaluate("[innerWidth >= document.documentElement.scrollWidth]"), [True])
 
     def test_each_cell_of_a_picture_is_live(self):
         """Six methods side by side: the page crops parts of the chapter's pictures."""
