@@ -3,6 +3,7 @@
 reaches beyond its panel, fields stand in one column, and no part of a window is left empty. Under Xvfb."""
 # Builds: 05_shadow_maps 18_playground menu
 import json
+import re
 import sys
 import tempfile
 import unittest
@@ -109,6 +110,8 @@ class Panels(unittest.TestCase):
         for size in part(SIZES, len(SIZES)):
             session = self.start("chapters/05_shadow_maps", size)
             self.check(session, "all sections")
+            own = [area for name, area in session.areas.items() if re.fullmatch(r"knob\.\w+", name)]
+            self.assertTrue(own and max(area[3] for area in own) <= size[1], "the chapter's own knobs are in view")
             session.tap("exercise." + next(name for name in session.areas if name.startswith("exercise."))[9:])
             self.check(session, "an exercise")
             session.key("F6")

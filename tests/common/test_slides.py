@@ -44,6 +44,7 @@ class Slides(unittest.TestCase):
         lesson = (REAL / "docs" / f"{CHAPTER}.md").read_text()
         kinds = [slide["kind"] for slide in self.slides]
         self.assertEqual((kinds[0], kinds[-1]), ("title", "question"))
+        self.assertTrue(self.slides[0]["image"], "slides begin with the picture")
         quotes = len(re.findall(r"^ *<!-- quote: ", lesson, re.M))
         self.assertGreaterEqual(kinds.count("code") + sum("code" in slide for slide in self.slides), quotes - lesson.count("<summary>Derivation"))
         shown = sum(bool(slide.get("picture")) for slide in self.slides) + 2 * kinds.count("pair") + \
