@@ -1,0 +1,37 @@
+// Shared by the tests of files and of guarded readers: a folder of their own, and the message of a refusal.
+#pragma once
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "catch.h"
+#include "common/base/error.h"
+#include "common/base/text.h"
+
+namespace lightwalk {
+
+struct FileFolder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("lightwalk_files_{}", getpid());
+    FileFolder() { std::filesystem::create_directories(path); }
+    ~FileFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    std::filesystem::path operator/(const char* name) const { return path / name; }
+    size_t count() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path), {})); }
+};
+
+/// The error of a call that refuses its input.
+inline std::string refusal_of(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const InputError& e) { return e.what(); }
+    return "no error";
+}
+
+inline bool has_part(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
+
+}  // namespace lightwalk
