@@ -113,6 +113,12 @@ class Pages(TheCourse):
             same, other, missing = filecmp.cmpfiles(self.folder, Path(again, "docs"), names, shallow=False)
             self.assertEqual((other, missing, len(same)), ([], [], len(names)))
 
+    def test_the_index_of_the_search_is_in_no_page(self):
+        """It has 3 MB, and the search reads all of it: with each page, before."""
+        if (self.folder / "search/search_index.json").exists():
+            self.skipTest("this version of the theme reads its index itself")
+        self.assertEqual([page for page in self.pages if "search_index" in page.read_text(encoding="utf-8")], [])
+
     def test_a_lesson_leads_to_the_next(self):
         for before, after in zip(self.lessons, self.lessons[1:]):
             self.assertIn(f'href="{after.name}" class="md-footer__link md-footer__link--next"', before.read_text())

@@ -231,12 +231,41 @@ def finish(made: Path):
     write_atomically(made / "search" / "search_index.json", script(index))
     write_atomically(made / "search" / "search_index.js", f"window.__index = {script(index)};\n")
     write_atomically(made / "assets" / "search.js", SEARCH % script(worker))
+    search_later(made)
     for chapter in chapters():
         pages = {page.stem: (ROOT / page).read_text(encoding="utf-8") for page in lesson_pages(chapter)}
         for exercise in in_order(chapter):
             page = next((name for name, text in pages.items() if f"\n### {exercise} (" in text), chapter)
             write_atomically(made / "open" / f"{exercise}.html", TEMPLATES.get_template("docs_open.html").render(
                 page=f"../{page}.html#{exercise}"))
+
+
+# The search's index is larger than a page: it comes with the first look at the search's field.
+LATER = """new Promise(done => {
+    const load = () => done(window.__index ?? new Promise(loaded => {
+      const script = document.createElement("script");
+      script.src = SOURCE;
+      script.onload = () => loaded(window.__index);
+      document.head.append(script);
+    }));
+    for (const event of ["focusin", "pointerdown", "click", "keydown"])
+      addEventListener(event, ({target, key}) => { if (target.closest?.("[data-md-component=search], [data-md-toggle=search], [for=__search]") || "fs/".includes(key ?? "-")) load(); }, true);
+    if (new URLSearchParams(location.search).has("q")) load();
+  })"""
+
+
+def search_later(made: Path):
+    """Where the theme takes a promise for its index (up to its version 8), pages come without the index."""
+    bundle = next((made / "assets" / "javascripts").glob("bundle.*.js")).read_text(encoding="utf-8")
+    own = (made / "assets" / "search.js").read_text(encoding="utf-8")
+    if "__index" in bundle.replace("md-annotation__index", "") or "Promise.resolve(window.__index)" not in own:
+        return
+    write_atomically(made / "assets" / "search.js", 'const SOURCE = new URL("../search/search_index.js", document.currentScript.src).href;\n' +
+                     own.replace("Promise.resolve(window.__index)", LATER))
+    (made / "search" / "search_index.json").unlink()  # the script has it
+    for path in made.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        path.write_text(re.sub(r'<script src="[./]*search/search_index\.js"></script>\n?', "", text), encoding="utf-8")
 
 
 def plain(text: str) -> str:

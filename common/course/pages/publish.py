@@ -71,43 +71,14 @@ def best_of(film: dict) -> dict:
     return {key: value for key, value in film.items() if not key.startswith("music")} | {"titles": [], "cuts": {"short": {"parts": BEST_S}}}
 
 
-# The search's index is larger than a page: it comes with the first look at the search's field.
-LATER = """new Promise(done => {
-    const load = () => done(window.__index ?? new Promise(loaded => {
-      const script = document.createElement("script");
-      script.src = SOURCE;
-      script.onload = () => loaded(window.__index);
-      document.head.append(script);
-    }));
-    for (const event of ["focusin", "pointerdown", "click", "keydown"])
-      addEventListener(event, ({target, key}) => { if (target.closest?.("[data-md-component=search], [data-md-toggle=search], [for=__search]") || "fs/".includes(key ?? "-")) load(); }, true);
-    if (new URLSearchParams(location.search).has("q")) load();
-  })"""
-
-
-def search_later(made: Path) -> bool:
-    """True where the theme takes a promise for its index, and now gets one (up to its version 8)."""
-    bundle = next((made / "assets" / "javascripts").glob("bundle.*.js")).read_text(encoding="utf-8")
-    script = (made / "assets" / "search.js").read_text(encoding="utf-8")
-    if "__index" in bundle.replace("md-annotation__index", "") or "Promise.resolve(window.__index)" not in script:
-        return False
-    write_atomically(made / "assets" / "search.js", 'const SOURCE = new URL("../search/search_index.js", document.currentScript.src).href;\n' +
-                     script.replace("Promise.resolve(window.__index)", LATER))
-    (made / "search" / "search_index.json").unlink()  # the script has it
-    return True
-
-
 def finish(made: Path, clip: Path | None, drawn: list[str]):
     """Makes the pages, written to a folder, into the site; the pictures of these chapters are drawn for it."""
     states.offer(made, drawn)
-    later = search_later(made)
     smaller_fonts(made)
     smaller = {path: small(path) for path in sorted(made.rglob("*")) if path.suffix in (".png", ".jpg") and "assets/images" not in str(path)}
     for path in made.rglob("*.html"):
         up = "../" * (len(path.relative_to(made).parts) - 1)
         text = re.sub(r'\b(src|href)="([^":]+\.(?:png|jpg))"', lambda found: renamed(found, path, smaller), path.read_text(encoding="utf-8"))
-        if later:
-            text = re.sub(r'<script src="[./]*search/search_index\.js"></script>', "", text)
         if "arithmatex" not in text:  # a page without formulas
             text = re.sub(r'<(?:script src|link rel="stylesheet" href)="[^"]*katex\.min\.(?:js"></script|css")>', "", text)
         text = re.sub(r"<img (?![^>]*loading=)", '<img loading="lazy" decoding="async" ', text)
