@@ -25,7 +25,7 @@ struct FileFolder {
 };
 
 /// The error of a call that refuses its input.
-inline std::string refusal_of(const std::function<void()>& call) {
+inline std::string file_refusal(const std::function<void()>& call) {
     try {
         call();
     } catch (const InputError& e) { return e.what(); }
