@@ -129,6 +129,9 @@ Place place_of(const fs::path& path) {
         const fs::path next = fs::read_symlink(place.path, error);
         place.path = next.is_absolute() ? next : place.path.parent_path() / next;
     }
+    struct stat named;  // of an open file that was removed, /dev/fd leads to a name that nobody has
+    if (place.exists && (stat(place.path.c_str(), &named) != 0 || named.st_ino != status.st_ino))
+        fail_to_write(path, "was removed while it was open");
     return place;
 }
 

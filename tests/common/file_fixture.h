@@ -1,4 +1,4 @@
-// Shared by the tests of files and of guarded readers: a folder of their own, and the message of a refusal.
+// Shared by the tests of files and of readers: a folder of their own, and the message of a refusal.
 #pragma once
 #include <unistd.h>
 
@@ -24,12 +24,15 @@ struct FileFolder {
     size_t count() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path), {})); }
 };
 
-/// The error of a call that refuses its input.
-inline std::string file_refusal(const std::function<void()>& call) {
+/// The one line with which an action is refused; empty if it is not.
+inline std::string refusal_of(const std::function<void()>& action) {
     try {
-        call();
-    } catch (const InputError& e) { return e.what(); }
-    return "no error";
+        action();
+    } catch (const InputError& e) {
+        CHECK(std::string(e.what()).find('\n') == std::string::npos);
+        return e.what();
+    }
+    return "";
 }
 
 inline bool has_part(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }

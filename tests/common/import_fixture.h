@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/scene/import.h"
+#include "file_fixture.h"
 
 namespace lightwalk {
 
@@ -21,17 +22,6 @@ inline Model model_of(const std::string& name, std::string_view bytes) {
         ~Remove() { std::filesystem::remove_all(folder); }
     } remove{folder};
     return import_model(folder / name);
-}
-
-/// The one line with which an action is refused; empty if it is not.
-inline std::string refusal_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& e) {
-        CHECK(std::string(e.what()).find('\n') == std::string::npos);
-        return e.what();
-    }
-    return "";
 }
 
 inline std::string error_of_model(const std::string& name, std::string_view bytes) {

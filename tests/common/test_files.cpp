@@ -41,17 +41,17 @@ int in_child(const std::function<void()>& work, useconds_t killed_after_us = 0) 
 TEST_CASE("files: only regular ones are read, and at once refused otherwise") {
     const FileFolder folder;
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
-    CHECK(has_part(file_refusal([&] { read_file(folder / "pipe"); }), "is a pipe, expected a file"));
-    CHECK(has_part(file_refusal([] { read_file("/dev/zero"); }), "is a device"));
-    CHECK(has_part(file_refusal([&] { read_file(folder.path); }), "is a folder"));
-    CHECK(has_part(file_refusal([&] { read_file(folder / std::string(300, 'x').c_str()); }), "cannot be opened"));
+    CHECK(has_part(refusal_of([&] { read_file(folder / "pipe"); }), "is a pipe, expected a file"));
+    CHECK(has_part(refusal_of([] { read_file("/dev/zero"); }), "is a device"));
+    CHECK(has_part(refusal_of([&] { read_file(folder.path); }), "is a folder"));
+    CHECK(has_part(refusal_of([&] { read_file(folder / std::string(300, 'x').c_str()); }), "cannot be opened"));
     fs::create_symlink("around", folder / "around");
-    CHECK(has_part(file_refusal([&] { read_file(folder / "around"); }), "cannot be opened"));
+    CHECK(has_part(refusal_of([&] { read_file(folder / "around"); }), "cannot be opened"));
     fs::create_symlink(folder / "pipe", folder / "link");
-    CHECK(has_part(file_refusal([&] { read_file(folder / "link"); }), "is a pipe"));
+    CHECK(has_part(refusal_of([&] { read_file(folder / "link"); }), "is a pipe"));
     write_file(folder / "text", "0123456789");
     CHECK(read_file(folder / "text") == "0123456789");
-    CHECK(has_part(file_refusal([&] { read_file(folder / "text", 9); }), "larger than"));
+    CHECK(has_part(refusal_of([&] { read_file(folder / "text", 9); }), "larger than"));
 }
 
 TEST_CASE("files: a write keeps what is no file, follows links and keeps permissions") {
@@ -62,8 +62,8 @@ TEST_CASE("files: a write keeps what is no file, follows links and keeps permiss
     for (const fs::path& place :
          {folder / "pipe", folder / (device ? "device" : "pipe"), folder.path, folder / "none/file"}) {
         CAPTURE(place);
-        CHECK(has_part(file_refusal([&] { write_file(place, "new"); }), "cannot be written"));
-        CHECK(has_part(file_refusal([&] { check_writable(place); }), "cannot be written"));
+        CHECK(has_part(refusal_of([&] { write_file(place, "new"); }), "cannot be written"));
+        CHECK(has_part(refusal_of([&] { check_writable(place); }), "cannot be written"));
     }
     CHECK(fs::is_fifo(folder / "pipe"));
     CHECK(fs::is_character_file(folder / "device") == device);
@@ -99,7 +99,7 @@ TEST_CASE("files: what was left open for writing is written to as it is, and any
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     for (const int other : {1, read_only, ends[1], 999})
-        CHECK(!file_refusal([&] { write_file(fmt::format("/dev/fd/{}", other), "x"); }).empty());
+        CHECK(!refusal_of([&] { write_file(fmt::format("/dev/fd/{}", other), "x"); }).empty());
     for (const int one : {open_one, read_only, ends[0], ends[1]}) close(one);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("files: whenever a write is killed, the old file or the new one is the
         const rlimit little{1000000, 1000000};
         setrlimit(RLIMIT_FSIZE, &little);
         const size_t before = folder.count();
-        const std::string said = file_refusal([&] { write_file(file, std::string(3000000, 'c')); });
+        const std::string said = refusal_of([&] { write_file(file, std::string(3000000, 'c')); });
         _exit(has_part(said, "cannot be written: File too large") && folder.count() == before ? 7 : 8);
     });
     CHECK(WEXITSTATUS(status) == 7);

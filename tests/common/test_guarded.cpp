@@ -69,7 +69,7 @@ TEST_CASE("guarded: what a reader does wrong stays in its process") {
     };
     CHECK(run([] { return std::string(5000000, 'x'); }) == std::string(5000000, 'x'));
     CHECK(run([] { return std::string(); }).empty());
-    CHECK(file_refusal([&] { run([]() -> std::string { throw InputError("FILE:3: no"); }); }) == "FILE:3: no");
+    CHECK(refusal_of([&] { run([]() -> std::string { throw InputError("FILE:3: no"); }); }) == "FILE:3: no");
     CHECK_THROWS_AS(run([]() -> std::string { throw std::runtime_error("no"); }), Failure);
     CHECK(run([&] { return run([] { return std::string("inner"); }); }) == "inner");
     static int touched = 0;
@@ -77,7 +77,7 @@ TEST_CASE("guarded: what a reader does wrong stays in its process") {
     CHECK(touched == 0);
 #ifndef __SANITIZE_ADDRESS__
     const auto refused = [&](const std::function<std::string()>& work, std::string_view why) {
-        const std::string said = file_refusal([&] { run(work); });
+        const std::string said = refusal_of([&] { run(work); });
         INFO(said);
         CHECK(has_part(said, "FILE: READER "));
         CHECK(has_part(said, why));
@@ -128,7 +128,7 @@ TEST_CASE("guarded: one process reads one file after another; after a crash or a
     CHECK(first != std::to_string(getpid()));
     CHECK(ask(twice, "x") == "input xinput x");
     CHECK(ask(twice, std::string(20000000, 'x')).size() == 40000012);  // larger than the memory that is kept mapped
-    CHECK(file_refusal([&] { ask(refuses, "no"); }) == "FILE:3: input no");
+    CHECK(refusal_of([&] { ask(refuses, "no"); }) == "FILE:3: input no");
     CHECK(ask(process, "") == first);
     const FileFolder elsewhere;
     const fs::path here = fs::current_path();
@@ -137,16 +137,15 @@ TEST_CASE("guarded: one process reads one file after another; after a crash or a
     fs::current_path(here);
 #ifndef __SANITIZE_ADDRESS__
     const GuardReader crashes = [](std::string_view, GuardReply&) { raise(SIGSEGV); };
-    CHECK(has_part(file_refusal([&] { ask(crashes, ""); }), "FILE: READER crashed on it (Segmentation fault)"));
+    CHECK(has_part(refusal_of([&] { ask(crashes, ""); }), "FILE: READER crashed on it (Segmentation fault)"));
     const std::string second = ask(process, "");
     CHECK(second != first);
-    CHECK(
-        has_part(file_refusal([&] { ask(twice, std::string(30000000, 'x')); }), "FILE: READER needs more than 50 MiB"));
+    CHECK(has_part(refusal_of([&] { ask(twice, std::string(30000000, 'x')); }), "FILE: READER needs more than 50 MiB"));
     CHECK(ask(process, "") != second);
     const GuardReader endless = [](std::string_view, GuardReply&) {
         for (std::atomic<int> i = 0;; ++i) {}
     };
-    CHECK(has_part(file_refusal([&] { ask(endless, ""); }), "takes more than 1 s"));
+    CHECK(has_part(refusal_of([&] { ask(endless, ""); }), "takes more than 1 s"));
 #endif
 }
 
