@@ -38,6 +38,27 @@ void copy_floats(const Array<float>& from, size_t begin, size_t end, Array<float
     if (end > begin) std::memcpy(to.data() + at, from.data() + begin, (end - begin) * sizeof(float));
 }
 
+void take_elements(Collected& from, ObjData& data) {
+    data.positions = std::move(from.positions);
+    data.uvs = std::move(from.uvs);
+    data.normals = std::move(from.normals);
+}
+
+void copy_elements(std::span<const Piece> pieces, std::span<const Base> bases, unsigned threads, ObjData& data) {
+    const Base& total = bases.back();
+    data.positions.resize(3 * total.positions);
+    data.uvs.resize(2 * total.uvs);
+    data.normals.resize(3 * total.normals);
+    // A round of its own, because a face may use any position. Few bytes are copied before a thread has started.
+    const size_t floats = data.positions.size() + data.uvs.size() + data.normals.size();
+    on_threads(floats < (1 << 21) ? 1 : threads, pieces.size(), [&](unsigned, size_t i) {
+        const Piece& p = pieces[i];
+        copy_floats(p.from->positions, p.begin.positions, p.end.positions, data.positions, 3 * bases[i].positions);
+        copy_floats(p.from->uvs, p.begin.uvs, p.end.uvs, data.uvs, 2 * bases[i].uvs);
+        copy_floats(p.from->normals, p.begin.normals, p.end.normals, data.normals, 3 * bases[i].normals);
+    });
+}
+
 // [resolve]
 // False if the index is out of range. Makes a relative index absolute; `base` counts the elements before the piece.
 bool resolve(uint32_t& index, size_t base, size_t count) {
@@ -63,8 +84,9 @@ bool resolve(Corner& corner, const Base& base, const ObjData& data, bool& absent
            resolve_optional(corner.normal, base.normals, data.normals.size() / 3, absent);
 }
 
-bool cut_piece(const Piece& piece, const Base& base, Triangulate cut, CuttingTime& time, ObjData& data, bool& absent) {
-    const Corner* from = piece.from->corners.data() + piece.begin.corners;
+// `from`: the piece's corners, of which triangles may lie where they are written.
+bool cut_piece(const Piece& piece, const Corner* from, const Base& base, Triangulate cut, CuttingTime& time,
+               ObjData& data, bool& absent) {
     Corner* out = data.corners.data() + 3 * base.triangles;
     std::vector<Corner> large;
     for (size_t i = piece.begin.sizes; i < piece.end.sizes; ++i) {
@@ -219,25 +241,24 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
     const Base& total = bases.back();
     if (std::max({total.positions, total.uvs, total.normals, total.triangles}) > static_cast<size_t>(largest_index))
         return false;
-    data.positions.resize(3 * total.positions);
-    data.uvs.resize(2 * total.uvs);
-    data.normals.resize(3 * total.normals);
-    data.corners.resize(3 * total.triangles);
-
-    // Two rounds, because a face may use any position of the file. Few bytes are copied before a thread has started.
-    const size_t floats = data.positions.size() + data.uvs.size() + data.normals.size();
-    on_threads(floats < (1 << 21) ? 1 : threads, pieces.size(), [&](unsigned, size_t i) {
-        const Piece& p = pieces[i];
-        copy_floats(p.from->positions, p.begin.positions, p.end.positions, data.positions, 3 * bases[i].positions);
-        copy_floats(p.from->uvs, p.begin.uvs, p.end.uvs, data.uvs, 2 * bases[i].uvs);
-        copy_floats(p.from->normals, p.begin.normals, p.end.normals, data.normals, 3 * bases[i].normals);
-    });
+    Collected& first = *pieces.front().from;
+    const bool alone = pieces.size() == 1, are_triangles = alone && first.corners.size() == 3 * total.triangles;
+    if (alone)
+        take_elements(first, data);
+    else
+        copy_elements(pieces, bases, threads, data);
+    if (are_triangles)
+        data.corners = std::move(first.corners);
+    else
+        data.corners.resize(3 * total.triangles);
     const Triangulate cut = triangulate.function();  // the toggle is not for several threads
     std::atomic<bool> in_range = true, any_absent = false;
     CuttingTime time(name);
     on_threads(threads, pieces.size(), [&](unsigned, size_t i) {
         bool here = false;
-        if (in_range && !cut_piece(pieces[i], bases[i], cut, time, data, here)) in_range = false;
+        const Corner* corners = are_triangles ? data.corners.data() : pieces[i].from->corners.data();
+        corners += pieces[i].begin.corners;
+        if (in_range && !cut_piece(pieces[i], corners, bases[i], cut, time, data, here)) in_range = false;
         if (here) any_absent = true;
     });
     absent = any_absent;

@@ -29,7 +29,7 @@ struct Collected {
 
 /// One stretch of the file: where its share of a Collected begins and ends, and its name lines.
 struct Piece {
-    const Collected* from = nullptr;
+    Collected* from = nullptr;
     struct Mark {
         size_t positions = 0, uvs = 0, normals = 0, corners = 0, sizes = 0, colors = 0;
     } begin, end;
@@ -45,8 +45,8 @@ inline uint32_t relative_index(int64_t from_piece_start) {
     return static_cast<uint32_t>(static_cast<int64_t>(relative_bias) + from_piece_start);
 }
 
-/// Joins the pieces, in their order, on up to `threads` threads: names, absolute indices, triangles. Returns false
-/// where an index is out of range. A uv or a normal beyond the last one becomes `none`, and `absent` true. Triangles
+/// Joins the pieces, in their order, on up to `threads` threads: names, absolute indices, triangles. A single piece's
+/// arrays become the result's. Returns false where an index is out of range. A uv or a normal beyond the last one becomes `none`, and `absent` true. Triangles
 /// and convex quadrilaterals are cut here, other polygons by the exercise triangulate. Throws InputError where cutting
 /// takes more than CuttingTime allows; `name` stands for the file in messages.
 bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent);

@@ -74,10 +74,24 @@ inline const char* fast_short_float(const char* at, unsigned whole, unsigned dec
 inline const char* fast_float(const char* at, float& value) {
     const bool negative = *at == '-';
     at += negative;
-    // Most numbers are 0.123456, written so by printf's %f. Where that can be foretold, as a branch can, the processor
+    // Most numbers are 0.123456, and their length seldom changes. Where it can be foretold, as a branch can, the processor
     // starts on the next number before it knows where this one ends; an addition of lengths it would have to wait for.
-    if (at[1] == '.' && leading_digits(load_eight(at + 2)) == 6 && is_digit(*at))
-        return fast_short_float(at, 1, 6, negative, value);
+    if (at[1] == '.' && is_digit(*at)) switch (leading_digits(load_eight(at + 2))) {
+            case 2:
+                return fast_short_float(at, 1, 2, negative, value);
+            case 3:
+                return fast_short_float(at, 1, 3, negative, value);
+            case 4:
+                return fast_short_float(at, 1, 4, negative, value);
+            case 5:
+                return fast_short_float(at, 1, 5, negative, value);
+            case 6:
+                return fast_short_float(at, 1, 6, negative, value);
+            case 7:
+                return fast_short_float(at, 1, 7, negative, value);
+            default:
+                break;
+        }
 
     const uint64_t word = load_eight(at);
     const unsigned whole = leading_digits(word);

@@ -23,12 +23,13 @@ constexpr size_t searched_bytes = size_t{16} << 20;  // of files that ZBrush has
 
 // ZBrush writes colours as comments: "#MRGB " and eight hexadecimal digits for each vertex, of a mask and a colour.
 void read_polypaint(std::string_view text, ObjData& data) {
-    constexpr std::string_view mark = "\n#MRGB ";
+    constexpr std::string_view mark = "#MRGB ";
     if (text.size() > searched_bytes && text.substr(0, 4096).find("ZBrush") == text.npos) return;
     Array<ColoredPosition> colors;
     for (size_t at = text.find(mark); at != text.npos; at = text.find(mark, at)) {
+        const bool begins_line = at == 0 || text[at - 1] == '\n';
         at += mark.size();
-        for (uint32_t number = 0; at + 8 <= text.size(); at += 8) {
+        for (uint32_t number = 0; begins_line && at + 8 <= text.size(); at += 8) {
             const auto [end, error] = std::from_chars(&text[at], &text[at] + 8, number, 16);
             if (error != std::errc() || end != &text[at] + 8) break;
             const glm::vec3 color(number >> 16 & 255u, number >> 8 & 255u, number & 255u);

@@ -84,6 +84,8 @@ TEST_CASE("obj as written: colours that ZBrush writes as comments") {
     REQUIRE(colors.size() == 3);
     CHECK((colors[0] == glm::vec4(1, 0, 0, 1) && colors[1] == glm::vec4(0, 1, 0, 1) &&
            colors[2] == glm::vec4(0, 0, 1, 1)));
+    const ObjData quoted = read_as_written(written_triangle + "# as #MRGB ffff0000ff00ff00ff0000ff\n" + rest);
+    CHECK((quoted.colors.empty() && quoted.left_out.empty()));
     const ObjData few = read_as_written(written_triangle + "#MRGB ffff0000\n" + rest);
     CHECK(few.colors.empty());
     CHECK(few.left_out == std::vector<std::string>{"#MRGB colours, which are not as many as the vertices"});
