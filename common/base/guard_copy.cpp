@@ -1,8 +1,8 @@
 #include "common/base/guard_copy.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -23,42 +23,6 @@
 #include "common/base/text.h"
 
 namespace lightwalk {
-
-SharedBytes::SharedBytes() : file_(memfd_create("lightwalk", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
-    if (file_ >= 0 && fcntl(file_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL) == 0) return;
-    const std::string why = std::strerror(errno);
-    if (file_ >= 0) close(file_);
-    throw Failure("shared memory: {}", why);
-}
-
-SharedBytes::~SharedBytes() {
-    if (data_) munmap(data_, mapped_);
-    close(file_);
-}
-
-void SharedBytes::grow(size_t bytes) {
-    if (bytes <= size_) return;
-    if (ftruncate(file_, static_cast<off_t>(bytes)) != 0) throw Failure("shared memory: {}", std::strerror(errno));
-    size_ = bytes;
-}
-
-void SharedBytes::release(size_t first) {
-    if (first >= size_) return;
-    const int hole = FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE;
-    fallocate(file_, hole, static_cast<off_t>(first), static_cast<off_t>(size_ - first));  // else it stays in use
-}
-
-char* SharedBytes::reach(size_t bytes) {
-    constexpr size_t step = size_t{1} << 20;
-    const size_t wanted = (bytes + step) / step * step;
-    if (wanted <= mapped_) return data_;
-    void* const mapped = data_ ? mremap(data_, mapped_, wanted, MREMAP_MAYMOVE)
-                               : mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
-    if (mapped == MAP_FAILED) throw std::bad_alloc();
-    data_ = static_cast<char*>(mapped);
-    mapped_ = wanted;
-    return data_;
-}
 
 struct GuardCopy::Request {
     GuardReader reader;
@@ -100,6 +64,14 @@ void begin_limits(const GuardLimits& limits) {
 }
 
 void end_memory_limit() { limit(RLIMIT_AS, RLIM_INFINITY); }
+
+// For a copy that serves many files: it takes longer to give a small file's memory back and to take it again than to
+// read the file.
+void keep_memory() {
+    constexpr int most = 32 << 20;
+    mallopt(M_MMAP_THRESHOLD, most);
+    mallopt(M_TRIM_THRESHOLD, most);
+}
 
 // No terminal, window or device of the original, which a copy may outlive.
 void confine(int socket, int memory) {
@@ -155,7 +127,7 @@ class SharedReply : public GuardReply {
     SharedReply(SharedBytes& shared, size_t from, size_t most) : shared_(shared), from_(from), most_(most) {}
     void append(std::string_view bytes) override {
         if (bytes.size() > most_ - count_) throw std::bad_alloc();
-        end_memory_limit();  // `most` bounds this mapping
+        if (count_ == 0) end_memory_limit();  // `most` bounds this mapping
         std::memcpy(shared_.reach(from_ + count_ + bytes.size()) + from_ + count_, bytes.data(), bytes.size());
         count_ += bytes.size();
     }
@@ -202,10 +174,12 @@ void GuardCopy::live(const GuardLimits* limits, const std::function<std::string(
     progress() = nullptr;
     confine(socket_, shared_.file());
     end_with_original(socket_);
-    if (work)
+    if (work) {
         answer([&](GuardReply& reply) { reply.append((*work)()); }, *limits, 0);
-    else
+    } else {
+        keep_memory();
         while (serve_next()) {}
+    }
     _exit(0);
 }
 

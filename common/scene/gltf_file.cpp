@@ -53,6 +53,23 @@ const ComponentType* component_type(int code) {
     return nullptr;
 }
 
+// Vectors of `components` numbers: every `from_step` bytes one, `to_step` numbers apart.
+template <class T>
+void copy_vectors(const char* from, size_t from_step, T* to, size_t to_step, size_t components, size_t count) {
+    const auto copy_each = [&](auto bytes) {
+        for (size_t i = 0; i < count; ++i) std::memcpy(to + i * to_step, from + i * from_step, bytes);
+    };
+    const size_t bytes = components * sizeof(T);
+    if (from_step == bytes && to_step == components)
+        std::memcpy(to, from, count * bytes);
+    else if (components == 3)  // as constants, for which no function is called
+        copy_each(std::integral_constant<size_t, 3 * sizeof(T)>());
+    else if (components == 2)
+        copy_each(std::integral_constant<size_t, 2 * sizeof(T)>());
+    else
+        copy_each(bytes);
+}
+
 uint32_t to_integer(const char* p, int code) {
     switch (code) {
         case 5121:
@@ -214,20 +231,19 @@ size_t GltfFile::components(size_t index) const {
 
 size_t GltfFile::length(size_t index) const { return accessor(index).count; }
 
-// `out` holds zeros.
+// Values of `out` begin `step` numbers apart, and are zero.
 template <class T, class Read>
-void GltfFile::values(size_t index, size_t components, T* out, Read read) const {
+void GltfFile::values(size_t index, size_t components, T* out, size_t step, Read read) const {
     const Accessor a = accessor(index);
     if (a.components != components)
         refuse("accessor {} has {} components, expected {}", index, a.components, components);
-    const bool as_they_are = a.type == 5126 && std::is_same_v<T, float>;
-    if (as_they_are)
-        for (size_t i = 0; !a.bytes.empty() && i < a.count; ++i)
-            std::memcpy(out + i * components, a.bytes.data() + i * a.stride, components * sizeof(T));
+    const bool as_they_are = a.type == (std::is_same_v<T, float> ? 5126 : 5125);
+    if (as_they_are && !a.bytes.empty())
+        copy_vectors(a.bytes.data(), a.stride, out, step, components, a.count);
     else if (!a.bytes.empty())
         for (size_t i = 0; i < a.count; ++i)
             for (size_t c = 0; c < components; ++c)
-                out[i * components + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
+                out[i * step + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
     const json& from = entry("accessors", index);
     if (const auto sparse = from.find("sparse"); sparse != from.end()) {
         const json &at = sparse->at("indices"), &with = sparse->at("values");
@@ -245,13 +261,13 @@ void GltfFile::values(size_t index, size_t components, T* out, Read read) const 
             const size_t place = to_integer(places.data() + i * type->bytes, code);
             if (place >= a.count) refuse("accessor {} has a sparse value {}, it counts {}", index, place, a.count);
             for (size_t c = 0; c < components; ++c)
-                out[place * components + c] = read(values.data() + i * bytes + c * a.component_bytes, a);
+                out[place * step + c] = read(values.data() + i * bytes + c * a.component_bytes, a);
         }
     }
 }
 
-void GltfFile::read(size_t index, size_t components, float* out) const {
-    values(index, components, out, [](const char* p, const Accessor& a) {
+void GltfFile::read(size_t index, size_t components, float* out, size_t step) const {
+    values(index, components, out, step, [](const char* p, const Accessor& a) {
         const ComponentType& type = *component_type(a.type);
         const float value = type.to_float(p);
         return a.normalized && type.most > 0 ? std::max(value / type.most, -1.0f) : value;
@@ -260,7 +276,7 @@ void GltfFile::read(size_t index, size_t components, float* out) const {
 
 std::vector<float> GltfFile::floats(size_t index, size_t components) const {
     std::vector<float> out(length(index) * components);
-    read(index, components, out.data());
+    read(index, components, out.data(), components);
     return out;
 }
 
@@ -268,16 +284,14 @@ std::vector<uint32_t> GltfFile::integers(size_t index, size_t components) const 
     const int type = accessor(index).type;
     if (type != 5121 && type != 5123 && type != 5125) refuse("accessor {} does not hold unsigned integers", index);
     std::vector<uint32_t> out(length(index) * components);
-    switch (type) {  // each a loop of its own
-        case 5121:
-            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint8_t>(p); });
-            break;
-        case 5123:
-            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint16_t>(p); });
-            break;
-        default:
-            values(index, components, out.data(), [](const char* p, const Accessor&) { return read_as<uint32_t>(p); });
-    }
+    const auto read_all = [&](auto number) {
+        using Number = decltype(number);
+        values(index, components, out.data(), components,
+               [](const char* p, const Accessor&) { return read_as<Number>(p); });
+    };
+    if (type == 5121) read_all(uint8_t());
+    if (type == 5123) read_all(uint16_t());
+    if (type == 5125) read_all(uint32_t());
     return out;
 }
 

@@ -31,9 +31,15 @@ class GltfFile {
     template <class Vector>
     std::vector<Vector> vectors(size_t accessor) const {
         std::vector<Vector> result(length(accessor));
-        read(accessor, static_cast<size_t>(Vector::length()), reinterpret_cast<float*>(result.data()));
+        read_into(accessor, result.data(), sizeof(Vector));
         return result;
     }
+    /// The same into vectors that lie `step_bytes` apart; there are length() of them, and they are zero.
+    template <class Vector>
+    void read_into(size_t accessor, Vector* first, size_t step_bytes) const {
+        read(accessor, static_cast<size_t>(Vector::length()), &first->x, step_bytes / sizeof(float));
+    }
+    size_t length(size_t accessor) const;
     std::vector<uint32_t> integers(size_t accessor, size_t components) const;
     size_t components(size_t accessor) const;
 
@@ -58,10 +64,9 @@ class GltfFile {
         std::string_view bytes;  ///< none: zeros
     };
     Accessor accessor(size_t index) const;
-    size_t length(size_t index) const;
-    void read(size_t index, size_t components, float* out) const;
+    void read(size_t index, size_t components, float* out, size_t step) const;
     template <class T, class Read>
-    void values(size_t index, size_t components, T* out, Read read) const;
+    void values(size_t index, size_t components, T* out, size_t step, Read read) const;
     std::string_view slice(size_t view, size_t offset, size_t bytes, const char* what) const;
     std::string_view buffer(size_t index) const;
     std::string decompressed(const json& how) const;

@@ -38,21 +38,17 @@ class PrimitiveReader {
     Mesh read(std::string name, const json& weights) {
         Mesh mesh;
         mesh.name = std::move(name);
-        const size_t position = attributes_.at("POSITION").get<size_t>();
-        const std::vector<glm::vec3> positions = vectors<glm::vec3>(attributes_, "POSITION", position);
-        count_ = positions.size();
-        mesh.vertices.resize(count_);
-        for (size_t i = 0; i < count_; ++i) mesh.vertices[i].position = positions[i];
+        read_positions(mesh.vertices);
         read_normals_and_uvs(mesh);
         read_colors(mesh);
         mesh.indices = indices();
         read_joints(mesh.deformation);
         read_targets(mesh.deformation, weights);
-        check(mesh);
+        check_indices(mesh);
+        set_bounds(mesh);
         flatten_missing_normals(mesh);
         if (!mesh.deformation.joints.empty() || !mesh.deformation.targets.empty())
             mesh.deformation.rest = mesh.vertices;
-        for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
         name_what_is_left();
         return mesh;
     }
@@ -65,18 +61,22 @@ class PrimitiveReader {
         return &index;
     }
 
+    // Nothing where the attribute is not compressed.
     template <class Vector>
-    std::vector<Vector> vectors(const json& object, const std::string& key, size_t accessor) const {
+    std::optional<std::vector<Vector>> unpacked(const std::string& key, size_t accessor) const {
+        if (!draco_) return {};
         const size_t components = static_cast<size_t>(Vector::length());
-        std::optional<std::vector<float>> unpacked;
-        if (draco_ && &object == &attributes_)
-            unpacked =
-                draco_->floats(key, components, value_or(file_.entry("accessors", accessor), "normalized", false));
-        if (!unpacked) return file_.vectors<Vector>(accessor);
-        std::vector<Vector> result(unpacked->size() / components);
-        if (!unpacked->empty())
-            std::memcpy(static_cast<void*>(result.data()), unpacked->data(), unpacked->size() * sizeof(float));
+        const bool is_normalized = value_or(file_.entry("accessors", accessor), "normalized", false);
+        const auto floats = draco_->floats(key, components, is_normalized);
+        if (!floats) return {};
+        std::vector<Vector> result(floats->size() / components);
+        if (!floats->empty())
+            std::memcpy(static_cast<void*>(result.data()), floats->data(), floats->size() * sizeof(float));
         return result;
+    }
+
+    void check_count(const std::string& key, size_t count) const {
+        if (count != count_) file_.refuse("{} has {} values for {} vertices", key, count, count_);
     }
 
     // As many as there are vertices, or none.
@@ -84,24 +84,55 @@ class PrimitiveReader {
     std::vector<Vector> attribute(const json& object, const std::string& key) const {
         size_t index = 0;
         if (!find(object, key, index)) return {};
-        std::vector<Vector> result = vectors<Vector>(object, key, index);
-        if (result.size() != count_) file_.refuse("{} has {} values for {} vertices", key, result.size(), count_);
+        auto compressed = &object == &attributes_ ? unpacked<Vector>(key, index) : std::nullopt;
+        std::vector<Vector> result = compressed ? std::move(*compressed) : file_.vectors<Vector>(index);
+        check_count(key, result.size());
         return result;
     }
 
+    void read_positions(std::vector<Vertex>& vertices) {
+        const size_t index = attributes_.at("POSITION").get<size_t>();
+        const auto compressed = unpacked<glm::vec3>("POSITION", index);
+        count_ = compressed ? compressed->size() : file_.length(index);
+        vertices.resize(count_);
+        set_member(vertices, &Vertex::position, index, compressed);
+    }
+
+    // Into that member of each vertex; false where there is no such attribute.
+    template <class Vector>
+    bool read_member(std::vector<Vertex>& vertices, Vector Vertex::*member, const std::string& key) const {
+        size_t index = 0;
+        if (!find(attributes_, key, index)) return false;
+        const auto compressed = unpacked<Vector>(key, index);
+        check_count(key, compressed ? compressed->size() : file_.length(index));
+        set_member(vertices, member, index, compressed);
+        return true;
+    }
+
+    template <class Vector>
+    void set_member(std::vector<Vertex>& vertices, Vector Vertex::*member, size_t accessor,
+                    const std::optional<std::vector<Vector>>& compressed) const {
+        if (compressed)
+            for (size_t i = 0; i < count_; ++i) vertices[i].*member = (*compressed)[i];
+        else if (count_ > 0)
+            file_.read_into(accessor, &(vertices[0].*member), sizeof(Vertex));
+    }
+
     void read_normals_and_uvs(Mesh& mesh) const {
-        const auto normals = attribute<glm::vec3>(attributes_, "NORMAL");
-        const auto uvs = attribute<glm::vec2>(attributes_, "TEXCOORD_0");
+        const bool has_normals = read_member(mesh.vertices, &Vertex::normal, "NORMAL");
+        const bool has_uvs = read_member(mesh.vertices, &Vertex::uv, "TEXCOORD_0");
         mesh.second_uvs = attribute<glm::vec2>(attributes_, "TEXCOORD_1");
         for (glm::vec2& uv : mesh.second_uvs) uv = finite({uv.x, 1 - uv.y});
-        for (size_t i = 0; i < count_; ++i) {
-            Vertex& v = mesh.vertices[i];
-            v.normal = glm::vec3(0);
-            if (!normals.empty())
-                if (const float length = glm::length(normals[i]); length > 0 && std::isfinite(length))
-                    v.normal = normals[i] / length;
-            v.uv = uvs.empty() ? glm::vec2(0) : finite({uvs[i].x, 1 - uvs[i].y});
+        for (Vertex& v : mesh.vertices) {
+            if (has_normals) v.normal = normalized(v.normal);
+            if (has_uvs) v.uv = finite({v.uv.x, 1 - v.uv.y});
         }
+    }
+
+    // Zeros are filled in later.
+    static glm::vec3 normalized(glm::vec3 v) {
+        const float length = glm::length(v);
+        return length > 0 && std::isfinite(length) ? v / length : glm::vec3(0);
     }
 
     static glm::vec2 finite(glm::vec2 uv) { return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0); }
@@ -163,13 +194,18 @@ class PrimitiveReader {
         for (const std::string& key : others) leave_out(model_, "morph targets of " + key, "mesh");
     }
 
-    void check(const Mesh& mesh) const {
+    void check_indices(const Mesh& mesh) const {
         for (const uint32_t i : mesh.indices)
             if (i >= count_) file_.refuse("mesh '{}': index {} of {} vertices", mesh.name, i, count_);
-        for (size_t i = 0; i < count_; ++i) {
+    }
+
+    // `bounds` of finite positions.
+    void set_bounds(Mesh& mesh) const {
+        for (size_t i = 0; i < mesh.vertices.size(); ++i) {
             const glm::vec3 p = mesh.vertices[i].position;
             if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
                 file_.refuse("mesh '{}': position {} is not finite", mesh.name, i);
+            mesh.bounds.add(p);
         }
     }
 

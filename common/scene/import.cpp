@@ -136,7 +136,7 @@ bool is_gltf(std::string_view extension) { return extension == ".gltf" || extens
 void import_in_guard(std::string_view name, GuardReply& reply) {
     const fs::path path(name);
     const std::string extension = extension_of(path);
-    reply.append(to_bytes(is_gltf(extension) ? read_gltf(path) : import_here(path, extension)));
+    write_model(is_gltf(extension) ? read_gltf(path) : import_here(path, extension), reply);
 }
 
 }  // namespace

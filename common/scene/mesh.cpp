@@ -6,6 +6,8 @@
 namespace lightwalk {
 namespace {
 
+bool has_no_normal(const Vertex& vertex) { return vertex.normal == glm::vec3(0.0f); }
+
 glm::vec3 blend(glm::vec3 a, glm::vec3 b, float t) { return glm::mix(a, b, t); }
 glm::quat blend(glm::quat a, glm::quat b, float t) { return glm::slerp(a, b, t); }
 
@@ -198,12 +200,12 @@ Bounds model_bounds(const Model& model) {
 }
 
 void flatten_missing_normals(Mesh& mesh) {
-    const auto is_missing = [&](uint32_t i) { return mesh.vertices[i].normal == glm::vec3(0.0f); };
+    if (std::none_of(mesh.vertices.begin(), mesh.vertices.end(), has_no_normal)) return;
     std::vector<bool> used(mesh.vertices.size(), false);
     std::vector<uint32_t> copies;
     const size_t before = mesh.vertices.size();
     for (uint32_t& index : mesh.indices) {
-        if (!is_missing(index)) continue;
+        if (!has_no_normal(mesh.vertices[index])) continue;
         if (!used[index]) {
             used[index] = true;
         } else {
@@ -218,7 +220,7 @@ void flatten_missing_normals(Mesh& mesh) {
 void fill_missing_normals(Mesh& mesh) {
     std::vector<uint32_t> missing;
     for (uint32_t i = 0; i < mesh.vertices.size(); ++i)
-        if (mesh.vertices[i].normal == glm::vec3(0.0f)) missing.push_back(i);
+        if (has_no_normal(mesh.vertices[i])) missing.push_back(i);
     if (missing.empty()) return;
     std::vector<glm::vec3> sums(mesh.vertices.size(), glm::vec3(0.0f));
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

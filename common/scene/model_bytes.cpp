@@ -91,13 +91,14 @@ void fields(Bytes& bytes, Model& model) {
           model.cameras, model.lights, model.left_out);
 }
 
-std::string to_bytes(const Model& model) {
-    ByteWriter writer;
-    writer(model);
-    return std::move(writer.bytes);
-}
-
 namespace {
+
+// Into the shared memory at once: a text that grows to a model's size takes longer than to read the model.
+struct ReplyWriter : ByteWriter {
+    explicit ReplyWriter(GuardReply& to) : reply(to) {}
+    void raw(const void* from, size_t count) override { reply.append({static_cast<const char*>(from), count}); }
+    GuardReply& reply;
+};
 
 bool is_consistent(const Mesh& mesh, size_t materials) {
     uint32_t largest = 0;
@@ -173,6 +174,8 @@ bool is_consistent(const Model& model) {
 }
 
 }  // namespace
+
+void write_model(const Model& model, GuardReply& reply) { ReplyWriter{reply}(model); }
 
 void read_bytes(std::string_view bytes, const std::string& file, Model& model) {
     ByteReader reader(bytes);

@@ -3,11 +3,12 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/guarded.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
 
-std::string to_bytes(const Model& model);
+void write_model(const Model& model, GuardReply& reply);
 
 /// Throws Failure, naming `file`, if the bytes are no model: too few of them, or an index out of range.
 void read_bytes(std::string_view bytes, const std::string& file, Model& model);
