@@ -129,13 +129,13 @@ class GltfReader {
             added = known->second;
         } else {
             const uint32_t none = static_cast<uint32_t>(model_.materials.size() - 1);
+            added = read_gltf_mesh(file_, number, none, primitives_, model_);
             bool is_deformed = false;
-            for (Mesh& mesh : read_gltf_mesh(file_, number, none, model_)) {
-                is_deformed |= bool(mesh.deformation);
-                if (mesh.deformation) set_deformation(from, node, mesh.deformation);
-                added.push_back(static_cast<uint32_t>(model_.meshes.size()));
-                model_.meshes.push_back(std::move(mesh));
-            }
+            for (const uint32_t i : added)
+                if (Deformation& how = model_.meshes[i].deformation) {
+                    set_deformation(from, node, how);
+                    is_deformed = true;
+                }
             if (!is_deformed) shared_[number] = added;
         }
         const uint32_t home = from.contains("skin") ? skin_home() : node;
@@ -251,6 +251,7 @@ class GltfReader {
     std::vector<int> nodes_;
     std::vector<bool> in_scene_;  ///< for each of the file's nodes
     std::map<size_t, std::vector<uint32_t>> shared_;
+    KnownPrimitives primitives_;
     int skin_home_ = -1;
 };
 

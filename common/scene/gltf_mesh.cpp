@@ -35,9 +35,9 @@ class PrimitiveReader {
         if (const json* how = extension(from, "KHR_draco_mesh_compression")) draco_.emplace(file, *how);
     }
 
-    Mesh read(std::string name, const json& weights) {
+    Mesh read(const std::string& name, const json& weights) {
         Mesh mesh;
-        mesh.name = std::move(name);
+        mesh.name = name;  // for errors
         read_positions(mesh.vertices);
         read_normals_and_uvs(mesh);
         read_colors(mesh);
@@ -49,7 +49,6 @@ class PrimitiveReader {
         flatten_missing_normals(mesh);
         if (!mesh.deformation.joints.empty() || !mesh.deformation.targets.empty())
             mesh.deformation.rest = mesh.vertices;
-        name_what_is_left();
         return mesh;
     }
 
@@ -209,14 +208,6 @@ class PrimitiveReader {
         }
     }
 
-    void name_what_is_left() {
-        for (const auto& [key, value] : attributes_.items()) {
-            if (key == "JOINTS_1") leave_out(model_, "more than four joints a vertex", "mesh");
-            if (key == "COLOR_1") leave_out(model_, "second vertex colours", "mesh");
-            if (key.starts_with("TEXCOORD_") && key > "TEXCOORD_1") continue;  // said where a texture uses them
-        }
-    }
-
     const GltfFile& file_;
     const json &from_, &attributes_;
     Model& model_;
@@ -224,13 +215,19 @@ class PrimitiveReader {
     std::optional<DracoPrimitive> draco_;
 };
 
+void name_what_is_left(const json& attributes, Model& model) {
+    if (attributes.contains("JOINTS_1")) leave_out(model, "more than four joints a vertex", "mesh");
+    if (attributes.contains("COLOR_1")) leave_out(model, "second vertex colours", "mesh");
+}
+
 }  // namespace
 
-std::vector<Mesh> read_gltf_mesh(const GltfFile& file, size_t index, uint32_t default_material, Model& model) {
+std::vector<uint32_t> read_gltf_mesh(const GltfFile& file, size_t index, uint32_t default_material,
+                                     KnownPrimitives& known, Model& model) {
     const json& from = file.entry("meshes", index);
     const std::string name = value_or<std::string>(from, "name", "");
     const json weights = from.contains("weights") ? from.at("weights") : json();
-    std::vector<Mesh> meshes;
+    std::vector<uint32_t> added;
     for (const json& primitive : from.at("primitives")) {
         const int mode = value_or(primitive, "mode", triangles);
         if (mode == points || mode == lines || mode == line_loop || mode == line_strip) {
@@ -238,14 +235,22 @@ std::vector<Mesh> read_gltf_mesh(const GltfFile& file, size_t index, uint32_t de
             continue;
         }
         if (mode < 0 || mode > fan) file.refuse("mesh '{}': primitive mode {}", name, mode);
-        Mesh mesh = PrimitiveReader(file, primitive, model).read(name, weights);
+        json surface = primitive;
+        surface.erase("material");
+        const auto same = known.find(surface);
+        Mesh mesh = same == known.end() ? PrimitiveReader(file, primitive, model).read(name, weights)
+                                        : model.meshes[same->second];
+        name_what_is_left(primitive.at("attributes"), model);
         if (mesh.indices.empty()) continue;
         const uint32_t material = value_or(primitive, "material", default_material);
         if (material > default_material) file.refuse("material {} is named, there are {}", material, default_material);
+        mesh.name = name;
         mesh.parts = {{0, static_cast<uint32_t>(mesh.indices.size()), material}};
-        meshes.push_back(std::move(mesh));
+        added.push_back(static_cast<uint32_t>(model.meshes.size()));
+        if (!mesh.deformation) known.emplace(std::move(surface), added.back());
+        model.meshes.push_back(std::move(mesh));
     }
-    return meshes;
+    return added;
 }
 
 }  // namespace lightwalk

@@ -27,7 +27,8 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n";
 
 }  // namespace
 
-TEST_CASE("assemble: one piece's elements are the result's, and its corners where all are triangles", "[01.one_piece]") {
+TEST_CASE("assemble: one piece's elements are the result's, and its corners where all are triangles",
+          "[01.one_piece]") {
     const Assembled triangles = assembled(square + "f 1//1 2//1 3//1\nf -4//-1 3//1 4//1\n");
     CHECK(triangles.data.positions.data() == triangles.positions);
     CHECK(triangles.data.normals.data() == triangles.normals);

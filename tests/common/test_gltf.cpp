@@ -114,6 +114,27 @@ TEST_CASE("glTF: a mesh compressed by Draco") {
 
 // glTF 2.0, 3.7.3.3: the sum of the joints' matrices by their weights, each the joint's transform times its inverse bind
 // matrix; the node's own transform is left out.
+TEST_CASE("glTF: primitives that differ in their material alone", "[common.gltf_same]") {
+    const Model model = Gltf().read(R"("name": "red"}, {"name": "green")", R"("nodes": [{"mesh": 0}, {"mesh": 1}],
+        "scenes": [{"nodes": [0, 1]}], "meshes": [
+        {"name": "one", "primitives": [{"attributes": {"POSITION": 1}, "material": 0}]},
+        {"name": "other", "primitives": [{"attributes": {"POSITION": 1}, "material": 1},
+                                         {"attributes": {"POSITION": 1, "NORMAL": 1}, "material": 1}]}])");
+    REQUIRE(model.meshes.size() == 3);
+    const Mesh &one = model.meshes[0], &other = model.meshes[1], &with_normals = model.meshes[2];
+    CHECK(one.name == "one");
+    CHECK(other.name == "other");
+    CHECK(one.parts[0].material == 0);
+    CHECK(other.parts[0].material == 1);
+    CHECK(other.indices == std::vector<uint32_t>{0, 1, 2});
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 position(i == 1, i == 2, 0);
+        CHECK(other.vertices[i].position == position);
+        CHECK(other.vertices[i].normal == glm::vec3(0, 0, 1));
+        CHECK(with_normals.vertices[i].normal == (i > 0 ? position : glm::vec3(0, 0, 1)));  // (0, 0, 0) is none
+    }
+}
+
 TEST_CASE("glTF: a vertex between two joints") {
     Model model;
     model.nodes = {{"skins", -1, glm::mat4(1), {0}}, {"still", -1, glm::mat4(1), {}}, {"moved", -1, glm::mat4(1), {}}};
