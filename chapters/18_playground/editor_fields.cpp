@@ -127,15 +127,16 @@ bool EditorFields::numbers(const char* label, const char* help, glm::vec3& value
 }
 
 bool EditorFields::number(const char* label, const char* help, float& value, float speed, float lower, float upper,
-                          bool mixed) {
+                          bool mixed, const char* most) {
     const float before = value;
     label_left(label);
     const std::string field = std::string("##") + label;
+    const char* const format = mixed ? dash : value >= upper ? most : "%.5g";
     const bool changed = once_left(ImGui::GetID(field.c_str()), &value, 1, [&] {
         ImGui::SetNextItemWidth(-beside_px());
-        return ImGui::DragFloat(field.c_str(), &value, speed, lower, upper, mixed ? dash : "%.5g");
+        return ImGui::DragFloat(field.c_str(), &value, speed, lower, upper, format);
     });
-    log_place(std::string("number.") + label);
+    log_place(std::string("number.") + label, format[0] == '%' ? "" : format);
     help_on_hover(help);
     return changed && takes(label, &value, 1, &before, lower, upper);
 }

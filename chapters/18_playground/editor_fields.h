@@ -12,8 +12,9 @@ class EditorFields : public EditorPart {
   public:
     using EditorPart::EditorPart;
 
+    /// `most`: a word for the largest value, which stands for no limit.
     bool number(const char* label, const char* help, float& value, float speed, float lower, float upper,
-                bool mixed = false);
+                bool mixed = false, const char* most = "%.5g");
     bool numbers(const char* label, const char* help, glm::vec3& value, float speed,
                  glm::bvec3 mixed = glm::bvec3(false));
     bool color(const char* label, const char* help, glm::vec3& value, float most, glm::bvec3 mixed = glm::bvec3(false));

@@ -38,41 +38,43 @@ void StepsPanel::draw() {
     ImGui::EndChild();
 }
 
-void KeysPanel::draw(float scale) {
-    if (!shown) return;
-    const ImVec2 corner{static_cast<float>(view_.picture.corner.x) + 10.0f * scale, 10.0f * scale};
-    ImGui::SetNextWindowPos(corner, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("keys", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
-        static constexpr const char* keys[][2] = {
-            {"click, Shift and click", "select; add to the selection"},
-            {"drag a handle", "move, rotate, scale; with Shift in steps"},
-            {"1, 2, 3, L", "move, rotate, scale; world or local axes"},
-            {"F", "frame what is selected"},
-            {"Up, Down, Left, Right", "the tree: select another entry; fold, unfold"},
-            {"Enter, Tab", "type numbers of what is selected; the next one"},
-            {"properties of several", "what is typed is set in all; a dash: they differ"},
-            {"Ctrl+F, Ctrl+R", "search the tree; rename, as by a double click"},
-            {"Shift+H, Shift+L", "hide or show; lock or unlock"},
-            {"Shift+1, 2, 3, 4", "add a sun, a lamp, a spot; scatter lights"},
-            {"Ctrl+Z, Ctrl+Y, F4", "undo, redo; the list of all steps"},
-            {"Ctrl+D, Ctrl+G, Del", "duplicate, group, delete"},
-            {"Ctrl+O, Ctrl+S, Ctrl+E", "files, save (with Shift: as), export to glTF"},
-            {"Ctrl+A, Esc", "select all; nothing, then (twice) close"},
-            {"F12, F6, F1, H", "picture; passes as a graph; these keys; the knobs"},
-            {"F2, F3, F5", "switch all exercises, mine beside reference, reload"},
-            {"drag, wheel, right button", "orbit, come closer, look and fly"},
-            {"right button in the tree", "what can be done with an entry"}};
-        for (const auto& [key, help] : keys) {
-            ImGui::TextColored(reference_color, "%-28s", key);
-            ImGui::SameLine(220.0f * scale);
-            ImGui::TextUnformatted(help);
-        }
-        if (tool_button("tour", "Ten steps that show the editor; it can be left at any time")) {
-            shown = false;
-            tour_();
-        }
+void KeysPanel::draw() {
+    static constexpr const char* keys[][2] = {{"click", "select; with Shift: add to the selection"},
+                                              {"drag a handle", "move, rotate, scale; with Shift in steps"},
+                                              {"1, 2, 3, L", "move, rotate, scale; world or local axes"},
+                                              {"F, Home", "frame what is selected; the scene's own view"},
+                                              {"Up, Down", "the tree: select another entry"},
+                                              {"Left, Right", "the tree: fold, unfold"},
+                                              {"Enter, Tab", "type numbers of what is selected; the next one"},
+                                              {"Ctrl+F, R", "search the tree; rename, as by a double click"},
+                                              {"Shift+H, L", "hide or show; lock or unlock"},
+                                              {"Shift+1 to 4", "add a sun, a lamp, a spot; scatter lights"},
+                                              {"Ctrl+Z, Y, F4", "undo, redo; the list of all steps"},
+                                              {"Ctrl+D, G, Del", "duplicate, group, delete"},
+                                              {"Ctrl+O, S, E", "files, save (with Shift: as), export to glTF"},
+                                              {"Ctrl+A, Esc", "select all; nothing, then (twice) close"},
+                                              {"F12, F6, F1", "picture; passes as a graph; these keys"},
+                                              {"F2, F3, F5, H", "all exercises, split view, reload, knobs"},
+                                              {"drag, wheel", "orbit, come closer"},
+                                              {"right button", "look and fly; in the tree: an entry's menu"}};
+    if (tool_button("tour", "Ten steps that show the editor; it can be left at any time", false, "take the tour",
+                    -1.0f)) {
+        shown = false;
+        tour_();
     }
-    ImGui::End();
+    ImGui::BeginChild("keys", {0.0f, 0.0f});
+    ImGui::BeginTable("keys", 2);
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, TextWidth{104.0f});
+    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [key, help] : keys) {
+        ImGui::TableNextColumn();
+        ImGui::TextColored(reference_color, "%s", key);
+        log_place(std::string("key.") + key, key);
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", help);
+    }
+    ImGui::EndTable();
+    ImGui::EndChild();
 }
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Lists of the editor that a key opens: all steps by name, and all keys.
+// Lists that a key opens where the tree is otherwise: all steps by name, and all keys.
 #pragma once
 #include "18_playground/editor_part.h"
 
@@ -18,7 +18,7 @@ class StepsPanel : public EditorPart {
 class KeysPanel : public EditorPart {
   public:
     KeysPanel(EditorView& view, std::function<void()> tour) : EditorPart(view), tour_(std::move(tour)) {}
-    void draw(float scale);
+    void draw();
     bool shown = false;
 
   private:

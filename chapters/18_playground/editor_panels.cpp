@@ -8,6 +8,26 @@
 #include "common/base/error.h"
 
 namespace lightwalk {
+namespace {
+
+// A view goes along with edits of the scene's own camera, and with their undo: else they would be lost when it is saved.
+bool follow(Camera& view, const Camera& before, const Camera& now) {
+    const bool moves = now.position != before.position || now.target != before.target || now.up != before.up;
+    if (moves) {
+        view.position = now.position;
+        view.target = now.target;
+        view.up = now.up;
+    }
+    bool changes = moves;
+    for (float Camera::*const lens : {&Camera::fov_y_rad, &Camera::near_m, &Camera::far_m})
+        if (now.*lens != before.*lens) {
+            view.*lens = now.*lens;
+            changes = true;
+        }
+    return changes;
+}
+
+}  // namespace
 
 bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) {
     view_.picture = picture;
@@ -16,8 +36,7 @@ bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) 
     const uint64_t state = editor.document.state();
     const std::vector<EntryId> selected = editor.selection.ids;
     const auto handles = std::pair(editor.tool, editor.local);
-    const bool lists = browser_.shown || steps_.shown;  // where the tree is otherwise
-    if (dock_px == 0.0f || lists) {
+    if (dock_px == 0.0f || shows_list()) {
         tree_.give_up_fields();
         properties_.wants_keyboard = false;
     }
@@ -28,8 +47,10 @@ bool EditorWindow::draw_panels(const Area& picture, float dock_px, float scale) 
         tour_.draw(dock_px, scale);
     }
     take_dropped();
-    keys_.draw(scale);
     files_.draw_question();
+    const Camera& own = editor.document.settings().camera;
+    view_.changed |= follow(camera, own_camera_.value_or(own), own);
+    own_camera_ = own;
     carry_on_previews();
     return changed || state != editor.document.state() || selected != editor.selection.ids ||
            handles != std::pair(editor.tool, editor.local) || editor.document.in_step();
@@ -54,6 +75,8 @@ void EditorWindow::draw_dock(float width_px, float scale) {
         browser_.draw(scale);
     } else if (steps_.shown) {
         steps_.draw();
+    } else if (keys_.shown) {
+        keys_.draw();
     } else {
         tree_.draw();
         properties_.draw();
@@ -69,11 +92,11 @@ void EditorWindow::draw_toolbar() {
                   {"steps", with_icon(icon::list, "steps"),
                    "F4: all steps by name; a click goes back or forward to one", steps_.shown},
                   {"?", icon_or(icon::help, "?"), "F1: all keys", keys_.shown}});
-    if (files == 0) show_files(!browser_.shown);
+    if (files == 0) show_list(browser_.shown, !browser_.shown);
     if (files == 1) editor.undo(*this);
     if (files == 2) editor.redo(*this);
-    if (files == 3) show_steps(!steps_.shown);
-    if (files == 4) keys_.shown = !keys_.shown;
+    if (files == 3) show_list(steps_.shown, !steps_.shown);
+    if (files == 4) show_list(keys_.shown, !keys_.shown);
     const auto tool =
         tool_row({{"move", with_icon(icon::move, "move"), "1: move along axes and planes; with Shift in steps",
                    editor.tool == Tool::move},
@@ -111,10 +134,12 @@ void EditorWindow::add_light(Light::Kind kind) {
     editor.add_light(placed_light(kind, landing, scene, view_now));
 }
 
-// An image becomes the diffuse map of what is selected.
+// An image becomes the diffuse map of what is selected, or light from all around where it has a wide range.
 void EditorWindow::choose_file(const std::filesystem::path& file, bool adds) {
     if (is_height_map_file(file) && !is_image(file))
         settings_.put_terrain(asset_name(file).string());
+    else if (is_hdr_name(file))
+        settings_.put_environment(asset_name(file).string());
     else if (is_image(file))
         properties_.set_map(editor.selection.ids, "diffuse", asset_name(file).string());
     else
@@ -130,7 +155,7 @@ void EditorWindow::take_dropped() {
     const auto file = over ? browser_.dropped() : std::nullopt;
     if (!file) return;
     view_.pointer = pixel;
-    if (is_image(*file)) {
+    if (is_image(*file) && !is_hdr_name(*file)) {
         const auto hit = pick_triangle(scene, placing_ray(view_));
         editor.select_item(scene, hit ? std::optional(hit->item) : std::nullopt, false);
     }

@@ -128,6 +128,8 @@ void PropertiesPanel::draw_material(EntryId id) {
     edit_number(of("roughness"), "roughness", "Roughness: 0 is a mirror, 1 is dull", 0.01f, 0.0f, 1.0f);
     edit_number(of("metalness"), "metalness", "Metalness: 0 is an insulator, 1 is a metal", 0.01f, 0.0f, 1.0f);
     edit_number(of("opacity"), "opacity", "Opacity: 0 is invisible, 1 is opaque", 0.01f, 0.0f, 1.0f);
+    ImGui::TextColored(quiet_color, "maps");
+    log_place("module.maps");
     for (const MapSlotInfo& slot : map_slots()) edit_map(slot.name);
 }
 

@@ -15,13 +15,18 @@ struct Facet {
     const char* name;
     const char* help;
     const char* icon;
-    std::vector<std::string> modules;  ///< modules with its knobs
+    std::vector<std::string> modules;       ///< modules with its knobs
+    std::vector<std::string> own_fields{};  ///< knobs that a field of the scene's own stands for
 };
 
 const std::vector<Facet>& facets() {
     static const std::vector<Facet> all{
         {"camera", "The scene's own view, which it is opened with", icon::camera, {}},
-        {"environment", "Light from all around", icon::image, {"environment", "backdrop"}},
+        {"environment",
+         "Light from all around",
+         icon::image,
+         {"environment", "backdrop"},
+         {"environment.intensity", "environment.turn_deg"}},
         {"sky", "Sun, air and planet", icon::cloud, {"atmosphere", "sky"}},
         {"terrain", "Ground of a height map, under a sky", icon::terrain, {"ground", "land", "sun_shadow"}},
         {"water", "A surface of waves", icon::water, {"water"}},
@@ -74,14 +79,17 @@ void SettingsPanel::draw_knobs() {
         if (chosen == "sky") knobs.push_back(&view_.chapter.bench.air);
         for (KnobBase* knob : view_.chapter.all_knobs()) {
             const std::string path = knob->owner.path();
+            if (std::find(facet.own_fields.begin(), facet.own_fields.end(), knob->path()) != facet.own_fields.end())
+                continue;
             for (const std::string& module : facet.modules)
                 if (path == module || path.starts_with(module + ".")) knobs.push_back(knob);
         }
         const float width = std::max<float>(label_column(knobs), label_px);
-        std::string module = knobs.empty() ? "" : knobs.front()->owner.path();
+        // Each module has a method: one must see of what. The title of an entry names a module, too.
+        std::string module = facet.own_fields.empty() ? chosen : "";
+        if (!knobs.empty() && knobs.front()->owner.path() == module) log_place("module." + module);
         for (KnobBase* knob : knobs) {
-            // Each has a method: one must see of what.
-            if (const std::string path = knob->owner.path(); std::exchange(module, path) != path) {
+            if (const std::string path = knob->owner.path(); std::exchange(module, path) != path && !path.empty()) {
                 ImGui::Separator();
                 ImGui::TextColored(quiet_color, "%s", path.c_str());
                 log_place("module." + path);
@@ -143,7 +151,8 @@ bool SettingsPanel::draw_camera(SceneSettings& settings) {
         changed = true;
     }
     changed |= fields_.number("near", "Distance of the near plane, in metres", own.near_m, 0.001f, 1e-5f, 1e5f);
-    changed |= fields_.number("far", "Distance of the far plane, in metres", own.far_m, 1.0f, 1e-4f, 1e9f);
+    changed |= fields_.number("far", "Distance of the far plane, in metres; 1e9 is none", own.far_m, 0.01f * own.far_m,
+                              1e-4f, 1e9f, false, "none");
     return changed;
 }
 
@@ -172,24 +181,22 @@ bool SettingsPanel::draw_environment(SceneSettings& settings) {
     label_left("image");
     ImGui::SetNextItemWidth(-beside_px());
     const bool typed = text_field("##image", image, "none");
-    pick_button(view_, "environment", [this](const std::string& file) {
-        SceneSettings other = editor.document.settings();
-        other.environment.image = file;
-        other.environment.where = "environment";
-        set("environment", other);
-    });
-    if (typed && image != settings.environment.image) try {
-            if (!image.empty()) find_asset(image);
-            settings.environment.image = image;
-            settings.environment.where = "environment";
-            changed = true;
-        } catch (const InputError& e) { editor.notice = e.what(); }
+    pick_button(view_, "environment", [this](const std::string& file) { put_environment(file); });
+    if (typed && image != settings.environment.image) put_environment(image);
     changed |=
         fields_.number("brightness", "Factor of the image's light", settings.environment.intensity, 0.01f, 0.0f, 1e6f);
     changed |= fields_.number("turn", "Rotation about the vertical, in degrees", settings.environment.rotation_deg,
                               0.5f, -360.0f, 360.0f);
     return changed;
 }
+
+void SettingsPanel::put_environment(const std::string& image) try {
+    if (!image.empty()) find_asset(image);
+    SceneSettings settings = editor.document.settings();
+    settings.environment.image = image;
+    settings.environment.where = "environment";
+    set("environment", settings);
+} catch (const InputError& e) { editor.notice = e.what(); }
 
 void SettingsPanel::draw_terrain() {
     const EntryId now = terrain_of(editor.document);

@@ -14,6 +14,8 @@ class SettingsPanel : public EditorPart {
     void draw_rows();  ///< in the tree
     void draw();
     static std::vector<std::string> names();
+    /// Light from all around, of an image; empty: none.
+    void put_environment(const std::string& image);
     /// A height map's ground below the scene, under a sky; empty: none.
     void put_terrain(const std::string& file);
 

@@ -12,7 +12,7 @@ namespace lightwalk {
 EditorWindow::EditorWindow() {
     browser_.chosen = [this](const std::filesystem::path& file, bool adds) { choose_file(file, adds); };
     view_.pick = [this](const std::string& what, const FileBrowser::Take& take) {
-        steps_.shown = false;
+        show_list(browser_.shown, true);
         browser_.pick_image(what, take);
     };
     view_.press = [this](const KeyPress& key) {
@@ -31,7 +31,7 @@ bool EditorWindow::on_mouse(const Input& input, glm::vec2 cursor_px, bool over_p
 }
 
 void EditorWindow::on_drop(const std::vector<std::filesystem::path>& files) {
-    for (const std::filesystem::path& file : files) loading_.want(file, file.extension() != ".json");
+    for (const std::filesystem::path& file : files) choose_file(file, file.extension() != ".json");
 }
 
 bool EditorWindow::on_save() {
@@ -51,7 +51,7 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
     else if (key == GLFW_KEY_G)
         editor.group_selected(scene);
     else if (key == GLFW_KEY_O)
-        show_files(!browser_.shown);
+        show_list(browser_.shown, !browser_.shown);
     else if (key == GLFW_KEY_E)
         files_.ask_export();
     else if (key == GLFW_KEY_A)
@@ -59,10 +59,10 @@ bool EditorWindow::on_control_key(const KeyPress& pressed) {
     else if (key == GLFW_KEY_S && (pressed.mods & GLFW_MOD_SHIFT))
         files_.ask_name();
     else if (key == GLFW_KEY_F) {
-        show_files(false);
+        show_list(browser_.shown, false);
         tree_.begin_search();
     } else if (const EntryId active = editor.selection.active(); key == GLFW_KEY_R && active > root_entry) {
-        show_files(false);
+        show_list(browser_.shown, false);
         tree_.begin_renaming(active);
     } else
         return false;
@@ -106,18 +106,18 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
     ++editor.gesture;
     if (pressed.mods & GLFW_MOD_CONTROL) return on_control_key(pressed);
     if ((pressed.mods & GLFW_MOD_SHIFT) && on_shift_key(key)) return true;
-    const bool in_files = browser_.shown || steps_.shown;  // instead of the tree, and with keys of their own
+    const bool in_list = shows_list();  // instead of the tree, and with keys of its own
     switch (key) {
         case GLFW_KEY_UP:
         case GLFW_KEY_DOWN:
-            return !in_files && (tree_.walk(key == GLFW_KEY_UP ? -1 : 1), true);
+            return !in_list && (tree_.walk(key == GLFW_KEY_UP ? -1 : 1), true);
         case GLFW_KEY_LEFT:
         case GLFW_KEY_RIGHT:
-            return !in_files && (tree_.unfold_chosen(key == GLFW_KEY_RIGHT), true);
+            return !in_list && (tree_.unfold_chosen(key == GLFW_KEY_RIGHT), true);
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER:
             editor.end_drag(true);  // else it would continue below the text field
-            return !in_files && (properties_.wants_keyboard = true);
+            return !in_list && (properties_.wants_keyboard = true);
         case GLFW_KEY_1:
             editor.tool = Tool::move;
             return true;
@@ -131,10 +131,10 @@ bool EditorWindow::on_key(const KeyPress& pressed) {
             editor.local = !editor.local;
             return true;
         case GLFW_KEY_F1:
-            keys_.shown = !keys_.shown;
+            show_list(keys_.shown, !keys_.shown);
             return true;
         case GLFW_KEY_F4:
-            show_steps(!steps_.shown);
+            show_list(steps_.shown, !steps_.shown);
             return true;
         case GLFW_KEY_DELETE:
             editor.remove_selected();
@@ -155,9 +155,8 @@ bool EditorWindow::on_escape() {
         editor.end_drag(false);
     } else if (loading_.loads()) {
         loading_.cancel();
-    } else if (browser_.shown || keys_.shown || steps_.shown) {
-        browser_.close();
-        keys_.shown = steps_.shown = false;
+    } else if (shows_list()) {
+        show_list(browser_.shown, false);
     } else {
         if (editor.selection.ids.empty()) return !leaves();
         editor.selection.clear();

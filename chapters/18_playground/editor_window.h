@@ -10,7 +10,7 @@
 namespace lightwalk {
 
 /// It places its panels, each of which owns its state, and gives them the keys: one member for each of them.
-/// Large (28 functions, 15 members): it places panels: one member each.
+/// Large (28 functions, 16 members): it places panels: one member each.
 struct EditorWindow : Playground, WindowTool {
     EditorWindow();
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;
@@ -36,14 +36,12 @@ struct EditorWindow : Playground, WindowTool {
     void draw_toolbar();
     void draw_lights_toolbar();
     void draw_dock(float width_px, float scale);
-    void show_files(bool shown) {
+    /// Files, steps or keys stand where the tree is otherwise.
+    bool shows_list() const { return browser_.shown || steps_.shown || keys_.shown; }
+    void show_list(bool& which, bool shown) {
         browser_.close();
-        browser_.shown = shown;
-        steps_.shown = false;
-    }
-    void show_steps(bool shown) {
-        browser_.close();
-        steps_.shown = shown;
+        steps_.shown = keys_.shown = false;
+        which = shown;
     }
     void carry_on_previews();
     void scatter_lights();
@@ -65,7 +63,8 @@ struct EditorWindow : Playground, WindowTool {
     KeysPanel keys_{view_, [this] { tour_.begin(); }};
     FileBrowser browser_;
     int scatter_count_ = 100;
-    bool leaving_ = false;  ///< the last key was an Escape with nothing to end
+    std::optional<Camera> own_camera_;  ///< the scene's, in the frame drawn last
+    bool leaving_ = false;              ///< the last key was an Escape with nothing to end
 };
 
 }  // namespace lightwalk

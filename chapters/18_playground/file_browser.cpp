@@ -171,16 +171,19 @@ void FileBrowser::draw(float scale) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5.0f * scale, 3.0f * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {5.0f * scale, 5.0f * scale});
     const auto place = tool_row({{"up", "up", "The folder above (Backspace)"},
-                                 {"models", "models", "The course's models"},
-                                 {"scenes", "scenes", "The course's scenes"},
-                                 {"images", "images", "The course's textures"},
-                                 {"here", "here", "The current folder"}});
+                                 {"here", "here", "The current folder"},
+                                 {"scenes", "scenes", "The course's scenes"}});
+    const auto kind = tool_row({{"models", "models", "The course's models"},
+                                {"images", "images", "The course's textures"},
+                                {"environments", "environments", "Images for light from all around"}});
     std::error_code gone;
+    const fs::path assets = course_root() / "assets";
     if (place == 0) enter = listing_.folder.parent_path();
-    if (place == 1) enter = course_root() / "assets" / "models";
-    if (place == 2) enter = course_root() / "assets" / "scenes";
-    if (place == 3) enter = course_root() / "assets" / "textures";
-    if (place == 4) enter = fs::current_path(gone);
+    if (place == 1) enter = fs::current_path(gone);
+    if (place == 2) enter = assets / "scenes";
+    if (kind == 0) enter = assets / "models";
+    if (kind == 1) enter = assets / "textures";
+    if (kind == 2) enter = assets / "environments";
     ImGui::PopStyleVar(2);
     if (!take_image_) {
         ImGui::Checkbox("add to the scene", &adds_);

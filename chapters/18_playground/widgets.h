@@ -32,7 +32,7 @@ inline void label_left(const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    log_place(std::string("label.") + label);
+    log_place(std::string("label.") + label, label);
     ImGui::SameLine(left + std::max<float>(label_px, ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x));
 }
 

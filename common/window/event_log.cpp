@@ -44,7 +44,8 @@ void note_layout(const std::string& name, const std::string& text) {
     };
     widgets_drawn.push_back(
         name + "\t" + window.Name +
-        in_tabs(a.x, a.y, b.x, b.y, window.WorkRect.Min.x, window.WorkRect.Max.x, size.x, ImGui::GetFontSize()));
+        in_tabs(a.x, a.y, b.x, b.y, window.WorkRect.Min.x, window.WorkRect.Max.x, size.x, ImGui::GetFontSize()) + "\t" +
+        text);
 }
 
 }  // namespace

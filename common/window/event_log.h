@@ -10,7 +10,7 @@ void log_event(const std::string& text);
 /// Logs where the widget drawn last is, in window coordinates, when it has moved: "place NAME left top right bottom".
 /// `text`: what stands in it, if that could be too wide. With LIGHTWALK_LOG=layout a frame whose widgets differ from those of
 /// the frame before lists all of them: "layout COUNT", then lines of tabs, "NAME WINDOW", the four edges, the left and right
-/// end of its window's room, and the width and height of the text.
+/// end of its window's room, the width and height of the text, and the text.
 void log_place(const std::string& name, const std::string& text = "");
 
 /// Ends a frame's list of widgets; log_frame() does.

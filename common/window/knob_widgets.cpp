@@ -6,23 +6,33 @@
 #include <cctype>
 #include <climits>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 
+#include "common/app/module.h"
 #include "common/window/event_log.h"
 #include "common/window/overlay.h"
 
 namespace lightwalk {
 namespace {
 
+bool is_angle(const std::string& unit) { return unit == "degrees" || unit == "°"; }
+
+std::string after_number(const std::string& unit) { return unit.empty() ? "" : is_angle(unit) ? "°" : " " + unit; }
+
 std::string with_unit(const char* format, const std::string& unit) {
     std::string result = format;
-    for (const char c : unit.empty() ? std::string() : " " + unit)
-        result += c == '%' ? std::string("%%") : std::string(1, c);
+    for (const char c : after_number(unit)) result += c == '%' ? std::string("%%") : std::string(1, c);
     return result;
 }
 
-// Where a range spans decades, a step at its lower end matters as much as one at the upper.
-ImGuiSliderFlags slider_flags(float lower, float upper) {
-    const bool decades = lower >= 0.0f && upper >= 1000.0f * (lower > 0.0f ? lower : 1.0f);
+// Where a range spans decades from its end or its default on, a step at its lower end matters as much as one at the upper.
+bool spans_decades(float lower, float upper, float usual) {
+    const float least = lower > 0.0f ? lower : usual > 0.0f ? std::min(usual, 1.0f) : 1.0f;
+    return lower >= 0.0f && upper >= 1000.0f * least;
+}
+
+ImGuiSliderFlags slider_flags(bool decades) {
     return ImGuiSliderFlags_AlwaysClamp | (decades ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
@@ -36,13 +46,41 @@ void keep_in_range(float& value, float before, float lower, float upper) {
     if (value != before) value = std::isnan(value) ? before : std::clamp(value, lower, upper);
 }
 
+// A slider with its number beside it, which the grab would hide, and its unit where there is room. True: it was changed.
+bool slider_beside_number(const char* id, const std::function<bool()>& slider,
+                          const std::function<std::string(bool)>& text) {
+    const float whole = ImGui::CalcItemWidth(), width = std::floor(0.58f * whole), beside = whole - width;
+    const bool is_typed = number_typed_into() == ImGui::GetID(id);
+    ImGui::BeginGroup();
+    ImGui::SetNextItemWidth(width);
+    if (!is_typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{});
+    const bool changed = slider();
+    if (!is_typed) ImGui::PopStyleColor();
+    ImGui::SameLine(0.0f, 0.0f);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({beside, ImGui::GetFrameHeight()});
+    std::string number = text(true);
+    if (ImGui::CalcTextSize(number.c_str()).x > beside - style.ItemInnerSpacing.x) number = text(false);
+    ImGui::GetWindowDrawList()->AddText({corner.x + style.ItemInnerSpacing.x, corner.y + style.FramePadding.y},
+                                        ImGui::GetColorU32(ImGuiCol_Text), number.c_str());
+    ImGui::EndGroup();
+    return changed;
+}
+
 bool widget(Knob<float>& knob, const char* id) {
     const auto [lower, upper] = knob.range;
     const float before = knob.value;
-    const bool tiny = lower > 0.0f && lower < 1e-3f;
-    const char* const format = tiny ? "%.6f" : number_format(upper - lower);
-    const bool changed = ImGui::SliderFloat(id, &knob.value, lower, upper, with_unit(format, knob.unit).c_str(),
-                                            slider_flags(lower, upper));
+    const bool tiny = lower > 0.0f && lower < 1e-3f, decades = spans_decades(lower, upper, knob.default_value);
+    const char* const format = tiny ? "%.6f" : decades ? "%.5g" : number_format(upper - lower);
+    const char* const shown = tiny || !decades ? format : before < 1000.0f ? "%.3g" : "%.0f";
+    const bool changed = slider_beside_number(
+        id, [&] { return ImGui::SliderFloat(id, &knob.value, lower, upper, format, slider_flags(decades)); },
+        [&](bool unit) {
+            char number[64];
+            std::snprintf(number, sizeof number, shown, double(knob.value));
+            return number + (unit ? after_number(knob.unit) : "");
+        });
     keep_in_range(knob.value, before, lower, upper);
     return changed;
 }
@@ -50,8 +88,10 @@ bool widget(Knob<float>& knob, const char* id) {
 bool widget(Knob<int>& knob, const char* id) {
     constexpr int most = INT_MAX / 2;  // ImGui ends the program at a slider for more
     const int lower = std::max(knob.range.lower, -most), upper = std::min(knob.range.upper, most);
-    return ImGui::SliderInt(id, &knob.value, lower, upper, with_unit("%d", knob.unit).c_str(),
-                            slider_flags(static_cast<float>(lower), static_cast<float>(upper)));
+    const bool decades = spans_decades(float(lower), float(upper), 1.0f);
+    return slider_beside_number(
+        id, [&] { return ImGui::SliderInt(id, &knob.value, lower, upper, "%d", slider_flags(decades)); },
+        [&](bool unit) { return knob.text() + (unit ? after_number(knob.unit) : ""); });
 }
 
 // Three numbers from 0 to 1 without a unit are a colour.
@@ -59,10 +99,12 @@ bool widget(Knob<glm::vec3>& knob, const char* id) {
     const float lower = knob.range.lower.x, upper = knob.range.upper.x;
     const glm::vec3 before = knob.value;
     const bool is_color = knob.unit.empty() && lower == 0.0f && upper == 1.0f;
-    const std::string format = with_unit(number_format(upper - lower), knob.unit);
-    const bool changed =
-        is_color ? ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float)
-                 : ImGui::SliderFloat3(id, &knob.value.x, lower, upper, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    const glm::vec3 size = glm::abs(before);
+    const float speed = std::min(0.002f * (upper - lower), 0.01f * std::max({1.0f, size.x, size.y, size.z}));
+    const std::string format = with_unit("%.4g", knob.unit);
+    const bool changed = is_color ? ImGui::ColorEdit3(id, &knob.value.x, ImGuiColorEditFlags_Float)
+                                  : ImGui::DragFloat3(id, &knob.value.x, speed, lower, upper, format.c_str(),
+                                                      ImGuiSliderFlags_AlwaysClamp);
     for (int i = 0; i < 3; ++i) keep_in_range(knob.value[i], before[i], lower, upper);
     return changed;
 }
@@ -129,15 +171,16 @@ bool widget(KnobBase& knob, const char* id, AutoChoices* automatic) {
     return false;
 }
 
-// The name in words. The unit, which some names end with, stands in the widget.
-std::string label_of(const KnobBase& knob) {
-    std::string label = knob.name, suffix = "_" + (knob.unit == "degrees" || knob.unit == "°" ? "deg" : knob.unit);
-    std::replace(suffix.begin(), suffix.end(), '/', '_');
-    if (!knob.unit.empty() && label.size() > suffix.size() &&
-        label.compare(label.size() - suffix.size(), suffix.size(), suffix) == 0)
-        label.resize(label.size() - suffix.size());
-    std::replace(label.begin(), label.end(), '_', ' ');
-    return label;
+// The knob's name up to its unit, which stands in the widget.
+std::string_view name_without_unit(const KnobBase& knob) {
+    const std::string_view name = knob.name;
+    for (const char* const per : {"_", "_per_"}) {
+        std::string suffix = "_" + (is_angle(knob.unit) ? "deg" : knob.unit);
+        if (const size_t slash = suffix.find('/'); slash != suffix.npos) suffix.replace(slash, 1, per);
+        if (!knob.unit.empty() && name.size() > suffix.size() && name.ends_with(suffix))
+            return name.substr(0, name.size() - suffix.size());
+    }
+    return name;
 }
 
 }  // namespace
@@ -188,6 +231,18 @@ std::string option_help(const std::string& help, const std::string& option) {
     return {};
 }
 
+std::string label_of(const KnobBase& knob) {
+    const std::string_view name = name_without_unit(knob);
+    std::string label(name);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    if (name == knob.name) return label;
+    const KnobList all = knob.owner.all_knobs();
+    const bool is_alone = std::none_of(all.begin(), all.end(), [&](const KnobBase* other) {
+        return other != &knob && &other->owner == &knob.owner && name_without_unit(*other) == name;
+    });
+    return is_alone ? label : label + " (" + knob.unit + ")";
+}
+
 float label_column(const KnobList& knobs) {
     const float gap = ImGui::GetStyle().ItemSpacing.x, most = 0.5f * ImGui::GetContentRegionAvail().x;
     float widest = 0;
@@ -203,7 +258,7 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     const std::string label = label_of(knob);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(knob.changed() ? mine_color : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
-    log_place("label." + knob.path());
+    log_place("label." + knob.path(), label);
     bool hovered = ImGui::IsItemHovered();
     if (dynamic_cast<Knob<glm::vec3>*>(&knob))  // three numbers have a line of their own
         ImGui::SetCursorPosX(left);

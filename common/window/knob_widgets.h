@@ -5,6 +5,10 @@
 
 namespace lightwalk {
 
+/// The name in words, without its unit; with it where another knob of the module would be called the same: "sun (klx)"
+/// beside "sun (degrees)".
+std::string label_of(const KnobBase& knob);
+
 /// Width of a column for the labels of these knobs, in pixels; labels that need more than half of the panel get a
 /// line of their own.
 float label_column(const KnobList& knobs);

@@ -2,92 +2,20 @@
 // shows how far its build is; a click builds it next.
 #include <GLFW/glfw3.h>
 
-#include <chrono>
-#include <cstdio>
-
-#include "common/app/shots.h"
 #include "common/base/error.h"
-#include "common/base/files.h"
 #include "common/base/text.h"
 #include "common/gpu/frame.h"
-#include "common/image/image.h"
 #include "common/window/blit.h"
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
 #include "common/window/lesson_pages.h"
-#include "common/window/menu_programs.h"
+#include "common/window/menu_chapters.h"
 #include "common/window/overlay.h"
-#include "common/window/titles.h"
 
 namespace lightwalk {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr glm::uvec2 picture_size{384, 216};                ///< pixels at scale 1; shown smaller or larger
 constexpr float least_width = 295.0f, most_width = 470.0f;  ///< of a tile, at scale 1
-
-struct Entry {
-    std::string chapter, title;
-    fs::path program;
-    Image picture;  ///< none if nothing has been drawn yet
-};
-
-/// The chapter's best picture: as the gallery drew it, with four samples, else as accepted.
-std::optional<fs::path> find_picture(const std::string& chapter, const fs::path& build) {
-    std::vector<Shot> shots;
-    try {
-        shots = best_first(chapter);
-    } catch (const std::exception&) {
-        return std::nullopt;  // the chapter's program reports the error
-    }
-    for (const Shot& shot : shots)
-        for (const fs::path& folder : {build / "gallery" / chapter, course_root() / "tests" / chapter / "golden"})
-            if (fs::exists(folder / (shot.name + ".png"))) return folder / (shot.name + ".png");
-    return std::nullopt;
-}
-
-/// The middle of the image, resized to a tile: each pixel averages its area in linear light.
-Image8 thumbnail(const Image8& image, glm::uvec2 size) {
-    const ImageRgb linear = to_linear(image);
-    const float scale = std::min(float(image.width) / float(size.x), float(image.height) / float(size.y));
-    const glm::vec2 corner = 0.5f * (glm::vec2(image.width, image.height) - scale * glm::vec2(size));
-    ImageRgb small(static_cast<int>(size.x), static_cast<int>(size.y));
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            const glm::ivec2 limit(image.width - 1, image.height - 1);
-            const glm::ivec2 begin = glm::clamp(glm::ivec2(corner + scale * glm::vec2(x, y)), glm::ivec2(0), limit);
-            const glm::ivec2 end =
-                glm::clamp(glm::ivec2(corner + scale * glm::vec2(x + 1, y + 1)), begin + 1, limit + 1);
-            glm::vec3 sum(0.0f);
-            for (int v = begin.y; v < end.y; ++v)
-                for (int u = begin.x; u < end.x; ++u) sum += linear.at(u, v);
-            small.at(x, y) = sum / static_cast<float>((end.x - begin.x) * (end.y - begin.y));
-        }
-    return to_srgb8(small);
-}
-
-std::vector<Entry> find_chapters(Gpu& gpu, float scale, const MenuPrograms& programs) {
-    const fs::path build = fs::read_symlink("/proc/self/exe").parent_path();
-    std::vector<Entry> entries;
-    for (const auto& [name, state] : programs.states())
-        entries.push_back({name, chapter_title(name), build / "chapters" / name, {}});
-    for (const auto& file : fs::directory_iterator(build / "chapters")) {
-        const std::string name = file.path().filename().string();
-        if (!file.is_regular_file() || file.path().has_extension() || name.size() < 4 || name[2] != '_') continue;
-        if (!programs.states().contains(name)) entries.push_back({name, chapter_title(name), file.path(), {}});
-    }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.chapter < b.chapter; });
-    const glm::uvec2 size(glm::vec2(picture_size) * scale);
-    for (Entry& entry : entries)
-        if (const auto file = find_picture(entry.chapter, build)) {
-            const Image8 picture = thumbnail(read_image8(*file), size);
-            entry.picture =
-                Image(gpu.device, {.name = entry.chapter, .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
-            gpu.upload(entry.picture, std::as_bytes(std::span(picture.pixels)));
-        }
-    return entries;
-}
 
 class Menu {
   public:
@@ -117,7 +45,7 @@ class Menu {
                 settle = 3;
             }
             if (settle-- <= 0) continue;
-            if (const Entry* chosen = draw()) {
+            if (const MenuEntry* chosen = draw()) {
                 choose(*chosen);
                 settle = 3;
             }
@@ -126,9 +54,9 @@ class Menu {
 
   private:
     /// The chapter that was clicked, or null.
-    const Entry* draw() {
+    const MenuEntry* draw() {
         overlay_.begin();
-        const Entry* chosen = build();
+        const MenuEntry* chosen = build();
         overlay_.end();
         log_layout();
         const Image* target = swapchain_.acquire();
@@ -151,8 +79,8 @@ class Menu {
         return chosen;
     }
 
-    const Entry* build() {
-        const Entry* chosen = nullptr;
+    const MenuEntry* build() {
+        const MenuEntry* chosen = nullptr;
         tiles_.clear();
         const ImGuiIO& io = ImGui::GetIO();
         ImGui::SetNextWindowPos({0.0f, 0.0f});
@@ -193,7 +121,7 @@ class Menu {
         return chosen;
     }
 
-    bool tile(const Entry& entry, ImVec2 size) {
+    bool tile(const MenuEntry& entry, ImVec2 size) {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const float foot = size.y - 34.0f * display_.scale();
         ImGui::BeginGroup();
@@ -228,13 +156,13 @@ class Menu {
     std::string what_to_do() const {
         if (!programs_.are_building()) return "Click a chapter to start it; Esc in it comes back here.";
         size_t ready = 0;
-        for (const Entry& entry : entries_) ready += programs_.state(entry.chapter).name == "ready";
+        for (const MenuEntry& entry : entries_) ready += programs_.state(entry.chapter).name == "ready";
         return std::to_string(ready) + " of " + std::to_string(entries_.size()) +
                " chapters are built. Click one to start it, or to build it next.";
     }
 
     /// Over a chapter's picture while it cannot be started: its status, and a bar.
-    void draw_state(const Entry& entry, ImVec2 corner, ImVec2 end) {
+    void draw_state(const MenuEntry& entry, ImVec2 corner, ImVec2 end) {
         const ProgramState state = programs_.state(entry.chapter);
         if (state.name == "ready") return;
         ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -253,14 +181,14 @@ class Menu {
         list.AddText({corner.x + 10.0f * scale, top + 4.0f * scale}, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
     }
 
-    void choose(const Entry& entry) {
+    void choose(const MenuEntry& entry) {
         if (programs_.state(entry.chapter).name == "ready") return start(entry);
         programs_.want(entry.chapter);
         log_event("wanted " + entry.chapter);
     }
 
     struct Tile {
-        const Entry* entry;
+        const MenuEntry* entry;
         glm::vec2 corner, size;  ///< of its picture, pixels; outside the window where it is scrolled away
     };
 
@@ -274,7 +202,7 @@ class Menu {
         blit(commands, picture, {from, to - from}, target, {glm::uvec2(begin), glm::uvec2(end - begin)});
     }
 
-    void start(const Entry& entry) {
+    void start(const MenuEntry& entry) {
         message_.clear();
         try {
             ChildProcess child(entry.program, options_);
@@ -296,7 +224,7 @@ class Menu {
     Overlay overlay_;
     Frame screen_;
     MenuPrograms programs_;
-    std::vector<Entry> entries_;
+    std::vector<MenuEntry> entries_;
     std::vector<Tile> tiles_;
     LessonPages lessons_;
     std::string message_;

@@ -28,6 +28,47 @@ std::string said_by(const std::function<void()>& what) {
     return "";
 }
 
+std::ptrdiff_t files_in(const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); }
+
+// Of a whole file.
+int number_in(const fs::path& file) {
+    const SceneFile back = parse_scene(read_file(file), file);
+    REQUIRE(back.objects.size() == 300);
+    return std::stoi(back.knobs.at("number"));
+}
+
+// A process that writes scenes with the numbers from `first` on, and says which one is written. It is killed at a random
+// moment; `within` a write: on a busy machine few of the moments of the clock are. The last number that it said.
+int kill_while_it_writes(const fs::path& folder, Random& random, bool within, int first,
+                         const std::function<void(SceneStore&, Document&)>& write_scene) {
+    int told[2];
+    REQUIRE(pipe(told) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        close(told[0]);
+        Document document = small_scene(300);
+        SceneStore store;
+        store.path = folder / "scene.json";
+        for (int number = first;; ++number) {
+            set_knobs(document, {{"number", std::to_string(number)}}, 0);
+            write_scene(store, document);
+            if (write(told[1], &number, sizeof number) != sizeof number) _exit(1);
+        }
+    }
+    close(told[1]);
+    int number = 0;
+    if (read(told[0], &number, sizeof number) != sizeof number) FAIL("it never saved");
+    for (int polls = 0; within && files_in(folder) == 1 && polls < 20000; ++polls) {}
+    usleep(static_cast<useconds_t>(random.uniform(0, within ? 200 : 6000)));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    int last_told = number;
+    while (read(told[0], &number, sizeof number) == sizeof number) last_told = number;
+    close(told[0]);
+    return last_told;
+}
+
 }  // namespace
 
 TEST_CASE("killed at 200 random moments of saving: the file is whole, and never older than the last save that was told",
@@ -37,43 +78,36 @@ TEST_CASE("killed at 200 random moments of saving: the file is whole, and never 
     Random random(200);
     int last_told = 0, killed_within = 0;
     for (int round = 0; round < 200; ++round) {
-        int told[2];
-        REQUIRE(pipe(told) == 0);
-        const pid_t child = fork();
-        if (child == 0) {  // saves again and again, and says which number is on the disk
-            close(told[0]);
-            Document document = small_scene(300);
-            SceneStore store;
-            store.path = file;
-            for (int number = last_told + 1;; ++number) {
-                set_knobs(document, {{"number", std::to_string(number)}}, 0);
-                store.save(document);
-                if (write(told[1], &number, sizeof number) != sizeof number) _exit(1);
-            }
-        }
-        close(told[1]);
-        int number = 0;
-        if (read(told[0], &number, sizeof number) != sizeof number) FAIL("it never saved");
-        // Every second time within a write: on a busy machine few of the moments of the clock are.
-        const auto files = [&] { return std::distance(fs::directory_iterator(folder.path), {}); };
-        for (int polls = 0; round % 2 && files() == 1 && polls < 20000; ++polls) {}
-        usleep(static_cast<useconds_t>(random.uniform(0, round % 2 ? 200 : 6000)));
-        kill(child, SIGKILL);
-        int status = 0;
-        waitpid(child, &status, 0);
-        last_told = number;
-        while (read(told[0], &number, sizeof number) == sizeof number) last_told = number;
-        close(told[0]);
-        const SceneFile back = read_scene(file);
-        const int saved = std::stoi(back.knobs.at("number"));
-        REQUIRE(back.objects.size() == 300);
+        last_told = kill_while_it_writes(folder.path, random, round % 2, last_told + 1,
+                                         [](SceneStore& store, Document& document) { store.save(document); });
+        const int saved = number_in(file);
         REQUIRE((saved == last_told || saved == last_told + 1));
-        killed_within += saved != last_told || files() > 1;
+        killed_within += saved != last_told || files_in(folder.path) > 1;
         for (const auto& other : fs::directory_iterator(folder.path))
             if (other.path() != file) fs::remove(other.path());
     }
     fmt::print("of 200 kills {} came while it wrote\n", killed_within);
     CHECK(killed_within > 20);
+}
+
+TEST_CASE("killed at 60 random moments of saving by itself: what it leaves is whole, and is offered", "[18.killed]") {
+    Random random(60);
+    int killed_within = 0;
+    for (int round = 0; round < 60; ++round) {
+        TestFolder folder;
+        const int told = kill_while_it_writes(folder.path, random, round % 2, 1,
+                                              [](SceneStore& store, Document& document) { store.autosave(document); });
+        const fs::path left = folder.path / "scene.json.unsaved", fresh = left.string() + ".new";
+        const int saved = number_in(left);
+        REQUIRE((saved == told || saved == told + 1));
+        if (fs::exists(fresh)) REQUIRE(number_in(fresh) == told + 1);
+        killed_within += saved != told || files_in(folder.path) > 1;
+        SceneStore next;
+        next.path = folder.path / "scene.json";
+        REQUIRE(next.has_recovery());
+    }
+    fmt::print("of 60 kills {} came while it wrote\n", killed_within);
+    CHECK(killed_within > 6);
 }
 
 TEST_CASE("a full disk, a folder without the right to write: one line, and the old file stays") {

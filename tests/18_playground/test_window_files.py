@@ -212,6 +212,21 @@ class Files(EditorTest):
         self.assertGreater(z, 0.7)
         session.tap("tool.open")
 
+    def test_94_a_texture_is_dragged_onto_an_object_and_an_environment_into_the_picture(self):
+        session = self.session
+        sphere = self.in_window(SCENE["camera"], self.saved()["objects"][-1]["position"])
+        for folder, file in (("images", "checker.png"), ("environments", "sunset_1k.hdr")):
+            session.tap("tool.open")
+            session.tap("tool." + folder)
+            self.find_file(file)
+            session.drag(session.places["file." + file], sphere)
+            session.read_all()
+            session.tap("tool.open")
+        scene = self.saved()
+        self.assertEqual([one.get("material", {}).get("maps") for one in scene["objects"]],
+                         [{"diffuse": "textures/checker.png"}] * 2)  # the first one has it already
+        self.assertEqual(scene["environment"]["image"], "environments/sunset_1k.hdr")
+
     def test_9_what_took_long_is_in_the_tree_though_nobody_moves_the_mouse(self):
         since = self.session.said()
         self.type_path(str(self.folder / "slow.obj"))

@@ -17,7 +17,8 @@ from window_widgets import faults  # noqa: E402
 
 SIZES = ((1280, 720, 1.0), (1600, 900, 1.0), (3840, 2160, 2.0))
 # Far away: frames in which little is drawn take less time.
-SCENE = {"camera": {"position": [0, 20, 80], "target": [0, 0, 0], "fov_deg": 30}, "ambient": [0.3, 0.3, 0.3],
+SCENE = {"camera": {"position": [0, 20, 80], "target": [0, 0, 0], "fov_deg": 30, "far_m": 1e9},
+         "ambient": [0.3, 0.3, 0.3],
          "lights": [{"type": "directional", "direction": [-0.4, -0.8, -0.5], "name": "sun"},
                     {"type": "point", "position": [-12.5, 102.25, 1], "name": "lamp"},
                     {"type": "spot", "position": [-1, 2, 1], "name": "spot over a long table in the large hall"}],
@@ -58,7 +59,13 @@ class Panels(unittest.TestCase):
             fields = [one for one in session.layout if one.kind in FIELDS and one.panel.startswith("editor/properties")]
             ends = {one.right for one in fields if one.right - one.left > 2 * (one.bottom - one.top)}  # no checkboxes
             self.assertLessEqual(max(ends, default=0) - min(ends, default=0), 1, "right ends of fields")
-            lines = {one.top for one in session.layout if one.panel == "status"}
+            status = [one for one in session.layout if one.panel == "status"]
+            if status:  # as wide as the picture, and below it
+                for one in session.layout:
+                    if not one.panel.startswith(("status", "passes", "question", "##")):
+                        self.assertTrue(one.right <= status[0].room_left or one.left >= status[0].room_right,
+                                        f"{one.name} lies over the picture")
+            lines = {one.top for one in status}
             if not any(one.name == "notice" for one in session.layout):
                 self.assertEqual(len(lines), 2, "lines of the status")
 
@@ -77,6 +84,8 @@ class Panels(unittest.TestCase):
                 self.check(session, entry)
                 if entry == "environment":
                     self.check_column(session)
+                if entry == "camera":
+                    self.assertEqual(next(one.text for one in session.layout if one.name == "number.far"), "none")
                 if entry == "box":
                     session.tap("section.Material")
                     self.check(session, "material")
@@ -124,7 +133,7 @@ class Panels(unittest.TestCase):
         for size in part(SIZES, len(SIZES)):
             width = size[0]
             session = self.start("menu", size)
-            session.wait(lambda: session.layout, "its tiles")
+            session.wait(lambda: session.layout and session.layout[0].room_right > width - 60 * self.scale, "its tiles")
             self.assertEqual(faults(session.layout, self.scale), [])
             tiles = [one for one in session.layout if one.kind == "chapter"]
             if len({one.top for one in tiles}) > 1:

@@ -2,6 +2,7 @@
 """Models and lights land where the pointer shows, the sun is turned, and a German keyboard undoes with Ctrl+Z. Under Xvfb,
 validated."""
 import math
+import re
 import subprocess
 import unittest
 
@@ -79,6 +80,42 @@ class Placing(EditorTest):
         self.assertGreater(math.dist(sun["direction"], before["lights"][0]["direction"]), 0.3)
         self.undo()
         self.assertEqual(self.saved(), before)
+
+    def test_5_the_line_below_the_picture_says_what_a_drag_does(self):
+        session = self.session
+        session.tap("entry.floor")
+        x, y = self.in_window(CAMERA, [0, 0.125, 0])
+        session.move(x + 60, y)
+        session.wait(lambda: "status.drag: move along x" in session.areas, "what a drag would do")
+        session.press()
+        session.move(x + 90, y)
+        session.wait(lambda: any(re.fullmatch(r"status\.0\.\d+ m along x.*", one) for one in session.areas), "how far it goes")
+        session.release()
+        session.park()
+        self.undo()
+
+    def taken_view(self) -> dict:
+        self.session.tap("entry.camera")
+        self.session.tap("tool.take this view")
+        return self.saved()["camera"]
+
+    def test_6_f_brings_what_is_selected_into_the_middle_and_home_the_scenes_own_view(self):
+        session, before = self.session, self.saved()
+        self.point_at([1, 0.25, 0.5])
+        session.key("shift+2")
+        session.read_all()
+        session.key("f")
+        session.park()
+        camera = self.taken_view()
+        lamp = self.saved()["lights"][1]["position"]
+        self.assertLess(math.dist(self.in_window(camera, lamp), self.middle()), 2)
+        self.assertGreater(math.dist(camera["position"], CAMERA["position"]), 0.5)
+        self.undo(2)
+        x, y = self.middle()
+        session.drag((x, y + 100), (x + 80, y + 60))
+        session.key("Home")
+        session.read_all()
+        self.assertEqual(self.taken_view(), before["camera"])
 
     def test_x_it_ends_with_nothing_to_say(self):
         self.saved()

@@ -66,6 +66,26 @@ class Properties(EditorTest):
         self.session.tap("eye.one")
         self.assertEqual(self.saved(), self.before)
 
+    def test_2c_a_far_plane_that_is_none_is_typed_over(self):
+        self.session.tap("entry.camera")
+        self.session.read_all()
+        for typed in ("1e9", "40"):
+            self.type_number("number.far", typed)
+            self.assertEqual(self.saved()["camera"]["far_m"], float(typed))
+        self.undo(2)
+        self.assertEqual(self.saved(), self.before)
+
+    def test_2d_a_thin_fog_is_set_with_the_mouse(self):
+        session = self.session
+        session.tap("entry.fog")
+        session.read_all()
+        left, top, right, bottom = session.areas["knob.fog.density"]
+        session.drag((left + 10, (top + bottom) // 2), (left + (right - left) // 5, (top + bottom) // 2))
+        density = float(self.saved()["knobs"]["fog.density"])
+        self.assertTrue(1e-4 < density < 1e-2, density)  # of 0 to 10
+        self.undo()
+        self.assertEqual(self.saved(), self.before)
+
     def test_3_a_drag_over_a_number_is_one_step_for_all_lights(self):
         self.select("first", "second")
         left, top, right, bottom = self.session.areas["number.intensity"]

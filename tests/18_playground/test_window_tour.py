@@ -65,10 +65,12 @@ class Tour(EditorTest):
     def test_3_the_frame_of_the_output_has_its_shape(self):
         session = self.session
         session.tap("entry.camera")
-        session.tap("choice.output")
-        session.tap("option.16:9")
-        outside, height = self.lines()
-        self.assertLess(abs(height - outside - self.size[0] / (16 / 9)), 4)
+        for shape in ("4:3", "16:9"):
+            session.tap("choice.output")
+            session.tap("option." + shape)
+            outside, height = self.lines()
+            across, up = map(int, shape.split(":"))
+            self.assertLess(abs(height - outside - self.size[0] * up / across), 4, shape)
         session.tap("choice.output")
         session.tap("option.the window")
         self.assertEqual(self.lines()[0], 0)

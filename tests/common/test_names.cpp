@@ -66,6 +66,26 @@ struct Filtered : Chapter {
 
 }  // namespace
 
+TEST_CASE("knobs of a module that differ in their units alone keep them in their labels", "[common.labels]") {
+    struct Sun : Chapter {
+        Knob<float> klx{*this, "sun_klx", 100.0f, {0.0f, 200.0f}, "Light of the sun", "klx"};
+        Knob<float> deg{*this, "sun_deg", 0.5f, {0.0f, 10.0f}, "Angle of the sun", "degrees"};
+        Knob<float> foam{*this, "foam", 1.0f, {0.0f, 1.0f}, "Share of foam"};
+        Knob<float> foam_m{*this, "foam_m", 1.0f, {0.0f, 9.0f}, "Width of foam", "m"};
+        Knob<float> wind{*this, "wind_m_s", 1.0f, {0.0f, 9.0f}, "Speed of the wind", "m/s"};
+        Knob<float> walk{*this, "walk_m_per_s", 1.0f, {0.0f, 9.0f}, "Speed of the camera", "m/s"};
+        std::string default_scene() const override { return ""; }
+        Model load_model(const std::filesystem::path&) override { return {}; }
+        void frame(Frame&) override {}
+    } sun;
+    CHECK(label_of(sun.klx) == "sun (klx)");
+    CHECK(label_of(sun.deg) == "sun (degrees)");
+    CHECK(label_of(sun.foam) == "foam");
+    CHECK(label_of(sun.foam_m) == "foam (m)");
+    CHECK(label_of(sun.wind) == "wind");
+    CHECK(label_of(sun.walk) == "walk");
+}
+
 TEST_CASE("a filter's words occur in a knob's name or help") {
     Filtered chapter;
     CHECK(matches_filter(chapter.bias_m, ""));
