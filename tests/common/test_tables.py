@@ -148,7 +148,7 @@ class Lessons(unittest.TestCase):
         self.assertEqual(typed(["(`[11.reef]`)", "## Next", *table]), [3])
 
     # Delays of sound and windows, other people's programs, and what was measured once: to become fewer.
-    UNSOURCED = 55
+    UNSOURCED = 54
 
     def test_a_time_in_running_text_names_its_source(self):
         count = 0
