@@ -44,7 +44,7 @@ void populate(std::string_view text) {
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options) {
     const unsigned threads = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
     // Two for each thread, but none of less than a thread costs.
-    const size_t even = std::max(text.size() / (2 * threads), size_t{1} << 17);
+    const size_t even = std::max(text.size() / (2 * threads), size_t{1} << 18);
     const std::vector<std::string_view> chunks =
         chunks_of(text, std::max<size_t>(std::min(options.chunk_bytes, even), 1));
     std::vector<Collected> collected(std::min<size_t>(threads, chunks.size()));
