@@ -45,7 +45,7 @@ bool EditorPointer::move(const Input& input, glm::vec2 cursor_px, bool over_pict
 }
 
 bool EditorPointer::drag(const Input& input, glm::vec2 cursor_px, bool released) {
-    if (input.left) editor.drag->move(view_.chapter.view_now, cursor_px, input.shift);
+    if (input.left || released) editor.drag->move(view_.chapter.view_now, cursor_px, input.shift);
     const bool clicked = released && moved_px_ < click_px;
     if (clicked) {  // no drag happened: pick below the handle
         editor.end_drag(false);
