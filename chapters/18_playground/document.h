@@ -161,6 +161,9 @@ class Document {
 /// Whether two entries are equal to the bit, except for fields filled by loading.
 bool same_entry(const Entry& a, const Entry& b);
 
+/// Everything of an object but its place and its material.
+bool same_but_placed_and_painted(const SceneObject& a, const SceneObject& b);
+
 /// Everything of an object but its place.
 bool same_but_placed(const SceneObject& a, const SceneObject& b);
 

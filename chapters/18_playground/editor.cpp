@@ -37,6 +37,7 @@ void Editor::loaded(Chapter& chapter) {
     }
     const std::filesystem::path own = other ? store.path : file;
     first_knobs_.clear();
+    seen_knobs_.clear();
     for (const KnobBase* knob : chapter.all_knobs())
         if (!is_no_setting(*knob)) first_knobs_[knob->path()] = knob->text();
     known_knobs_ = first_knobs_;
@@ -107,12 +108,18 @@ void Editor::keep_recovery(const std::string& why) {
 
 void Editor::take_knobs(const Chapter& chapter) {
     if (drag || chapter.tries_knobs) return;  // a drag's step is open
+    if (seen_knobs_.empty())
+        for (const KnobBase* knob : chapter.all_knobs())
+            if (!is_no_setting(*knob)) seen_knobs_.push_back({knob, {}, {}});
     std::map<std::string, std::string> changed;
-    for (const KnobBase* knob : chapter.all_knobs()) {
-        if (is_no_setting(*knob)) continue;
-        const std::string text = knob->text();
-        std::string& known = known_knobs_[knob->path()];
-        if (known != text) changed[knob->path()] = known = text;
+    for (SeenKnob& seen : seen_knobs_) {
+        const KnobBase::Numbers now = seen.knob->numbers();
+        if (seen.variant == seen.knob->variant() && std::ranges::equal(seen.numbers, now)) continue;
+        seen.variant = seen.knob->variant();
+        seen.numbers = now;
+        const std::string text = seen.knob->text();
+        std::string& known = known_knobs_[seen.knob->path()];
+        if (known != text) changed[seen.knob->path()] = known = text;
     }
     if (!changed.empty()) set_knobs(document, changed, gesture);
 }

@@ -20,13 +20,13 @@ uint64_t bytes_of(const Entry& entry) {
     return bytes;
 }
 
-bool same_but_placed(const SceneObject& a, const SceneObject& b) {
-    const MaterialOverride &m = a.material, &n = b.material;
+bool same_but_placed_and_painted(const SceneObject& a, const SceneObject& b) {
     return a.name == b.name && a.model == b.model && a.ground == b.ground && a.shows == b.shows &&
-           m.diffuse == n.diffuse && m.specular == n.specular && m.emissive == n.emissive &&
-           m.shininess == n.shininess && m.opacity == n.opacity && m.roughness == n.roughness &&
-           m.metalness == n.metalness && m.blend == n.blend && m.maps == n.maps && a.role.object == b.role.object &&
-           a.role.materials == b.role.materials;
+           a.role.object == b.role.object && a.role.materials == b.role.materials;
+}
+
+bool same_but_placed(const SceneObject& a, const SceneObject& b) {
+    return same_but_placed_and_painted(a, b) && a.material == b.material;
 }
 
 bool same_entry(const Entry& a, const Entry& b) {

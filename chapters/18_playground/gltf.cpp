@@ -86,14 +86,14 @@ class Exporter {
         if (!item.loaded_maps[slot]) return {};
         const MapSlotInfo& info = map_slots()[static_cast<size_t>(slot)];
         const auto given = object.material.maps.find(info.name);
-        if (given == object.material.maps.end()) return texture_use(item.material, slot);
+        if (given == object.material.maps.end()) return texture_use(own_material(item), slot);
         return TextureUse{.map = {.file = find_asset(given->second)}, .kind = info.kind};
     }
 
     // As in chapter 14: the scene's numbers, the model's, or values from the exponent, 2 / alpha² - 2 with alpha the
     // square of roughness (Karis, 2013).
     static glm::vec2 metalness_and_roughness(const DrawItem& item) {
-        const Material& m = item.material;
+        const MaterialNumbers& m = item.material;
         const bool stated = m.metallic_roughness || m.microfacets || m.roughness != Material{}.roughness;
         const float exponent = std::pow(2.0f / (m.shininess + 2.0f), 0.25f);
         return {item.metalness >= 0 ? item.metalness : m.metalness, item.roughness >= 0 ? item.roughness
@@ -101,7 +101,7 @@ class Exporter {
                                                                                         : exponent};
     }
 
-    json emission(const Material& m, json& extensions) {
+    json emission(const MaterialNumbers& m, json& extensions) {
         const glm::vec3 emitted = scene_.file.emission * m.emissive;
         const float strength = std::max({emitted.r, emitted.g, emitted.b});
         if (!(strength > 1.0f)) return list(emitted);
@@ -111,7 +111,7 @@ class Exporter {
     }
 
     int material(const DrawItem& item, const SceneObject& object) {
-        const Material& m = item.material;
+        const MaterialNumbers& m = item.material;
         json own{{"name", clean_name(m.name)}};
         const auto set = [&](json& into, const char* key, MapSlot slot) {
             if (const auto use = use_of(item, object, slot)) into[key] = textures_.texture(*use);
@@ -156,7 +156,7 @@ class Exporter {
     }
 
     void name_left_out(const DrawItem& item) {
-        const Material& m = item.material;
+        const MaterialNumbers& m = item.material;
         if (m.specular != glm::vec3(0.0f) && !m.metallic_roughness) leave_out(left_out, "specular colours", "material");
         for (const MapSlot slot :
              {MapSlot::specular, MapSlot::height, MapSlot::gloss, MapSlot::detail_normal, MapSlot::displacement})

@@ -28,20 +28,27 @@ uint32_t LiveScene::object_of(EntryId id) const {
     return place == places_.end() ? Scene::new_object : place->second;
 }
 
-bool LiveScene::only_moved(const Document& document, const Scene& scene, const std::vector<EntryId>& entries) const {
+// None where an entry needs more.
+std::optional<LiveScene::Edits> LiveScene::edits_of(const Document& document, const Scene& scene,
+                                                    const std::vector<EntryId>& entries) const {
+    Edits edits;
     for (const EntryId id : entries) {
         const Entry* const entry = document.find(id);
         if (!entry) continue;  // made and unmade meanwhile
         if (const SceneObject* object = entry->object()) {
             const auto place = places_.find(id);
-            if (place == places_.end()) return false;
+            if (place == places_.end()) return {};
             const SceneObject& shown = scene.file.objects[place->second];
-            if (!same_but_placed(*object, shown) || entry->hidden != shown.hidden) return false;
-        } else if (entry->light() && entry->hidden == light_places_.contains(id)) {
-            return false;
+            if (!same_but_placed_and_painted(*object, shown) || entry->hidden != shown.hidden) return {};
+            if (placement_of(*object) != placement_of(shown))
+                edits.moves.push_back({place->second, object->position, object->rotation_deg, object->scale});
+            if (object->material != shown.material) edits.paints.push_back({place->second, object->material});
+        } else if (entry->light()) {
+            if (entry->hidden == light_places_.contains(id)) return {};
+            if (!entry->hidden) edits.lights.push_back(id);
         }
     }
-    return true;
+    return edits;
 }
 
 // Takes models and textures that cannot be read from `objects`. An object that is shown already keeps its own, even if their
@@ -94,21 +101,11 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
             scene.file.environment = settings.environment;
     } catch (const InputError& e) { note(e); }
 
-    if (!changes.structure && only_moved(document, scene, changes.entries)) {
-        std::vector<Scene::Move> moves;
-        for (const EntryId id : changes.entries) {
-            const Entry* const entry = document.find(id);
-            if (!entry) continue;
-            if (const SceneObject* object = entry->object()) {
-                const SceneObject& before = scene.file.objects[places_.at(id)];
-                if (placement_of(*object) != placement_of(before))
-                    moves.push_back({places_.at(id), object->position, object->rotation_deg, object->scale});
-            } else if (entry->light() && !entry->hidden) {
-                scene.file.lights[light_places_.at(id)] = light_of(*entry);
-            }
-        }
-        scene.move(moves);
-        return moves.empty() ? Done::nothing : Done::moved;
+    const auto edits = changes.structure ? std::nullopt : edits_of(document, scene, changes.entries);
+    if (edits && scene.paint(edits->paints)) {
+        for (const EntryId id : edits->lights) scene.file.lights[light_places_.at(id)] = light_of(document.at(id));
+        scene.move(edits->moves);
+        return !edits->paints.empty() ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
     }
     Exported all = exported(document);
     std::vector<uint32_t> from;

@@ -1,6 +1,7 @@
 // The document's changes, carried over to the scene on the device.
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "18_playground/saving.h"
 #include "common/base/error.h"
@@ -9,14 +10,14 @@
 namespace lightwalk {
 
 // [live_scene]
-/// Updates a loaded scene from a document with minimal work: moves items; copies lights; other objects, models,
-/// materials and hidden entries go through Scene::replace_objects().
+/// Updates a loaded scene from a document with minimal work: moves and paints items; copies lights; other objects,
+/// models, textures and hidden entries go through Scene::replace_objects().
 class LiveScene {
   public:
     /// The scene shows this document from now on; it was loaded with exported(document).scene.
     void begin(Document& document, Scene& scene);
 
-    enum class Done { nothing, moved, replaced };
+    enum class Done { nothing, moved, painted, replaced };  ///< painted: others may have moved, too
     /// Throws InputError where a model or a texture cannot be read: the scene is as it was then.
     /// With `without`, models, textures and an environment that cannot be read are left out of the picture, not out of
     /// the document, and `without` says which and why.
@@ -34,7 +35,14 @@ class LiveScene {
     void number(const Exported& all);
     void leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& objects, const std::vector<uint32_t>& from,
                    const ModelLoader& loader, const std::function<void(const InputError&)>& note) const;
-    bool only_moved(const Document& document, const Scene& scene, const std::vector<EntryId>& entries) const;
+    /// Edits that need no other lists.
+    struct Edits {
+        std::vector<Scene::Move> moves;
+        std::vector<Scene::Paint> paints;
+        std::vector<EntryId> lights;
+    };
+    std::optional<Edits> edits_of(const Document& document, const Scene& scene,
+                                  const std::vector<EntryId>& entries) const;
     std::vector<EntryId> objects_, lights_;
     std::unordered_map<EntryId, uint32_t> places_, light_places_;
 };

@@ -83,8 +83,7 @@ SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
     material.opacity = item.material.opacity;
     material.blend = item.material.blend;
     // Textures of the model's own material, where the scene names no others.
-    const Model& model = item.model->model;
-    const Material& own = model.materials[model.meshes[item.mesh].parts[item.part].material];
+    const Material& own = own_material(item);
     for (size_t i = 0; i < map_slot_count; ++i)
         if (const MapSlotInfo& slot = map_slots()[i]; item.loaded_maps[i] && slot.from && own.*slot.from)
             material.maps.try_emplace(slot.name, (own.*slot.from).file);

@@ -54,11 +54,12 @@ Property of_object(const char* name, glm::vec3 SceneObject::*field) {
 
 template <class Value>
 Property of_material(const std::string& name, std::optional<Value> MaterialOverride::*field, Value otherwise,
-                     const std::function<const Material*(EntryId)>& own = {}, Value Material::*own_field = nullptr) {
+                     const std::function<const MaterialNumbers*(EntryId)>& own = {},
+                     Value MaterialNumbers::*own_field = nullptr) {
     return {name, has_model,
             [=](EntryId id, const Entry& entry) {
                 if (const auto& given = entry.object()->material.*field) return glm::vec3(*given);
-                const Material* material = own ? own(id) : nullptr;
+                const MaterialNumbers* material = own ? own(id) : nullptr;
                 return glm::vec3(material ? material->*own_field : otherwise);
             },
             [=](Entry& entry, const glm::vec3& value) {
@@ -110,9 +111,9 @@ const Property& object_property(const std::string& name) {
     return named(all, name);
 }
 
-Property material_property(const std::string& name, std::function<const Material*(EntryId)> own) {
+Property material_property(const std::string& name, std::function<const MaterialNumbers*(EntryId)> own) {
     using Override = MaterialOverride;
-    const Material plain;
+    const MaterialNumbers plain;
     if (name == "diffuse") return of_material(name, &Override::diffuse, plain.diffuse, own, &Material::diffuse);
     if (name == "specular") return of_material(name, &Override::specular, plain.specular, own, &Material::specular);
     if (name == "emissive") return of_material(name, &Override::emissive, plain.emissive, own, &Material::emissive);

@@ -29,7 +29,7 @@ const Property& object_property(const std::string& name);
 
 /// diffuse, specular, emissive, shininess, roughness, metalness or opacity of an object with a model. `own`: the model's
 /// own material, which holds where the object overrides nothing; null: not known.
-Property material_property(const std::string& name, std::function<const Material*(EntryId)> own);
+Property material_property(const std::string& name, std::function<const MaterialNumbers*(EntryId)> own);
 
 /// A number where there is little room: at most five digits, as many as fit; one where none do.
 std::string short_number(float value, const std::function<bool(const std::string&)>& fits);

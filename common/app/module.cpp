@@ -41,29 +41,24 @@ KnobList Module::all_knobs() const {
 
 void Module::forget_macros() {
     for (Module* module = this; module; module = module->owner_) {
-        module->variants_.clear();
-        module->macros_ = {};
+        module->macros_.reset();
         module->own_.clear();
     }
 }
 
 // Kept from frame to frame: a pass asks all of its modules, and their texts are hundreds.
 Macros Module::macros() const {
-    size_t count = 0;
-    bool same = true;
+    const auto same = [](const auto& one) { return one.first->variant() == one.second; };
+    if (macros_ && std::ranges::all_of(compiled_, same)) return *macros_;
+    macros_.emplace();
+    compiled_.clear();
     visit_own([&](const KnobBase& knob) {
-        same = same && count < variants_.size() && variants_[count] == knob.variant();
-        ++count;
+        if (knob.variants().empty()) return;
+        knob.add_macros(*macros_);
+        compiled_.emplace_back(&knob, knob.variant());
     });
-    if (same && count == variants_.size()) return macros_;
-    ++gpu_work.macro_lists;
-    macros_ = {};
-    variants_.clear();
-    visit_own([&](const KnobBase& knob) {
-        knob.add_macros(macros_);
-        variants_.push_back(knob.variant());
-    });
-    return macros_;
+    gpu_work.macro_lists += !compiled_.empty();
+    return *macros_;
 }
 
 // Member by member, the knob of that name. Both are mostly in one order: the search goes on behind the last one found.

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "common/app/knob.h"
 #include "common/gpu/given.h"
@@ -126,9 +127,9 @@ class Module : public Given {
     };
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
-    mutable Macros macros_;
-    mutable std::vector<size_t> variants_;      ///< of the knobs from which macros_ were made
-    mutable std::vector<const KnobBase*> own_;  ///< that visit_own() visits, once they were asked for
+    mutable std::optional<Macros> macros_;
+    mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< with variants; the ones in macros_
+    mutable std::vector<const KnobBase*> own_;                          ///< that visit_own() visits, once asked for
 };
 
 }  // namespace lightwalk

@@ -19,7 +19,7 @@ struct Crop {
 };
 
 /// Records passes in order and submits them at once. A pass that never ends is named.
-/// Large (37 functions, 25 members): what one command buffer records, and its targets.
+/// Large (38 functions, 25 members): what one command buffer records, and its targets.
 class Frame {
   public:
     explicit Frame(Gpu& gpu, const FrameWatch& watch = {});
@@ -74,6 +74,9 @@ class Frame {
     void upload(const std::string& name, Buffer& buffer, const std::vector<T>& items) {
         upload(name, buffer, std::as_bytes(std::span(items)));
     }
+    /// The same for parts of a buffer that was made before, from byte srcOffset of `bytes` to its own dstOffset each.
+    void upload(const std::string& name, const Buffer& buffer, std::span<const std::byte> bytes,
+                std::span<const VkBufferCopy> parts);
     /// The same for a view's first mip, all its layers, tightly packed; passes state the image as they did before.
     /// Throws Failure for another number of bytes.
     void upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels);

@@ -27,6 +27,19 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
     });
 }
 
+void Frame::upload(const std::string& name, const Buffer& buffer, std::span<const std::byte> bytes,
+                   std::span<const VkBufferCopy> parts) {
+    make_room();
+    const VkDescriptorBufferInfo from = recording().uploads.copy(bytes, 16);
+    gpu.uploaded_bytes += bytes.size();
+    transfer(name, {.reads = {}, .writes = {buffer}}, [&](Commands& commands) {
+        for (VkBufferCopy part : parts) {
+            part.srcOffset += from.offset;
+            commands.copy_buffer(from.buffer, buffer.handle, part);
+        }
+    });
+}
+
 void Frame::upload(const std::string& name, const ImageView& view, std::span<const std::byte> texels) {
     if (texels.size() != byte_count(view))
         throw Failure("upload of {} bytes into {}, which holds {}", texels.size(), view.name(), byte_count(view));

@@ -54,11 +54,10 @@ Pass::Pass(Frame& owner, const std::string& pass_name, Commands& frame_commands,
 Pass::Slot Pass::slot(std::string_view binding) const {
     Slot result;
     if (!pipeline_) return result;
-    for (const Binding& b : pipeline_->bindings)
-        if (b.used && b.name == binding) {
-            result.pipeline_ = pipeline_;
-            result.number_ = b.number;
-        }
+    const auto found = std::ranges::find(pipeline_->names, binding);
+    if (found == pipeline_->names.end()) return result;
+    result.pipeline_ = pipeline_;
+    result.number_ = static_cast<uint32_t>(found - pipeline_->names.begin());
     return result;
 }
 

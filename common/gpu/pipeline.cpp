@@ -237,6 +237,7 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     for (const Binding& binding : built->bindings) {
         if (!binding.used) break;
         entries.push_back({binding.number, binding.type, binding.count, binding.stages, nullptr});
+        built->names.push_back(binding.name);
         built->descriptors += binding.count;
     }
     built->pushes = built->descriptors <= device_.max_push_descriptors;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -73,7 +74,7 @@ struct TargetFormats {
 };
 
 /// One variant, built.
-/// Large (3 functions, 9 members): Vulkan's handles.
+/// Large (3 functions, 10 members): Vulkan's handles.
 struct BuiltPipeline {
     explicit BuiltPipeline(Device& device) : device_(device) {}
     ~BuiltPipeline();
@@ -81,9 +82,10 @@ struct BuiltPipeline {
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
-    std::vector<Binding> bindings;  ///< by number; those in use come first
-    uint32_t descriptors = 0;       ///< all elements of those in use
-    bool pushes = true;             ///< push descriptors; else the set of a pool
+    std::vector<Binding> bindings;        ///< by number; those in use come first
+    std::vector<std::string_view> names;  ///< of those in use
+    uint32_t descriptors = 0;             ///< all elements of those in use
+    bool pushes = true;                   ///< push descriptors; else the set of a pool
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
 

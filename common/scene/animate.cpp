@@ -1,17 +1,31 @@
 // Placement of a scene's items at a time, and the resulting updates to the device.
+#include <algorithm>
 #include <atomic>
 
-#include "common/scene/scene.h"
+#include "common/scene/item_material.h"
 
 namespace lightwalk {
 namespace {
 
-// Records the upload of instances from `first` on.
-void upload(VkCommandBuffer commands, const Buffer& buffer, size_t first, const std::vector<Instance>& data) {
-    constexpr size_t most = 65536 / sizeof(Instance);  // vkCmdUpdateBuffer takes 64 KiB
-    for (size_t at = 0; at < data.size(); at += most)
-        vkCmdUpdateBuffer(commands, buffer.handle, (first + at) * sizeof(Instance),
-                          std::min(most, data.size() - at) * sizeof(Instance), &data[at]);
+// Uploads the elements of a buffer that are marked, neighbours in one copy, and takes the marks off.
+template <class Make>
+void upload_marked(Frame& frame, const char* name, const Buffer& buffer, std::vector<bool>& marks, const Make& make) {
+    auto first = std::find(marks.begin(), marks.end(), true);
+    if (first == marks.end()) return;
+    using Element = decltype(make(0));
+    std::vector<Element> elements;
+    std::vector<VkBufferCopy> parts;
+    while (first != marks.end()) {
+        const auto last = std::find(first, marks.end(), false);
+        const auto place = static_cast<size_t>(first - marks.begin()), count = static_cast<size_t>(last - first);
+        parts.push_back({.srcOffset = elements.size() * sizeof(Element),
+                         .dstOffset = place * sizeof(Element),
+                         .size = count * sizeof(Element)});
+        for (size_t i = place; i < place + count; ++i) elements.push_back(make(i));
+        first = std::find(last, marks.end(), true);
+    }
+    frame.upload(name, buffer, std::as_bytes(std::span(elements)), parts);
+    marks.assign(marks.size(), false);
 }
 
 }  // namespace
@@ -70,21 +84,9 @@ void Scene::upload_moved(Frame& frame) {
         for (const auto& model : moving_models_)
             if (deforming_.contains(model.get())) deform_model(frame, *model, time_s_);
     to_deform_ = false;
-    const auto first = std::find(to_upload_.begin(), to_upload_.end(), true);
-    if (first == to_upload_.end()) return;
-    frame.transfer("instances", {.reads = {}, .writes = {instances}}, [&](VkCommandBuffer commands) {
-        std::vector<Instance> run;
-        for (size_t i = static_cast<size_t>(first - to_upload_.begin()); i <= items.size(); ++i) {
-            if (i < items.size() && to_upload_[i]) {
-                run.push_back(instance_of(items[i], i));
-            } else if (!run.empty()) {
-                upload(commands, instances, i - run.size(), run);
-                frame.gpu.uploaded_bytes += run.size() * sizeof(Instance);
-                run.clear();
-            }
-        }
-    });
-    to_upload_.assign(items.size(), false);
+    upload_marked(frame, "instances", instances, to_upload_, [&](size_t i) { return instance_of(items[i], i); });
+    upload_marked(frame, "materials", materials, to_paint_,
+                  [&](size_t i) { return material_data(items[i], file.emission); });
 }
 
 void Scene::find_batches() {

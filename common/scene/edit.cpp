@@ -1,35 +1,49 @@
-// Edits of a loaded scene: objects moved, added, removed and changed, without loading it again.
+// Edits of a loaded scene: objects moved, painted, added, removed and changed, without loading it again.
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "common/scene/item_material.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 namespace {
 
-bool same_material(const MaterialOverride& a, const MaterialOverride& b) {
-    return a.diffuse == b.diffuse && a.specular == b.specular && a.emissive == b.emissive &&
-           a.shininess == b.shininess && a.opacity == b.opacity && a.roughness == b.roughness &&
-           a.metalness == b.metalness && a.blend == b.blend && a.two_sided == b.two_sided && a.maps == b.maps;
+// A number of the scene's own replaces the model's map of metalness and roughness.
+bool replaces_map(const MaterialOverride& m) { return m.roughness || m.metalness || m.specular || m.shininess; }
+
+bool same_maps(const MaterialOverride& a, const MaterialOverride& b) {
+    return a.maps == b.maps && replaces_map(a) == replaces_map(b);
+}
+
+// True where nothing differs that batches, variants of shaders, holes or tables of substances depend on.
+bool differ_in_numbers(const DrawItem& a, const DrawItem& b) {
+    return a.transparent == b.transparent && a.two_sided == b.two_sided && a.material.blend == b.material.blend &&
+           a.material.microfacets == b.material.microfacets &&
+           (a.material.opacity < 1.0f) == (b.material.opacity < 1.0f) && (a.roughness < 0) == (b.roughness < 0) &&
+           (a.metalness < 0) == (b.metalness < 0);
 }
 
 bool same_role(const GivenRole& a, const GivenRole& b) { return a.object == b.object && a.materials == b.materials; }
 
 }  // namespace
 
+// Of each object, once after each load.
+void Scene::find_items() {
+    if (!first_item_.empty()) return;
+    first_item_.assign(objects_.size() + 1, 0);
+    for (const DrawItem& item : items) ++first_item_[item.object + 1];
+    for (size_t i = 1; i < first_item_.size(); ++i) first_item_[i] += first_item_[i - 1];
+    items_of_.resize(items.size());
+    std::vector<uint32_t> next = first_item_;
+    for (uint32_t i = 0; i < items.size(); ++i) items_of_[next[items[i].object]++] = i;
+}
+
 // [move]
 void Scene::move(std::span<const Move> moves) {
     if (moves.empty()) return;
-    if (first_item_.empty()) {  // items of each object, found once after each load
-        first_item_.assign(objects_.size() + 1, 0);
-        for (const DrawItem& item : items) ++first_item_[item.object + 1];
-        for (size_t i = 1; i < first_item_.size(); ++i) first_item_[i] += first_item_[i - 1];
-        items_of_.resize(items.size());
-        std::vector<uint32_t> next = first_item_;
-        for (uint32_t i = 0; i < items.size(); ++i) items_of_[next[items[i].object]++] = i;
-    }
+    find_items();
     std::vector<bool> moved(objects_.size(), false);
     size_t first = objects_.size();
     for (const Move& one : moves) {
@@ -62,6 +76,31 @@ void Scene::move(std::span<const Move> moves) {
 }
 // [/move]
 
+// [paint]
+// The same items with other numbers; their places in lists and batches stay.
+bool Scene::paint(std::span<const Paint> paints) {
+    if (paints.empty()) return true;
+    find_items();
+    std::vector<std::pair<uint32_t, DrawItem>> all;
+    for (const Paint& one : paints) {
+        if (!same_maps(file.objects.at(one.object).material, one.material)) return false;
+        for (uint32_t at = first_item_[one.object]; at < first_item_[one.object + 1]; ++at) {
+            const DrawItem& before = items[items_of_[at]];
+            DrawItem& now = all.emplace_back(items_of_[at], before).second;
+            set_material(now, one.material, file.bare);
+            if (!differ_in_numbers(before, now)) return false;
+        }
+    }
+    for (const Paint& one : paints) file.objects[one.object].material = one.material;
+    for (auto& [place, item] : all) {
+        items[place] = std::move(item);
+        to_paint_[place] = true;
+    }
+    painted = next_placement();
+    return true;
+}
+// [/paint]
+
 // [replace_objects]
 // First all that may fail, with the old lists aside; then items are moved from the old list to the new one, and copied where
 // several objects take theirs from the same one.
@@ -77,7 +116,7 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
     for (uint32_t i = 0; i < old_items.size(); ++i) place_of[next[old_items[i].object]++] = i;
     const auto alike = [&](size_t old, const SceneObject& object) {
         return first[old] != first[old + 1] && old_objects[old].model.native() == object.model.native() &&
-               old_objects[old].ground == object.ground && same_material(old_objects[old].material, object.material) &&
+               old_objects[old].ground == object.ground && old_objects[old].material == object.material &&
                same_role(old_objects[old].role, object.role);
     };
     struct Source {
@@ -138,7 +177,7 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
     }
     const bool loads = !loaded.empty();
     if (loads)
-        for (DrawItem& item : items) item.maps = item.loaded_maps;
+        for (DrawItem& item : items) static_cast<MapImages&>(item.maps) = item.loaded_maps;
     std::erase_if(moving_models_, [&](const std::shared_ptr<GpuModel>& model) {
         return std::none_of(items.begin(), items.end(), [&](const DrawItem& item) { return item.model == model; });
     });

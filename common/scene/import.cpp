@@ -81,7 +81,7 @@ void set_colors(const std::vector<glm::vec4>& colors, Model& model) {
         mesh.colors[mesh.indices[i]] = glm::vec4(srgb_to_linear(colors[i].r), srgb_to_linear(colors[i].g),
                                                  srgb_to_linear(colors[i].b), colors[i].a);
     for (Material& material : model.materials) {
-        material = {.name = material.name};
+        material = {{.name = material.name}};
         material.diffuse = glm::vec3(1);
     }
 }

@@ -47,8 +47,9 @@ struct TextureMap {
 
 enum class Sides { unknown, front, both };
 
-/// Colours are linear, in [0, 1] where physical; maps multiply them.
-struct Material {
+/// A material without its maps: each item of a scene holds one. Colours are linear, in [0, 1] where physical; maps
+/// multiply them.
+struct MaterialNumbers {
     std::string name;
     glm::vec3 ambient{0.0f}, diffuse{0.8f}, specular{0.0f}, emissive{0.0f};  ///< Ka Kd Ks Ke
     float shininess = 32.0f;                                                 ///< Ns, Blinn–Phong exponent, 0 to 1000
@@ -64,6 +65,9 @@ struct Material {
     bool unlit = false;               ///< shows its diffuse colour, unlit
     float normal_scale = 1, occlusion_strength = 1;
     int illumination = 2;  ///< illum, 0 to 10
+};
+
+struct Material : MaterialNumbers {
     TextureMap diffuse_map, specular_map, ambient_map, emissive_map, shininess_map, opacity_map;
     TextureMap bump_map, normal_map, displacement_map, roughness_map, metalness_map;
     std::vector<std::string> left_out;                 ///< properties of the file that are not used

@@ -41,11 +41,14 @@ const std::array<MapSlotInfo, map_slot_count>& map_slots();
 std::optional<TextureUse> texture_use(const Material& material, MapSlot slot);
 
 /// A texture for each slot; null if the material has none.
-struct MaterialMaps : std::array<std::shared_ptr<Image>, map_slot_count> {
+struct MapImages : std::array<std::shared_ptr<Image>, map_slot_count> {
     using array::operator[];
     std::shared_ptr<Image>& operator[](MapSlot slot) { return (*this)[static_cast<size_t>(slot)]; }
     const std::shared_ptr<Image>& operator[](MapSlot slot) const { return (*this)[static_cast<size_t>(slot)]; }
+};
 
+/// Textures, with their places and samplers.
+struct MaterialMaps : MapImages {
     /// MaterialData::maps: DIFFUSE_MAP and so on.
     uint32_t bits() const;
 

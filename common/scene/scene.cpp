@@ -7,33 +7,10 @@
 
 #include "common/base/error.h"
 #include "common/scene/bare.h"
+#include "common/scene/item_material.h"
 
 namespace lightwalk {
 namespace {
-
-Material overridden(Material material, const MaterialOverride& with) {
-    if (with.diffuse) material.diffuse = *with.diffuse;
-    if (with.specular) material.specular = *with.specular;
-    if (with.emissive) material.emissive = *with.emissive;
-    if (with.shininess) material.shininess = *with.shininess;
-    if (with.opacity) material.opacity = *with.opacity;
-    if (with.blend) material.blend = *with.blend;
-    return material;
-}
-
-MaterialData material_data(const DrawItem& item, float emission) {
-    return {.diffuse = item.material.diffuse,
-            .shininess = item.material.shininess,
-            .specular = item.material.specular,
-            .opacity = item.material.opacity,
-            .emissive = emission * item.material.emissive,
-            .maps = item.maps.bits(),
-            .roughness = item.roughness,
-            .metalness = item.metalness,
-            .alpha_cutoff = item.material.alpha_cutoff,
-            .normal_scale = item.material.normal_scale,
-            .occlusion_strength = item.material.occlusion_strength};
-}
 
 std::vector<MapPlacement> placements_of(const std::vector<DrawItem>& items) {
     std::vector<MapPlacement> placements(1);
@@ -128,8 +105,10 @@ void Scene::place_and_upload(Gpu& gpu) {
     to_upload_.assign(items.size(), false);
     instances = gpu.upload("instances", instance_data);
     materials = gpu.upload("materials", numbers);
+    to_paint_ = to_upload_;
     placements = gpu.upload("placements", placements_of(items));
     first_item_.clear();
+    ++lists_made;
 }
 
 void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
@@ -160,24 +139,11 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
                 item.part = part;
                 item.node = node;
                 item.object = static_cast<uint32_t>(object);
-                const Material& own = model.materials[model.meshes[mesh].parts[part].material];
-                item.material = overridden(own, from.material);
+                const Material& own = own_material(item);
                 item.role = roles.of(object, own.name);
-                const bool says_alpha = own.alpha_cutoff >= 0.0f && !from.material.opacity;
-                item.transparent = item.material.blend || (item.material.opacity < 1.0f && !says_alpha);
-                // A specular colour or an exponent of the scene's own says all of it.
-                const bool classic =
-                    from.material.specular || from.material.shininess || (own.has_exponent && !file.bare);
-                const bool rough = own.metallic_roughness && !classic;
-                item.material.microfacets = own.microfacets && !classic;
-                item.roughness = from.material.roughness.value_or(rough ? own.roughness : -1.0f);
-                item.metalness = from.material.metalness.value_or(rough ? own.metalness : -1.0f);
-                item.two_sided = own.sides == Sides::both ||
-                                 (own.sides == Sides::unknown && from.material.two_sided.value_or(false));
-                item.maps = item.loaded_maps = load_maps(*images_, own, from.material, warned_);
-                // A map that is left out emits nothing: its factor alone would be a lamp.
-                if (own.emissive_map && !item.maps[MapSlot::emissive] && !from.material.emissive)
-                    item.material.emissive = glm::vec3(0.0f);
+                item.maps = load_maps(*images_, own, from.material, warned_);
+                item.loaded_maps = item.maps;
+                set_material(item, from.material, file.bare);
             }
 }
 

@@ -21,12 +21,15 @@ struct DrawItem {
     /// opacity map or alpha texture stays opaque.
     bool transparent = false;
     MaterialMaps maps;
-    MaterialMaps loaded_maps;  ///< as the pool has them: modules may put others into `maps`
-    Material material;
+    MapImages loaded_maps;  ///< as the pool has them: modules may put others into `maps`
+    MaterialNumbers material;
     Role role = Role::plain;
     float roughness = -1, metalness = -1;  ///< instead of a map's; below 0: neither scene nor model says
     bool two_sided = false;                ///< its back is drawn, too
 };
+
+/// The model's material, with its maps.
+const Material& own_material(const DrawItem& item);
 
 /// Its data for shaders; `index` is its position in Scene::items.
 Instance instance_of(const DrawItem& item, size_t index);
@@ -42,7 +45,7 @@ struct Sun {
     bool operator==(const Sun&) const = default;
 };
 
-/// Large (32 functions, 27 members): what shaders and drawings ask of a scene.
+/// Large (34 functions, 30 members): what shaders and drawings ask of a scene.
 class Scene : public Drawable {
   public:
     SceneFile file;
@@ -59,7 +62,7 @@ class Scene : public Drawable {
     /// Loads models and textures and places them as at 0 s. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
-    // Edits of a loaded scene. Both count as a placement (`placed`).
+    // Edits of a loaded scene.
 
     /// Where an object stands in its parent's space.
     struct Move {
@@ -69,6 +72,14 @@ class Scene : public Drawable {
 
     /// Places these objects and their children; upload_moved() tells the device.
     void move(std::span<const Move> moves);
+
+    /// Gives objects other materials of the same textures, ways of shading and kinds of transparency: only numbers
+    /// differ, and no list is made. upload_moved() tells the device. False, without any change, for other materials.
+    struct Paint {
+        uint32_t object;  ///< of file.objects
+        MaterialOverride material;
+    };
+    bool paint(std::span<const Paint> paints);
 
     /// Replaces the objects. `from`: for each its index in file.objects before, or `new_object`. Objects with the
     /// same model, material and role are not loaded again; other models and textures come from the pools. Throws
@@ -106,7 +117,13 @@ class Scene : public Drawable {
     /// placements.
     uint64_t placed = 0;
 
-    /// Records the upload of the instances that animate() has moved since the last one; nothing if none has moved.
+    /// Changes whenever paint() changes a material; a key for pictures of the scene, with `placed`.
+    uint64_t painted = 0;
+
+    uint64_t lists_made = 0;  ///< times that batches, instances and materials were made from all items
+
+    /// Records the upload of the instances that have moved since the last one, and of materials that were painted;
+    /// nothing if there are none.
     void upload_moved(Frame& frame);
 
     Buffer instances, materials, placements;  ///< placements: MAP_COUNT for each item, where one is not plain
@@ -141,6 +158,7 @@ class Scene : public Drawable {
     void place_objects(float time_s);
     void sort_items();
     void find_batches();
+    void find_items();
     std::vector<Placed> objects_;
     std::vector<uint32_t> first_item_, items_of_;  ///< of each object; its items are those from its first to the next's
     float time_s_ = 0;
@@ -151,7 +169,7 @@ class Scene : public Drawable {
     std::set<const GpuModel*> deforming_;  ///< the ones with meshes to deform
     bool to_deform_ = false;
     std::vector<uint32_t> moving_items_, batch_of_;
-    std::vector<bool> to_upload_;
+    std::vector<bool> to_upload_, to_paint_;
     size_t first_transparent_ = 0;
     ModelPool models_;
     std::unique_ptr<ImagePool> images_;

@@ -82,6 +82,7 @@ struct MaterialOverride {
     std::optional<bool> blend;
     std::optional<bool> two_sided;                      ///< for materials that leave it open
     std::map<std::string, std::filesystem::path> maps;  ///< by slot, such as "normal" or "height"
+    bool operator==(const MaterialOverride&) const = default;
 };
 
 struct SceneObject {

@@ -1,0 +1,84 @@
+// Unchanged parts of a scene: lists after a new colour, knobs of a frame at rest.
+#include <nlohmann/json.hpp>
+
+#include "driven_editor.h"
+#include "shown_scene.h"
+
+using namespace lightwalk;
+
+namespace {
+
+/// A setting that counts how often it is asked for its text.
+struct Asked : Knob<int> {
+    explicit Asked(Module& of) : Knob(of, "asked", 1, {0, 1 << 30}, "A number") {}
+    std::string text() const override {
+        ++texts;
+        return Knob::text();
+    }
+    mutable int texts = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a new colour makes no list and loads nothing; another kind of surface does", "[18.painted]") {
+    Shown shown;
+    const EntryId a = add_object(shown.document, named("a", ball_file)),
+                  b = add_object(shown.document, named("b", quad_file));
+    REQUIRE(shown.update() == LiveScene::Done::replaced);
+    const auto edit = [&](EntryId id, const auto& change) {
+        shown.document.begin("material");
+        change(shown.document.edit(id).object()->material);
+        shown.document.commit();
+        const uint64_t lists = shown.scene.lists_made, placed = shown.scene.placed, painted = shown.scene.painted;
+        const LiveScene::Done done = shown.update();
+        Scene fresh;
+        fresh.load(shown.gpu, exported(shown.document).scene, test_model);
+        CHECK(items_of(shown.scene) == items_of(fresh));
+        const bool only_painted = done == LiveScene::Done::painted;
+        CHECK(shown.scene.lists_made == lists + !only_painted);
+        CHECK((shown.scene.placed == placed) == only_painted);
+        CHECK((shown.scene.painted != painted) == only_painted);
+        CHECK(shown.live.loads != only_painted);
+        // As the device has it after a frame.
+        Frame frame(shown.gpu);
+        TestScene::begin(frame);
+        shown.scene.upload_moved(frame);
+        frame.end();
+        CHECK(shown.gpu.read_back(shown.scene.materials) == shown.gpu.read_back(fresh.materials));
+        return done;
+    };
+    using Material = MaterialOverride;
+    CHECK(edit(a, [](Material& m) { m.diffuse = glm::vec3(0.25f, 0, 0); }) == LiveScene::Done::painted);
+    CHECK(edit(b, [](Material& m) { m.emissive = glm::vec3(1, 2, 3); }) == LiveScene::Done::painted);
+    CHECK(edit(b, [](Material& m) { m.opacity = 0.5f; }) == LiveScene::Done::replaced);
+    CHECK(edit(b, [](Material& m) { m.opacity = 0.75f; }) == LiveScene::Done::painted);
+    CHECK(edit(b, [](Material& m) { m.opacity = 1; }) == LiveScene::Done::replaced);
+    CHECK(edit(a, [](Material& m) { m.roughness = 0.5f; }) == LiveScene::Done::replaced);
+    CHECK(edit(a, [](Material& m) { m.roughness = 0.75f; }) == LiveScene::Done::painted);
+    CHECK(edit(a, [](Material& m) { m.shininess = 7; }) == LiveScene::Done::painted);
+    CHECK(edit(a, [](Material& m) { m.two_sided = true; }) == LiveScene::Done::replaced);
+}
+
+TEST_CASE("a frame at rest asks no setting for its text; numbers and choices that change are the document's",
+          "[18.settings]") {
+    Playground chapter;
+    chapter.name = "18_playground";
+    Asked asked(chapter);
+    Gpu& gpu = check_device();
+    load_scene(chapter, gpu, "models/cube.obj");
+    Frame frame(gpu);
+    const auto draw = [&] { render(chapter, frame, {{16, 16}, 0, 0, {}}); };
+    draw();
+    draw();
+    const int before = asked.texts;
+    draw();
+    draw();
+    CHECK(asked.texts == before);
+    asked.value = 2;
+    draw();
+    CHECK(chapter.editor.document.settings().knobs.at("asked") == "2");
+    chapter.show.set("ids");  // no setting
+    chapter.objects.maps.method.set("flat");
+    draw();
+    CHECK(chapter.editor.document.settings().knobs.at("maps.method") == "flat");
+}
