@@ -78,11 +78,11 @@ TEST_CASE_METHOD(OnPaint, "paint below its coat shows n·l of a light, as matt w
         for (const double v : {0.95, 0.5}) {
             INFO("n.l " << l << ", n.v " << v);
             const glm::vec3 to_sun = at(l, {0, 1, 0}), eye = at(v, {1, 0, 0});
-            const double white = shown({.name = "chalk", .diffuse = glm::vec3(1)}, to_sun, eye);
-            const double paint = shown({.name = "paint", .shininess = 1000}, to_sun, eye);
+            const double white = shown({{.name = "chalk", .diffuse = glm::vec3(1)}}, to_sun, eye);
+            const double paint = shown({{.name = "paint", .shininess = 1000}}, to_sun, eye);
             CHECK(white > 0);
             CHECK(white ==
-                  Approx(l * shown({.name = "chalk", .diffuse = glm::vec3(1)}, {0, 0, 1}, eye)).epsilon(0.005));
+                  Approx(l * shown({{.name = "chalk", .diffuse = glm::vec3(1)}}, {0, 0, 1}, eye)).epsilon(0.005));
             CHECK(paint == Approx(0.5 * through(l) * through(v) * white).epsilon(0.01));
         }
 }
