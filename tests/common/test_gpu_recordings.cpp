@@ -138,21 +138,20 @@ TEST_CASE("a buffer that took the place of another one is bound, though its hand
     Gpu gpu(silent);
     Sums sums(gpu);
     for (uint32_t i = 0; i < 4; ++i) sums.frame_of(i);
-    int again = 0;
     for (sums.each = 8; sums.each < 14; ++sums.each) {
         const VkBuffer handle = sums.values.handle;
+        const uint64_t before = gpu.device.destroyed();
         sums.values = Buffer();
-        std::vector<Buffer> others;
+        CHECK(gpu.device.destroyed() > before);
+        std::vector<Buffer> others;  // until an allocator gives the handle back, if it does
         while (sums.values.handle != handle && others.size() < 100) {
             others.push_back(std::move(sums.values));
             sums.values = gpu.upload("values", std::vector<uint32_t>(10, sums.each));
         }
-        again += sums.values.handle == handle;
         CHECK(sums.recorded_for(1) == 1);
         for (uint32_t i = 0; i < 3; ++i) sums.recorded_for(i);
         CHECK(sums.recorded_for(2) == 0);
     }
-    if (gpu.device.software()) CHECK(again > 0);
 }
 
 TEST_CASE("pipelines that another thread destroyed are bound anew, though their handles may be the same",
