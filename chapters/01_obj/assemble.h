@@ -46,9 +46,10 @@ inline uint32_t relative_index(int64_t from_piece_start) {
 }
 
 /// Joins the pieces, in their order, on up to `threads` threads: names, absolute indices, triangles. A single piece's
-/// arrays become the result's. Returns false where an index is out of range. A uv or a normal beyond the last one becomes `none`, and `absent` true. Triangles
-/// and convex quadrilaterals are cut here, other polygons by the exercise triangulate. Throws InputError where cutting
-/// takes more than CuttingTime allows; `name` stands for the file in messages.
+/// arrays become the result's. Returns false where an index is out of range. A uv or a normal beyond the last one
+/// becomes `none`, and `absent` true. Triangles and convex quadrilaterals are cut here, other polygons by the exercise
+/// triangulate. Throws InputError where cutting takes more than CuttingTime allows; `name` stands for the file in
+/// messages.
 bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent);
 
 /// Total time allowed for cutting a file's larger polygons. Spirals have few ears, and a student's version may search
