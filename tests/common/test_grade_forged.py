@@ -1,5 +1,6 @@
 """Submissions that read the reference, that answer for the checks, or that fake a machine fault; and a real one."""
 
+import contextlib
 import json
 import os
 import re
@@ -229,7 +230,7 @@ class Hoard(unittest.TestCase):
         for user in [[]] + ([["setpriv", "--reuid=1234", "--regid=1234", "--clear-groups"]] if os.geteuid() == 0 else []):
             grader = subprocess.Popen([*user, "/usr/bin/python3", "-c", script, forgets], stdout=subprocess.PIPE, cwd="/")
             grader.stdout.readline()
-            self.assertTrue(self.running(forgets))
+            self.assertGreater(len(self.running(forgets)), 1)
             grader.kill()
             grader.communicate()
             for _ in range(100):
@@ -240,14 +241,12 @@ class Hoard(unittest.TestCase):
 
     @staticmethod
     def running(script: str) -> list[str]:
+        """Whoever was started with the script, on its way into the sandbox too: nobody is seen before and is there after."""
         found = []
         for process in Path("/proc").glob("[0-9]*"):
-            try:
-                words = (process / "cmdline").read_bytes().split(b"\0")
-            except OSError:
-                continue
-            if words[-2:-1] == [script.encode()] and words[0].endswith(b"python3") and b"-c" in words[:2]:
-                found.append(process.name)
+            with contextlib.suppress(OSError):
+                if script.encode() in (process / "cmdline").read_bytes().split(b"\0"):
+                    found.append(process.name)
         return found
 
     def test_what_a_program_prints_is_no_fault_of_the_sandbox(self):
