@@ -23,6 +23,12 @@ void* operator new(size_t bytes) {
     if (void* const block = std::malloc(bytes ? bytes : 1)) return block;
     throw std::bad_alloc();
 }
+// Sanitizers have one of their own, whose blocks the operators below could not free.
+void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
+    ++blocks_taken;
+    bytes_taken += bytes;
+    return std::malloc(bytes ? bytes : 1);
+}
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, size_t) noexcept { std::free(block); }
 

@@ -24,7 +24,7 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test                  what a person runs before a commit, and a CI on each
   ./course test --all            everything, as before a release
   ./course test shot.02          the tests whose name matches this regular expression
-  ./course test --sanitize       these tests, then all but those of windows with the address and undefined-behaviour sanitizers
+  ./course test --sanitize       these tests, then those without windows and texts once more under the sanitizers (addresses, undefined behaviour)
   ./course test -L window        other options are passed to ctest
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --on trixie      ./course run, docs, serve and test on a bare Debian 13, in a container in build/on/trixie;
@@ -36,6 +36,7 @@ charts, equal methods, random scenes, sites, shards, what is kept from frame to 
 another with each commit. The last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
+STUDIES = ["-LE", "study"]
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
 LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox)$"
@@ -55,7 +56,7 @@ def add_arguments(parser):
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
-    parser.add_argument("--sanitize", action="store_true", help="also run all but window tests and studies with the sanitizers")
+    parser.add_argument("--sanitize", action="store_true", help="then run those without windows and texts once more under the sanitizers")
 
 
 def run(arguments, rest) -> int:
@@ -94,7 +95,7 @@ def run(arguments, rest) -> int:
     runs = [run_ctest(folder, results / "tests.xml", options)]
     if arguments.sanitize:
         say("\nunder the sanitizers:")
-        folder, options = build_for(SANITIZED + ([] if in_part else selection), of_shard, "sanitizer")
+        folder, options = build_for(SANITIZED + (selection[len(STUDIES):] if in_part else selection), of_shard, "sanitizer")
         runs.append(run_ctest(folder, results / "sanitizer.xml", options))
     if file:
         return test_shards.write(file, arguments.shard, results, runs, rest)
@@ -122,7 +123,7 @@ def part() -> list[str]:
         turn, share = 0, 0
     others = [chapter[:2] for i, chapter in enumerate(chapters()) if i % SHARE != share]
     waiting = "|".join(tests for i, tests in enumerate(TURNS) if i != turn)
-    return ["-LE", "study", "-E", LEFT_OUT + rf"|\.({waiting})$" + (rf"|^variants\.({'|'.join(others)})$" if others else "")]
+    return [*STUDIES, "-E", LEFT_OUT + rf"|\.({waiting})$" + (rf"|^variants\.({'|'.join(others)})$" if others else "")]
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
