@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -128,7 +129,7 @@ class SharedReply : public GuardReply {
     void append(std::string_view bytes) override {
         if (bytes.size() > most_ - count_) throw std::bad_alloc();
         if (count_ == 0) end_memory_limit();  // `most` bounds this mapping
-        std::memcpy(shared_.reach(from_ + count_ + bytes.size()) + from_ + count_, bytes.data(), bytes.size());
+        std::ranges::copy(bytes, shared_.reach(from_ + count_ + bytes.size()) + from_ + count_);
         count_ += bytes.size();
     }
     void replace(std::string_view bytes) {
