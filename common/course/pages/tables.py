@@ -13,7 +13,7 @@ those of each column, then a line for each row; the first column stays as it is.
     | letters | 0.131 | 0.078 |
 
 A cell is the point that `scene`, `method` and knobs select. It shows `value`: an error's name; `ms`, the median time, or
-`ms.PASS` that of passes (joined by +); `VALUE over METHOD` its ratio to that method's in the same scene, `VALUE less METHOD`
+`ms.PASS` that of passes (joined by +, or all that begin so: post*); `VALUE over METHOD` its ratio to that method's in the same scene, `VALUE less METHOD`
 its difference; a path that begins with / within the file, instead of a point, where an entry of a list is called by its
 number, `name` or `to` (`missing` is shown where it leads to nothing). $KEY is the KEY of the row; `name` and `pass` are for that
 alone. `file` is another JSON file, for one column. `format` is Python's, and `.3s` three significant digits, which is the rule where none is given. `cell` is a text with
@@ -26,12 +26,15 @@ A number in running text is followed by its source, and is right where the sourc
 
     within 0.0034<!-- figure: docs/studies/19_ambiance.lavapipe.json#scene=even keys; method=arc_length; value=flip_mean -->
 
-`tolerance=5%` allows more. Sources that are commands are read by ./course figures (test/figures.py).
+`tolerance=5%` allows more. In a path, `*` is the mean over a list, and names joined by + are a sum. A constant's source is a
+line of the code, in which {} stands for the number: common/window/sound_player.cpp#fade_s = {}; scale=1000. Sources that are
+commands are read by ./course figures (test/figures.py).
 """
 
 import functools
 import json
 import re
+import statistics
 from decimal import Decimal
 from pathlib import Path
 
@@ -44,6 +47,7 @@ PLACEHOLDER = re.compile(r"\{([^}:]+)(?::([^}]*))?\}")
 OWN = ("scene", "method", "value", "format", "cell", "join", "bold", "only", "tolerance", "scale", "file", "missing",
        "name", "pass")
 BETWEEN = re.compile(r"\s+(over|less)\s+")
+NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
 
 
 @functools.cache
@@ -99,7 +103,13 @@ def points(study: dict, wanted: dict[str, str]) -> list[dict]:
 
 def at_path(study, path: str):
     """What a path such as /scenes/dawn/ms leads to."""
-    for key in path[1:].split("/"):
+    keys = path[1:].split("/")
+    for i, key in enumerate(keys):
+        rest = "".join("/" + one for one in keys[i + 1:])
+        if key == "*":
+            return statistics.mean(at_path(one, rest) if rest else one for one in study)
+        if isinstance(study, list) and "+" in key:
+            return sum(at_path(study, f"/{name}{rest}") for name in key.split("+"))
         try:
             if isinstance(study, list) and not key.isdigit():
                 study = next(one for one in study if key in (one.get("name"), one.get("to")))
@@ -126,6 +136,8 @@ def value_of(study: dict, point: dict, name: str) -> float:
         return point["time_ms"]["median"]
     if name.startswith("ms."):
         passes = point["time_ms"].get("once", {}) | point["time_ms"]["per_pass"]
+        if name.endswith("*"):
+            return sum(ms for one, ms in passes.items() if one.startswith(name[3:-1]))
         return passes[name[3:]] if name[3:] in passes else sum(passes[part] for part in name[3:].split("+"))
     for place in (point.get("error", {}), point):
         if name in place:
@@ -268,19 +280,38 @@ def figures(text: str) -> list[tuple[int, str, str, str]]:
             for match in FIGURE.finditer(text)]
 
 
+def printed(text: str, pattern: str) -> float | None:
+    """The number that stands for {} in a line of the text; None where no line is like the pattern."""
+    parts = [r"\s+".join(map(re.escape, part.split())) for part in pattern.split("{}")]
+    match = re.search(rf"\s*{NUMBER}\s*".join(parts) if len(parts) == 2 else pattern, text)
+    return float(match[1]) if match else None
+
+
+def found_in(file: str, rest: str) -> tuple[float, dict[str, str]]:
+    """What a source's file has, and the source's options. Raises Failure where it has nothing."""
+    if not file.endswith(".json"):
+        pattern, _, options = rest.partition(";")
+        wanted, path = selection(options), ROOT / file
+        found = printed(path.read_text(), pattern.strip()) if path.is_file() else None
+        if found is None:
+            raise Missing(f"{file} has no such line")
+    else:
+        wanted, study = selection(rest), load(file)
+        point = points(study, wanted)[0] if not wanted.get("value", "").startswith("/") else {}
+        found = value_of(study, point, wanted.get("value", "flip_mean"))
+    return float(wanted.get("scale", 1)) * found, wanted
+
+
 def check_figures(lesson: Path) -> list[str]:
-    """Numbers in running text with a JSON file as their source."""
+    """Numbers in running text with a file as their source."""
     wrong = []
     text = (ROOT / lesson).read_text()
     for line, number, unit, source in figures(text):
-        file, hash_, rest = source.partition("#")
-        if not file.endswith(".json"):
+        file, _, rest = source.partition("#")
+        if file.startswith("build/"):
             continue
         try:
-            wanted = selection(rest)
-            study = load(file)
-            point = points(study, wanted)[0] if not wanted.get("value", "").startswith("/") else {}
-            found = float(wanted.get("scale", 1)) * value_of(study, point, wanted.get("value", "flip_mean"))
+            found, wanted = found_in(file, rest)
         except (Failure, KeyError, TypeError, ValueError) as error:
             wrong.append(f"{lesson}:{line}: {source}: {error}")
             continue

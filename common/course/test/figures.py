@@ -1,6 +1,6 @@
 """Runs the commands that lessons name, and compares their output with the lessons.
 
-Three kinds of figures: tables and numbers whose source is a JSON file (pages/tables.py); tests that a lesson names
+Three kinds of figures: tables and numbers whose source is a file (pages/tables.py); tests that a lesson names
 (check/lesson_tests.py), whose output is printed beside the lesson's line; and numbers whose source is such a command,
 
     0.0004<!-- figure: build/tests/test_08_bloom "[08.flicker]"#sigma 8 pingpong flicker: brightness {} -->
@@ -33,7 +33,6 @@ commands that any page prints for it, and draws those that set something. A line
 not what was found, or a command is refused, and the exit code is then 1. Studies that measured an earlier version of the
 chapter's code are listed at the end."""
 
-NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
 INTERESTING = re.compile(r"^(Filters:|=+$|All tests passed|\s*$)")
 
 
@@ -97,7 +96,7 @@ def check(lesson: Path, only_list: bool) -> int:
         if command not in outputs:
             outputs[command] = ran(command)
         output = outputs[command][0]
-        found, wanted = printed(output, pattern.strip()), tables.selection(options)
+        found, wanted = tables.printed(output, pattern.strip()), tables.selection(options)
         found = None if found is None else float(wanted.get("scale", 1)) * found
         right = found is not None and tables.agrees(number, found, wanted.get("tolerance", ""))
         say(f"{'' if right else 'WRONG '}{lesson}:{line}: the text says {number}{unit}, "
@@ -146,13 +145,6 @@ def ran(command: str) -> tuple[str, int]:
                           text=True, errors="replace")
     none = "No test" in done.stdout and "No tests ran" in done.stdout
     return done.stdout, done.returncode or (4 if none else 0)
-
-
-def printed(output: str, pattern: str) -> float | None:
-    """The number that stands for {} in a line of the output; None where no line is like the pattern."""
-    parts = [r"\s+".join(map(re.escape, part.split())) for part in pattern.split("{}")]
-    match = re.search(rf"\s*{NUMBER}\s*".join(parts) if len(parts) == 2 else pattern, output)
-    return float(match[1]) if match else None
 
 
 def test_of(chapter: str) -> list[str]:
