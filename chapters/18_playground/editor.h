@@ -26,8 +26,8 @@ class Editor {
     uint64_t gesture = 1;  ///< another one for each press of a button or key
     std::string notice;    ///< message to the person; empty: none
 
-    /// A scene was loaded: a new document. Where a scene was loaded again, and the document has changes that are not saved
-    /// or is that of another file, it stays, and update() brings it into the scene.
+    /// A scene was loaded: a new document. Where a scene was loaded again, and the document has changes that are not
+    /// saved or is that of another file, it stays, and update() brings it into the scene.
     void loaded(Chapter& chapter);
 
     /// Opens the document's scene in the chapter. Throws InputError, with nothing changed. `give`: fills the new
@@ -61,7 +61,7 @@ class Editor {
     /// An item of the scene, from picking. `add`: toggles it in the selection.
     void select_item(const Scene& scene, std::optional<uint32_t> item, bool add);
     std::optional<EntryId> light_at(const View& view, glm::vec2 cursor_px) const;
-    std::vector<uint32_t> selected_items(const Scene& scene) const;  ///< 1 for each item that is
+    std::vector<uint32_t> selected_items(const Scene& scene) const;  ///< 1 and on, or 0 if it is not
     Bounds selected_bounds(const Scene& scene) const;                ///< empty where nothing is selected
     void remove_selected();
     void group_selected(const Scene& scene);  ///< about the middle of their drawn bounds

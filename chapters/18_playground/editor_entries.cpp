@@ -39,15 +39,15 @@ std::optional<EntryId> Editor::light_at(const View& view, glm::vec2 cursor_px) c
 std::vector<uint32_t> Editor::selected_items(const Scene& scene) const { return items_of(scene, selection.ids); }
 
 std::vector<uint32_t> Editor::items_of(const Scene& scene, const std::vector<EntryId>& ids) const {
-    std::vector<char> chosen(scene.file.objects.size(), 0);
-    for (const EntryId id : ids)  // of the scene as a whole, which is everything, nothing is marked
-        if (id != root_entry && document.find(id))
-            for (const EntryId one : with_children(document, id))
-                if (const uint32_t object = live.object_of(one); object < chosen.size()) chosen[object] = 1;
+    std::vector<uint32_t> chosen(scene.file.objects.size(), 0);
+    for (size_t i = 0; i < ids.size(); ++i)  // of the scene as a whole, which is everything, nothing is marked
+        if (ids[i] != root_entry && document.find(ids[i]))
+            for (const EntryId one : with_children(document, ids[i]))
+                if (const uint32_t object = live.object_of(one); object < chosen.size())
+                    chosen[object] = static_cast<uint32_t>(i + 1);
     std::vector<uint32_t> flags;
     flags.reserve(scene.items.size());
-    for (const DrawItem& item : scene.items)
-        flags.push_back(item.object < chosen.size() ? uint32_t(chosen[item.object]) : 0u);
+    for (const DrawItem& item : scene.items) flags.push_back(item.object < chosen.size() ? chosen[item.object] : 0u);
     return flags;
 }
 

@@ -15,7 +15,8 @@ struct Marks : Module {
     Knob<bool> on{*this, "on", true, "Outline of the selection, gizmo, and symbols of the lights"};
     Knob<float> width{*this, "width", 2.0f, {1.0f, 8.0f}, "Width of outlines", "px"};
 
-    /// `picture` is finished and linear, 0 to 1. `selected`: of each of the scene's items, as picker.ids has them.
+    /// `picture` is finished and linear, 0 to 1. `selected`: of each of the scene's items, as picker.ids has them; 0
+    /// if it is not, and one number for all items of an entry, so that each entry has an outline of its own.
     void record(Frame& frame, const View& view, const Image& picture, const Picker& picker,
                 const std::vector<uint32_t>& selected, const std::vector<MarkLine>& lines, float scale = 1.0f);
 

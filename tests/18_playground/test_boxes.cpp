@@ -41,24 +41,39 @@ TEST_CASE_METHOD(DeviceTest, "of two boxes the nearer one is picked, in either o
     }
 }
 
-// A pixel's share of a disc around the selected one: all of the first, half of that two pixels away, for a width of 2.
-TEST_CASE_METHOD(DeviceTest, "an outline reaches as far as its width, and half of a pixel is half as bright") {
+namespace {
+
+// How much outline of a width of 2 a row of pixels has. `ids`: an item's number in each, 0 for none; `selected`: of each item.
+void check_outline(DeviceTest& test, const std::vector<uint32_t>& ids_of_pixels, const std::vector<uint32_t>& of_items,
+                   const std::vector<float>& wanted) {
+    const auto count = static_cast<uint32_t>(wanted.size());
     const Pipeline outline = compute({.shader = "18_playground/outline.comp"});
-    const Image ids(gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = {9, 1}, .kept = true});
-    std::vector<uint32_t> one(9, 0);
-    one[4] = 1;
-    const Buffer selected = gpu.upload("selected", std::vector<uint32_t>{1});
-    frame.begin({9, 1}, 0);
-    frame.upload("ids", ids, std::as_bytes(std::span(one)));
+    const Image ids(test.gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = {count, 1}, .kept = true});
+    const Buffer selected = test.gpu.upload("selected", of_items);
+    Frame& frame = test.frame;
+    frame.begin({count, 1}, 0);
+    frame.upload("ids", ids, std::as_bytes(std::span(ids_of_pixels)));
     frame.raster("black", {.color = {clear(frame.hdr, glm::vec4(0, 0, 0, 1))}}, [](Raster&) {});
     frame.compute("outline", {.reads = {ids, selected, frame.hdr}, .writes = {frame.hdr}}, [&](Compute& pass) {
         pass.use(outline).set("ids", ids, nearest_clamp).set("selected", selected).set("width", 2.0f);
-        pass.set("picture", frame.hdr).dispatch_threads(glm::uvec2(9, 1));
+        pass.set("picture", frame.hdr).dispatch_threads(glm::uvec2(count, 1));
     });
     frame.end();
-    const ImageRgb seen = read_linear(gpu, frame.hdr);
-    const float wanted[] = {0, 0, 0.5f, 1, 0, 1, 0.5f, 0, 0};
-    for (int x = 0; x < 9; ++x) CHECK(seen.at(x, 0).r == Approx(wanted[x]).margin(1e-3));
+    const ImageRgb seen = read_linear(test.gpu, frame.hdr);
+    for (uint32_t x = 0; x < count; ++x) CHECK(seen.at(int(x), 0).r == Approx(wanted[x]).margin(1e-3));
+}
+
+}  // namespace
+
+// A pixel's share of a disc around the selected one: all of the first, half of that two pixels away, for a width of 2.
+TEST_CASE_METHOD(DeviceTest, "an outline reaches as far as its width, and half of a pixel is half as bright") {
+    check_outline(*this, {0, 0, 0, 0, 1, 0, 0, 0, 0}, {1}, {0, 0, 0.5f, 1, 0, 1, 0.5f, 0, 0});
+}
+
+// Item 2 is a part of the first entry, item 4 is not selected.
+TEST_CASE_METHOD(DeviceTest, "each selected entry has an outline of its own, and its parts have none",
+                 "[18.outlines]") {
+    check_outline(*this, {0, 1, 1, 2, 2, 3, 3, 3, 4}, {1, 1, 2, 0}, {1, 0, 0, 0.5f, 1, 0, 0, 0, 1});
 }
 
 namespace {
