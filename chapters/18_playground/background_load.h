@@ -24,8 +24,8 @@ struct LoadedModel {
 };
 
 // [background_load]
-/// One model at a time. Reading, joining vertices, tangents and decoding textures are work for the processor, and run on
-/// threads that give way to the window's; only that one speaks to the device.
+/// One model at a time. Reading, joining vertices, tangents and decoding textures are work for the processor, and run
+/// on threads that give way to the window's; only that one speaks to the device.
 class BackgroundLoad {
   public:
     ~BackgroundLoad() { cancel(); }

@@ -54,8 +54,8 @@ inline bool is_sun(const Entry& entry) { return entry.light() && entry.light()->
 ///     document.edit(id).object()->position.x += 1;
 ///     document.commit();
 ///
-/// An id stands for one entry for as long as the document lives: an entry that was deleted and brought back by undo() has
-/// the id it had.
+/// An id stands for one entry for as long as the document lives: an entry that was deleted and brought back by undo()
+/// has the id it had.
 /// Large (39 functions, 13 members): the edits of a document: each is a step that can be undone.
 class Document {
   public:
@@ -103,7 +103,7 @@ class Document {
     /// Most that the steps hold.
     uint64_t most_bytes = uint64_t(100) << 20;
 
-    /// Another number whenever an entry came, went, was moved in the tree or has another name; no two documents share one.
+    /// Changes whenever an entry came, went, was moved in the tree or has another name; no two documents share one.
     uint64_t structure() const { return structure_; }
 
     /// Another number after each change, and the same one again where undo() and redo() come back to it.
@@ -113,7 +113,7 @@ class Document {
     /// 100,000 entries one by one from one list would pass 5,000,000,000.
     uint64_t children_passed() const { return children_passed_; }
 
-    /// Entries that were touched since the last call, each once; whether some were added, removed or have another parent.
+    /// Entries touched since the last call, each once; whether some were added, removed or have another parent.
     struct Changes {
         std::vector<EntryId> entries;
         bool structure = false;

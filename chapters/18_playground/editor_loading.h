@@ -1,4 +1,4 @@
-// Files that were asked for: they are read beside the picture, one after the other, and shown when all of them is there.
+// Files that were asked for: read beside the picture, one after the other, and shown when all of them is there.
 #pragma once
 #include <deque>
 

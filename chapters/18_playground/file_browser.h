@@ -22,7 +22,7 @@ struct Listing {
     std::string error;        ///< why the folder cannot be read
 };
 
-/// Folders, and files that can be opened: scenes, models and images. `filter`: words that must be in the name, case aside.
+/// Folders, and files that can be opened: scenes, models and images. `filter`: words of the name, in either case.
 Listing list_folder(const std::filesystem::path& folder, const std::string& filter);
 
 /// Whether the editor opens it: .json, and the endings of models.

@@ -29,7 +29,8 @@ struct GizmoSizes {
     float arrow = 90, plane = 28, reach = 7;
 };
 
-/// The gizmo of the selection: in its middle, or for a sun, which is turned only, at the camera's target; along the world's axes or those of the active object.
+/// The gizmo of the selection: in its middle, or for a sun, which is turned only, at the camera's target; along the
+/// world's axes or those of the active object.
 std::optional<GizmoPlace> gizmo_place(const Document& document, const Selection& selection, const View& view, Tool tool,
                                       bool local, float scale = 1.0f);
 
@@ -48,8 +49,8 @@ std::optional<glm::vec2> on_screen(const View& view, const glm::vec3& place);
 PickRay ray_through(const View& view, glm::vec2 cursor_px);
 
 // [gizmo_drag]
-/// A drag from the press of the button to its release: one step of the document. Each move starts from where things were
-/// at the beginning, so that nothing adds up, and a mouse that comes back brings everything back, to the bit.
+/// A drag from the press of the button to its release: one step of the document. Each move starts from where things
+/// were at the beginning, so that nothing adds up, and a mouse that comes back brings everything back, to the bit.
 /// Large (12 functions, 13 members): where a drag began, and where it is.
 class GizmoDrag {
   public:

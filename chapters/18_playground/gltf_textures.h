@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// Images that are PNG or JPEG files keep their names, or their bytes where they lie in a model's file; others are made.
+/// Images that are PNG or JPEG files keep their names, or their bytes where a model's file has them; others are made.
 class GltfTextures {
   public:
     explicit GltfTextures(GltfWriter& writer) : writer_(writer) {}
@@ -28,8 +28,8 @@ class GltfTextures {
     std::map<std::pair<std::string, std::string>, std::filesystem::path> cutouts_;
 };
 
-/// Colours with opacity in their alpha, the only place that glTF has for it: `color`'s own alpha times `opacity`'s red. As
-/// large as the larger of both in each direction.
+/// Colours with opacity in their alpha, the only place that glTF has for it: `color`'s own alpha times `opacity`'s red.
+/// As large as the larger of both in each direction.
 Image8 color_with_opacity(const Image8& color, const Image8& opacity);
 
 /// A texture as a material uses it, in 8 bits. Throws InputError where it cannot be read.

@@ -13,8 +13,8 @@ struct Placement {
 /// Smallest size of a scale: 0 has no inverse and the scene file refuses it.
 inline constexpr float least_scale = 1e-6f;
 
-/// Rotation about x, then y, then z, in degrees, and back. Of the two triples that mean one rotation, and of the many where y
-/// is 90°, the result is the one closest to `near_deg`.
+/// Rotation about x, then y, then z, in degrees, and back. Of the two triples that mean one rotation, and of the many
+/// where y is 90°, the result is the one closest to `near_deg`.
 glm::dquat rotation_of(const glm::vec3& rotation_deg);
 glm::vec3 rotation_deg_of(const glm::dquat& rotation, const glm::vec3& near_deg = glm::vec3(0.0f));
 

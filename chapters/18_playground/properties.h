@@ -20,15 +20,15 @@ struct SharedValue {
     glm::bvec3 mixed{false};   ///< which numbers are not the same in all
 };
 
-/// type (as Light::Kind), colour, intensity, direction, angular size, position, range, lamp size, inner angle, outer angle,
-/// softness or shadow.
+/// type (as Light::Kind), colour, intensity, direction, angular size, position, range, lamp size, inner angle, outer
+/// angle, softness or shadow.
 const Property& light_property(const std::string& name);
 
 /// position, rotation or scale.
 const Property& object_property(const std::string& name);
 
-/// diffuse, specular, emissive, shininess, roughness, metalness or opacity of an object with a model. `own`: the model's
-/// own material, which holds where the object overrides nothing; null: not known.
+/// diffuse, specular, emissive, shininess, roughness, metalness or opacity of an object with a model. `own`: the
+/// model's own material, which holds where the object overrides nothing; null: not known.
 Property material_property(const std::string& name, std::function<const MaterialNumbers*(EntryId)> own);
 
 /// A number where there is little room: at most five digits, as many as fit; one where none do.

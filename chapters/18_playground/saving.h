@@ -24,7 +24,7 @@ class SceneStore {
     std::filesystem::path path;    ///< empty: never saved
     std::optional<Camera> camera;  ///< to be saved instead of the document's
 
-    /// Reads a scene file, or a model file, for which there is a scene then. Throws InputError, and nothing has changed.
+    /// Reads a scene file, or a model file, which makes a scene. Throws InputError, and nothing has changed.
     Document open(const std::filesystem::path& file);
     Document open_empty();
 
@@ -33,8 +33,8 @@ class SceneStore {
     /// Whether one of the files that it includes holds something else than when the scene was read.
     bool includes_changed_on_disk() const;
 
-    /// Writes the document to `path`: beside it first, then on the disk, then renamed. Throws InputError where that is not
-    /// possible; the file is then as it was. Says where included files could not be kept.
+    /// Writes the document to `path`: beside it first, then on the disk, then renamed. Throws InputError where that is
+    /// not possible; the file is then as it was. Says where included files could not be kept.
     Said save(const Document& document);
     Said save_as(const Document& document, const std::filesystem::path& file);
 

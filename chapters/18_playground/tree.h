@@ -25,7 +25,7 @@ class Tree {
     bool is_unfolded(EntryId id) const { return unfolded_.contains(id); }
     void show(const Document& document, EntryId id);  ///< unfolds all above it
 
-    /// Words that must all be in a name, case aside; empty: no search. With a search, the rows are those found, and flat.
+    /// Words that must all be in a name, case aside; empty: no search. With a search, the rows found are flat.
     void search(const std::string& words);
 
     /// Rebuilt if the document, the unfolded entries or the search changed.

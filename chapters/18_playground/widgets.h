@@ -45,8 +45,8 @@ inline bool key_pressed(ImGuiKey key) {
 #endif
 }
 
-/// The next widget gets the keyboard where it is wanted. Its window first: Dear ImGui 1.90.1 looks for the widget in the
-/// one that has the keyboard now.
+/// The next widget gets the keyboard where it is wanted. Its window first: Dear ImGui 1.90.1 looks for the widget in
+/// the one that has the keyboard now.
 inline void focus_next(bool& wanted) {
     if (!std::exchange(wanted, false)) return;
     ImGui::SetWindowFocus();
@@ -92,8 +92,8 @@ inline void scroll_to_row(size_t row) {
     if (top < above || top > above + room) ImGui::SetScrollY(top - 0.5f * room);
 }
 
-/// A small picture at a place of the screen, one rectangle for each run of equal pixels: early versions of Dear ImGui show
-/// no images of the renderer's.
+/// A small picture at a place of the screen, one rectangle for each run of equal pixels: early versions of Dear ImGui
+/// show no images of the renderer's.
 inline void draw_pixels(const Image8& picture, ImVec2 at, float pixel) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int y = 0; y < picture.height; ++y)

@@ -121,6 +121,38 @@ class EditorTest(PictureTest):
         session.park()
         session.wait(lambda: session.types, "a field")
 
+    def type_into(self, field: str, text: str):
+        self.session.tap(field)
+        self.session.replace(text)
+
+    def type_slowly(self, place: str, text: str, *keys: str):
+        """As type_number(), but each digit is in a frame of its own, as where a person types."""
+        self.scroll_to(place)
+        self.open_number(self.session.areas[place][0] + 8, self.session.places[place][1])
+        self.type_letters(text, *keys)
+
+    def type_letters(self, text: str, *keys: str):
+        session = self.session
+        session.key("ctrl+a")
+        for letter in text:
+            session.type(letter)
+            session.read_all()
+        session.key(*keys)
+        session.read_all()
+
+    def resize(self, width: int, height: int):
+        self.session.resize(width, height)
+        self.session.read_all()
+
+    def ask_for_a_name(self, key: str = ""):
+        """By a key, or the scene's button. The field has the keyboard."""
+        if key:
+            self.session.key(key)
+        else:
+            self.session.tap("entry.scene")
+            self.session.tap("tool.save as")
+        self.session.wait(lambda: self.session.types and "field.scene name" in self.session.places, "the field")
+
     def leave(self):
         """With nothing to say: what is open is closed, the selection goes, and the last one is asked for twice."""
         since = self.session.said()

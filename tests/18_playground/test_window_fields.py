@@ -22,10 +22,6 @@ class Fields(EditorTest):
     def add_files(cls):
         shutil.copy(ROOT / "assets/models/plane.obj", bytes(cls.folder) + b"/na\xffme.obj")
 
-    def type_into(self, field: str, text: str):
-        self.session.tap(field)
-        self.session.replace(text)
-
     def test_1_an_environment_is_typed_and_refused_where_it_is_none(self):
         session = self.session
         session.tap("entry.environment")
@@ -64,21 +60,6 @@ class Fields(EditorTest):
         self.assertEqual(self.saved()["objects"][0]["position"], [0.5, 0, 0])
         self.undo()
         self.assertEqual(self.saved(), before)
-
-    def type_slowly(self, place: str, text: str, *keys: str):
-        """As type_number(), but each digit is in a frame of its own, as where a person types."""
-        self.scroll_to(place)
-        self.open_number(self.session.areas[place][0] + 8, self.session.places[place][1])
-        self.type_letters(text, *keys)
-
-    def type_letters(self, text: str, *keys: str):
-        session = self.session
-        session.key("ctrl+a")
-        for letter in text:
-            session.type(letter)
-            session.read_all()
-        session.key(*keys)
-        session.read_all()
 
     def test_2a_what_is_typed_counts_once_and_what_is_refused_was_never_there(self):
         session, before = self.session, self.saved()
@@ -251,15 +232,6 @@ class Fields(EditorTest):
         session.tap("entry.cube")
         session.key("shift+h")
 
-    def ask_for_a_name(self, key: str = ""):
-        """By a key, or the scene's button. The field has the keyboard."""
-        if key:
-            self.session.key(key)
-        else:
-            self.session.tap("entry.scene")
-            self.session.tap("tool.save as")
-        self.session.wait(lambda: self.session.types and "field.scene name" in self.session.places, "the field")
-
     def test_8_save_as_asks_for_a_name_writes_another_file_and_asks_before_it_overwrites(self):
         self.saved()
         session, before = self.session, self.scene.read_text()
@@ -290,10 +262,6 @@ class Fields(EditorTest):
         self.assertEqual(self.scene.read_text(), before)
         type(self).scene = self.folder / "other.json"
         self.saved()
-
-    def resize(self, width: int, height: int):
-        self.session.resize(width, height)
-        self.session.read_all()
 
     def test_9_the_window_becomes_small_while_something_is_dragged(self):
         session, before = self.session, self.saved()
