@@ -3,17 +3,21 @@
 # common: three shared libraries, so that a chapter's program holds the chapter alone and compiles no checks, and a program
 # of checks loads no more than runs a shader. Rooms use only those before them (common/course/test/order.py).
 function(lightwalk_common)
-  lightwalk_library(lightwalk "base;gpu" "")
-  lightwalk_library(lightwalk_check "check;judge" run_checks)
-  lightwalk_library(lightwalk_app "image;scene;app;measure;study;window" "options;lists;json_lines;scene_write")
-  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
+  lightwalk_library(lightwalk "base;gpu" "" "")
+  lightwalk_library(lightwalk_check "check;judge" "" run_checks)
+  lightwalk_library(lightwalk_app "image;scene;app;measure;study;window"
+                    "study/.*;window/.*;app/(compile_shaders|foreign_scene|headless|knob|pictures|read_picture|settings|shots)"
+                    "options;lists;json_lines;scene_write")
+  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others. Two of
+  # three files include frame.h: most of their time went into it.
   target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
                             <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
-                            <glm/gtc/matrix_transform.hpp>)
+                            <glm/gtc/matrix_transform.hpp> <common/gpu/frame.h>)
   foreach(name lightwalk_check lightwalk_app)
     lightwalk_precompiled(${name})
     target_link_libraries(${name} PUBLIC lightwalk)
   endforeach()
+  lightwalk_precompiled(lightwalk_app_once)
   target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR})
   target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
   target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
@@ -54,22 +58,46 @@ function(lightwalk_common)
   target_link_libraries(menu PRIVATE lightwalk_app glfw PkgConfig::imgui)
 endfunction()
 
-# A shared library of the files in rooms of common. Reading a command line or JSON happens once in a run: that files named
-# `plain`, for which the headers of CLI11 and JSON are the cost, compile fast matters more. They are not optimised.
-function(lightwalk_library name rooms plain)
+# A shared library of the files in rooms of common. A newcomer waits for them, so that each is optimised for what it does:
+# `once` are files that no picture and no file of a model waits for, half as much; `plain` are those for which the headers of
+# CLI11 and JSON are the cost, not at all. Files with JSON are compiled together: its header costs as much as a file.
+function(lightwalk_library name rooms once plain)
   set(sources)
   foreach(room ${rooms})
     file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
     list(APPEND sources ${found})
   endforeach()
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
-  list(JOIN plain "|" plain)
-  set(plain_sources ${sources})
-  list(FILTER plain_sources INCLUDE REGEX "/(${plain})\\.cpp$")
-  list(FILTER sources EXCLUDE REGEX "/(${plain})\\.cpp$")
+  set(with_json)
+  foreach(source ${sources})
+    file(STRINGS ${source} json LIMIT_COUNT 1
+         REGEX "^#include .(nlohmann/json\\.hpp|common/(scene/(gltf_|json_lines|scene_reader)|study/))")
+    if(json)
+      list(APPEND with_json ${source})
+    endif()
+  endforeach()
+  if(with_json)
+    list(REMOVE_ITEM sources ${with_json})
+    list(PREPEND sources ${with_json})
+  endif()
+  foreach(kind once plain)
+    list(JOIN ${kind} "|" wanted)
+    set(${kind}_sources ${sources})
+    list(FILTER ${kind}_sources INCLUDE REGEX "/(${wanted})\\.cpp$")
+    if(${kind}_sources)
+      list(REMOVE_ITEM sources ${${kind}_sources})
+    endif()
+  endforeach()
   add_library(${name} SHARED ${sources})
   set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
   lightwalk_compiled_together(${name})
+  if(once_sources)
+    add_library(${name}_once OBJECT ${once_sources})
+    target_link_libraries(${name}_once PRIVATE lightwalk glfw PkgConfig::imgui)
+    lightwalk_compiled_together(${name}_once)
+    lightwalk_compiled_fast(${name}_once)
+    target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_once>)
+  endif()
   if(NOT plain_sources)
     return()
   endif()
@@ -97,7 +125,7 @@ function(lightwalk_compiled_together name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 endfunction()
 
-# Tests run once for each time they are compiled: -O1 takes a third off a file, and hardly shows in what it does.
+# Tests, too, run once for each time they are compiled: -O1 takes a fifth off a file, and hardly shows in what it does.
 # GCC 13 and later set two flags of x86's at -O2 that a precompiled header must share with what includes it.
 function(lightwalk_compiled_fast name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -121,16 +149,37 @@ function(lightwalk_exercises chapter visible)
   target_link_libraries(chapter_${chapter} PUBLIC $<TARGET_OBJECTS:exercises_${chapter}>)
 endfunction()
 
-# A chapter sees common and earlier chapters: its include path holds links to those folders and to no other,
-# so that including a later chapter does not compile.
+# Sets `used` to the earlier chapters that files of a chapter include, and those that these use.
+function(lightwalk_used_chapters folder earlier)
+  file(GLOB_RECURSE files ${folder}/*.cpp ${folder}/*.h)
+  set(found)
+  foreach(file ${files})
+    file(STRINGS ${file} includes REGEX "^#include \"[0-9][0-9]_[a-z0-9_]+/")
+    list(APPEND found ${includes})
+  endforeach()
+  set(used)
+  foreach(name ${earlier})
+    if(found MATCHES "\"${name}/")
+      list(APPEND used ${name} ${used_by_${name}})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES used)
+  set(used ${used} PARENT_SCOPE)
+endfunction()
+
+# A chapter sees common and the earlier chapters that it includes, and is linked with no others. Its include path holds
+# links to those folders: including a later chapter does not compile. ./course configures again where one is missing.
 function(lightwalk_chapters)
+  file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/visible)
   file(GLOB folders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9]*)
   set(earlier)
   foreach(folder ${folders})
     get_filename_component(chapter ${folder} NAME)
     set(visible ${PROJECT_BINARY_DIR}/visible/${chapter})
     file(MAKE_DIRECTORY ${visible})
-    foreach(name ${earlier} ${chapter})
+    lightwalk_used_chapters(${folder} "${earlier}")
+    set(used_by_${chapter} ${used})
+    foreach(name ${used} ${chapter})
       file(CREATE_LINK ${PROJECT_SOURCE_DIR}/chapters/${name} ${visible}/${name} SYMBOLIC)
     endforeach()
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.o ${folder}/solution/*.cpp)
@@ -163,7 +212,7 @@ function(lightwalk_chapters)
     endif()
     target_include_directories(chapter_${chapter} ${reach} ${visible})
     target_link_libraries(chapter_${chapter} ${reach} lightwalk_app)
-    foreach(name ${earlier})
+    foreach(name ${used})
       target_link_libraries(chapter_${chapter} ${reach} chapter_${name})
     endforeach()
     if(exercises)
@@ -253,28 +302,40 @@ function(lightwalk_judge name folder library)
   set_target_properties(judge_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/grade)
 endfunction()
 
-# Variants of C++ exercises (common/course/check/variants.py), a check program each. Those listed as changes are written here as
-# files, again when their list or the solution changes. All but the variant is one shared library of the chapter, which
+# Writes the variants that are listed as changes (common/course/check/variants.py) as files, of all chapters at once: starting
+# Python takes longer. Again when a list or a solution changes.
+function(lightwalk_write_variants)
+  set(listed)
+  foreach(name common ${LIGHTWALK_CHAPTERS})
+    file(GLOB lists CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/variants/*.changes)
+    set(read)
+    foreach(list ${lists})
+      get_filename_component(exercise ${list} NAME_WE)
+      set(solution ${PROJECT_SOURCE_DIR}/chapters/${name}/solution/${exercise}.cpp)
+      if(EXISTS ${solution}) # not in a handout
+        list(APPEND read ${list} ${solution})
+      endif()
+    endforeach()
+    if(read)
+      list(APPEND listed ${name})
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${read})
+    else()
+      file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/variants/${name})
+    endif()
+  endforeach()
+  if(listed)
+    execute_process(COMMAND python3 ${PROJECT_SOURCE_DIR}/common/course check.variants ${PROJECT_BINARY_DIR}/variants ${listed}
+                    COMMAND_ERROR_IS_FATAL ANY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/course/check/variants.py)
+  endif()
+endfunction()
+
+# Variants of C++ exercises, a check program each. All but the variant is one shared library of the chapter, which
 # calls the variant: what a program defines goes before what its libraries do. Both are weak.
 function(lightwalk_variants name folder library)
   file(GLOB variants CONFIGURE_DEPENDS ${folder}/variants/*.cpp)
-  file(GLOB lists CONFIGURE_DEPENDS ${folder}/variants/*.changes)
-  set(sources)
-  foreach(list ${lists})
-    get_filename_component(exercise ${list} NAME_WE)
-    set(solution ${PROJECT_SOURCE_DIR}/chapters/${name}/solution/${exercise}.cpp)
-    if(EXISTS ${solution}) # not in a handout
-      list(APPEND sources ${list} ${solution})
-    endif()
-  endforeach()
-  if(sources)
-    set(script ${PROJECT_SOURCE_DIR}/common/course/check/variants.py)
-    set(made ${PROJECT_BINARY_DIR}/variants/${name})
-    execute_process(COMMAND python3 ${PROJECT_SOURCE_DIR}/common/course check.variants ${name} ${made} COMMAND_ERROR_IS_FATAL ANY)
-    file(GLOB changed ${made}/*.cpp)
-    list(APPEND variants ${changed})
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${sources})
-  endif()
+  file(GLOB changed ${PROJECT_BINARY_DIR}/variants/${name}/*.cpp)
+  list(APPEND variants ${changed})
   string(SUBSTRING ${name} 0 2 number)
   if(variants)
     add_library(checked_${name} SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:checks_${name}>)
@@ -290,7 +351,7 @@ function(lightwalk_variants name folder library)
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${number}.${answer} ENABLE_EXPORTS ON
                           RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/variants)
     lightwalk_precompiled(${target})
-    target_compile_options(${target} PRIVATE -Wno-error -w)
+    target_compile_options(${target} PRIVATE -Wno-error -w -g0)
     target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
     target_link_options(${target} PRIVATE -s -Wl,--no-as-needed) # the library registers its checks when it is loaded
     target_link_libraries(${target} PRIVATE check_main checked_${name})
@@ -322,6 +383,9 @@ function(lightwalk_tests)
   # A test names its file: not the checkout's folder, or ccache would know it in no other one.
   target_compile_options(catch_main PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(NOT LIGHTWALK_SANITIZE)
+    lightwalk_write_variants()
+  endif()
   foreach(name common ${LIGHTWALK_CHAPTERS})
     set(folder ${PROJECT_SOURCE_DIR}/tests/${name})
     set(library chapter_${name})

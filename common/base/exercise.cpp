@@ -36,20 +36,27 @@ Table& table() {
     return instance;
 }
 
-// GLSL exercises need no declaration: a file in shaders/NN_name/exercise is one.
+// Adds the exercises that no code declared: those in GLSL, and those in C++ of chapters that are not linked in.
+void scan(const char* folder, const char* extension) {
+    namespace fs = std::filesystem;
+    std::error_code none;  // a copy without this folder
+    for (const auto& chapter : fs::directory_iterator(course_root() / folder, none)) {
+        if (!fs::is_directory(chapter.path() / "exercise")) continue;
+        for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
+            if (file.path().extension() != extension) continue;
+            const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
+            const State found{.has_solution = fs::exists(chapter.path() / "solution" / file.path().filename())};
+            table().exercises.try_emplace(id, found);
+        }
+    }
+}
+
 Table& scanned_table() {
     Table& t = table();
     if (t.scanned) return t;
     t.scanned = true;
-    namespace fs = std::filesystem;
-    for (const auto& chapter : fs::directory_iterator(course_root() / "shaders")) {
-        if (!fs::is_directory(chapter.path() / "exercise")) continue;
-        for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
-            if (file.path().extension() != ".glsl") continue;
-            const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
-            t.exercises[id].has_solution = fs::exists(chapter.path() / "solution" / file.path().filename());
-        }
-    }
+    scan("shaders", ".glsl");
+    scan("chapters", ".cpp");
     return t;
 }
 

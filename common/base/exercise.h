@@ -17,7 +17,7 @@ class Exercises {
     static void use(std::string_view which);
     static void set(std::string_view id, bool solution);
 
-    /// Every id known, in the lessons' order: C++ exercises that are linked in, and shaders/NN_name/exercise/*.glsl.
+    /// Every id, in the lessons' order: the files in the folders `exercise` of all chapters and of their shaders.
     static std::vector<std::string> ids();
 
     /// False in a handout: there is no solution to switch to.

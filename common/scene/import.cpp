@@ -93,14 +93,14 @@ Model import_here(const fs::path& path, const std::string& extension) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
     Model model;
-    constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure;
+    constexpr unsigned wanted = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure;
     try {
         if (extension == ".ply" || extension == ".off") {
             const std::string text = extension == ".ply" ? readable_ply(read_file(path), name, model)
                                                          : off_as_ply(read_file(path), name, model);
-            scene = importer.ReadFileFromMemory(text.data(), text.size(), steps, "ply");
+            scene = importer.ReadFileFromMemory(text.data(), text.size(), wanted, "ply");
         } else {
-            scene = importer.ReadFile(name, steps);
+            scene = importer.ReadFile(name, wanted);
         }
         // Assimp 5.2.5 joins vertices that differ in their colours or second coordinates alone.
         if (scene && can_join(*scene)) scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);

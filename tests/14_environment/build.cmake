@@ -6,7 +6,7 @@ target_link_libraries(test_14_environment PRIVATE ${VORBISENC} ${VORBIS})
 # Throw-away chapters behind this one: the contract of drawings is tried with them (test_compositions.py).
 foreach(name everything everything_deferred)
   add_executable(${name} ${CMAKE_CURRENT_LIST_DIR}/compositions/everything.cpp)
-  target_link_libraries(${name} PRIVATE chapter_14_environment)
+  target_link_libraries(${name} PRIVATE chapter_14_environment chapter_13_mlaa)
   target_compile_definitions(${name} PRIVATE LIGHTWALK_CHAPTER="99_${name}")
   lightwalk_precompiled(${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from progress import Progress
-from tree import ROOT, SHADER_CACHE, Failure, UsageError, relative, warn
+from tree import ROOT, SHADER_CACHE, Failure, UsageError, chapters, relative, warn
 
 
 class BuildFailure(Failure):
@@ -80,7 +80,28 @@ def is_configured(folder: Path) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
     return all(begins_as_written(folder / name) for name in ("build.ninja", "CMakeFiles/rules.ninja")) and \
-        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace")
+        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace") and \
+        all((folder / "visible" / chapter / name).exists() for chapter in chapters() for name in included(chapter))
+
+
+INCLUDED = re.compile(r'^#include "(\d\d_[a-z0-9_]+)/', re.M)
+
+
+def included(chapter: str) -> set[str]:
+    """The chapters that files of this one include, of those before it: what cmake links it with."""
+    found = {name for path in (ROOT / "chapters" / chapter).rglob("*.[ch]*")
+             for name in INCLUDED.findall(path.read_text(errors="replace")) if path.suffix in (".cpp", ".h")}
+    return {name for name in found if name < chapter and (ROOT / "chapters" / name).is_dir()}
+
+
+def used(chapter: str) -> set[str]:
+    """Those, and the ones that these use."""
+    found, asked = set(), [chapter]
+    while asked:
+        new = included(asked.pop()) - found
+        found |= new
+        asked += new
+    return found
 
 
 def begins_as_written(path: Path) -> bool:

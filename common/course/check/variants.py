@@ -159,7 +159,7 @@ def bare(line: str) -> str:
     return line.partition("//")[0].strip()
 
 
-def main(chapter: str, folder: Path) -> int:
+def write(chapter: str, folder: Path):
     found, mistakes = variants(chapter)
     for mistake in mistakes:
         warn(mistake)  # its test fails for it; meanwhile all else is built
@@ -170,8 +170,8 @@ def main(chapter: str, folder: Path) -> int:
     for path, text in wanted.items():
         if not path.exists() or path.read_text() != text:
             write_atomically(path, text)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], Path(sys.argv[2])))
+    for one in sys.argv[2:]:
+        write(one, Path(sys.argv[1]) / one)

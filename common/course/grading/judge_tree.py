@@ -2,13 +2,13 @@
 
 import functools
 import json
-import os
 import re
 import shlex
 import shutil
 import subprocess
 from pathlib import Path
 
+from build.build import used
 from grading.handout import COMPILED, LEFT_OUT
 from tree import BUILD, ROOT, files
 
@@ -16,10 +16,10 @@ KEPT = BUILD / "grade"  # what one call leaves to the next: verdicts, references
 
 
 def library(folder: Path, chapter: str) -> Path:
-    """The objects of a chapter and the earlier ones that have neither references nor the truth in them."""
+    """The objects of a chapter and those that it uses that have neither references nor the truth in them."""
     path = folder / f"lib{chapter}.a"
     members = []
-    for name in [name for name in sorted(os.listdir(ROOT / "chapters")) if name <= chapter]:
+    for name in sorted({chapter} | used(chapter)):
         members += [one for part in ("chapter", "called", "lent") for one in objects(f"{part}_{name}") if not is_answer(one)]
     said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                           errors="replace").stdout
