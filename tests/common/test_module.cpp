@@ -1,9 +1,11 @@
 // A module's life: order of the chapter's calls, and the changes that reload its scene.
 #include <algorithm>
+#include <filesystem>
 
 #include "catch.h"
 #include "common/app/module.h"
 #include "common/base/exercise.h"
+#include "common/base/files.h"
 #include "common/check/check.h"
 #include "common/scene/scene.h"
 
@@ -90,4 +92,19 @@ TEST_CASE("what loading depends on: keys, toggles and whether a module is in use
     used = true;
     CHECK(tree.load_state() != without);
     CHECK(tree.loads_exercise());
+}
+
+TEST_CASE("an exercise in C++ is known by its file: no chapter is linked with these tests") {
+    namespace fs = std::filesystem;
+    const std::vector<std::string> ids = Exercises::ids();
+    for (const auto& chapter : fs::directory_iterator(course_root() / "chapters")) {
+        if (!fs::is_directory(chapter.path() / "exercise")) continue;
+        for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
+            const std::string known =
+                chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
+            CAPTURE(known);
+            CHECK(std::count(ids.begin(), ids.end(), known) == 1);
+            CHECK(Exercises::has_solution(known) == fs::exists(chapter.path() / "solution" / file.path().filename()));
+        }
+    }
 }
