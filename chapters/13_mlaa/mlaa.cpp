@@ -21,7 +21,7 @@ constexpr glm::ivec2 diagonal[4] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
 
 int Mlaa::passes() const {
     int passes = 0;
-    if (reads.is("words")) return passes;
+    if (!doubles()) return passes;
     for (int steps = 1; steps < reach - 1; steps *= reads.is("two") ? 2 : 4) ++passes;
     return passes;
 }
@@ -37,28 +37,30 @@ std::vector<std::string> Mlaa::status() const {
 }
 
 // Persistent resources: for a picture of this size, and the tables.
-void Mlaa::set_up(Frame& frame, glm::uvec2 size) {
+void Mlaa::set_up(Frame& frame, const Image& picture) {
     Device& device = frame.gpu.device;
-    const auto fit = [&](Image& image, const char* name, glm::uvec2 side, VkFormat format = VK_FORMAT_R32_UINT) {
-        image.fit(device, {.name = path() + name, .format = format, .size = side});
+    const glm::uvec2 size = picture.desc.size;
+    const auto fit = [&](Image& image, const char* name, glm::uvec2 side) {
+        image.fit(device, {.name = path() + name, .format = VK_FORMAT_R32_UINT, .size = side});
     };
-    fit(mixed_, " mixed", size, VK_FORMAT_R16G16B16A16_SFLOAT);
-    const bool doubles = !reads.is("words");
-    if (follows_edges()) {
-        fit(edge_rows_, " edges in rows", {(size.x + 15) / 16, size.y});
-        fit(edge_columns_, " edges in columns", {size.x, (size.y + 15) / 16});
-        fit(distances_[0], " distances", size);
-        if (doubles) fit(distances_[1], " longer distances", size);
-    }
-    if (method.is("smaa_like")) {
-        fit(diagonals_[0], " staircases", size);
-        if (doubles) fit(diagonals_[1], " longer staircases", size);
-    }
-    const VkDeviceSize pixels = VkDeviceSize(size.x) * size.y;
     for (Buffer* const work : {&work_, &next_work_})
         if (!*work) *work = frame.gpu.upload("mlaa work", std::vector<uint32_t>{0, 1, 1, 0, 0});
     std::swap(work_, next_work_);
-    if (!list_ || list_.bytes != 4 * pixels) list_ = Buffer(device, {.name = "mlaa list", .bytes = 4 * pixels});
+    light_.fit(device, picture.desc);
+    if (!follows_edges()) return;
+
+    const VkDeviceSize bytes = 4 * VkDeviceSize(size.x) * size.y;
+    if (!list_ || list_.bytes != bytes) list_ = Buffer(device, {.name = "mlaa list", .bytes = bytes});
+    fit(edge_rows_, " edges in rows", {(size.x + 15) / 16, size.y});
+    fit(edge_columns_, " edges in columns", {size.x, (size.y + 15) / 16});
+    if (doubles()) {
+        fit(distances_[0], " distances", size);
+        fit(distances_[1], " longer distances", size);
+    }
+    if (method.is("smaa_like")) {
+        fit(diagonals_[0], " staircases", size);
+        if (doubles()) fit(diagonals_[1], " longer staircases", size);
+    }
     if (std::exchange(toggles_, Exercises::version()) == Exercises::version()) return;
     const auto table = [&](Image& image, const char* name, uint32_t side, const std::vector<float>& values) {
         if (!image)
@@ -93,14 +95,11 @@ Compute& Mlaa::over_list(Compute& pass, const Pipeline& pipeline) const {
     return pass.use(pipeline).set("listed", list_).set("work", work_);
 }
 
-// Lines by scanning words of edges; staircases step by step.
-void Mlaa::measure_by_words(Compute& pass) {
-    const bool shapes = method.is("smaa_like");
-    over_list(pass, shapes ? scan_and_walk_ : scan_).set("lengths", distances_[0]);
-    if (shapes) pass.set("staircases", diagonals_[0]);
+// Staircases step by step.
+void Mlaa::walk(Compute& pass) {
+    over_list(pass, walk_).set("staircases", diagonals_[0]);
     set_edges(pass);
-    pass.dispatch_indirect(work_);
-    lengths_ = &distances_[0];
+    pass.dispatch_indirect(work_).wait();
     staircases_ = &diagonals_[0];
 }
 
@@ -116,29 +115,29 @@ void Mlaa::measure_by_doubling(Compute& pass) {
     lengths_ = grow(links_, distances_, straight);
 }
 
-void Mlaa::record(Frame& frame, const Image& picture, const Seen& seen) {
+void Mlaa::record(Frame& frame, Image& picture, const Seen& seen) {
     method.is("taa") ? taa.record(frame, picture, seen) : record(frame, picture);
 }
 
 // [record]
-void Mlaa::record(Frame& frame, const Image& picture) {
+void Mlaa::record(Frame& frame, Image& picture) {
     if (method.is("taa"))
         throw Failure("'{}': taa follows surfaces, and this picture comes without depth and view", method.path());
     if (!is_filter()) return;
-    set_up(frame, picture.desc.size);
+    set_up(frame, picture);
     follows_edges() ? follow_edges(frame, picture) : search_by_luma(frame, picture);
     if (count) frame.read_back(work_, counted_);
 }
 
 void Mlaa::follow_edges(Frame& frame, const Image& picture) {
-    const bool shapes = method.is("smaa_like"), doubles = !reads.is("words");
+    const bool shapes = method.is("smaa_like");
 
-    // 1. Edges as bits, and the list of pixels beside them.
+    // 1. Edges as bits, the list of pixels beside them, and their light, since neighbours read it after it was mixed.
     ComputeAccess access{.reads = {picture, work_, list_, edge_rows_, edge_columns_},
-                         .writes = {edge_rows_, edge_columns_, list_, work_, next_work_},
+                         .writes = {edge_rows_, edge_columns_, list_, light_, work_, next_work_},
                          .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(edges_).set("picture", picture, nearest_clamp);
+        pass.use(edges_).set("picture", picture, nearest_clamp).set("light_beside", light_);
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_);
         pass.set("listed", list_).set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size);
         if (!shapes) return;
@@ -146,59 +145,54 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_).dispatch_indirect(work_);
     });
 
-    // 2. Line lengths. From here on only listed pixels are processed, by as many workgroups as they need.
-    std::vector<ImageView> lengths{distances_[0]};
+    // 2. Line lengths, unless words of edges tell them. From here on only listed pixels are processed, by as many
+    // workgroups as they need.
+    std::vector<Resource> lengths;
     if (shapes) lengths.push_back(diagonals_[0]);
-    if (doubles) lengths.push_back(distances_[1]);
-    if (doubles && shapes) lengths.push_back(diagonals_[1]);
-    access = {.reads = {work_, list_, edge_rows_, edge_columns_}, .with = {*this}};
-    for (const ImageView& image : lengths) {
-        access.writes.push_back(image);
-        access.reads.push_back(image);
-    }
-    frame.compute("mlaa distances", access,
-                  [&](Compute& pass) { doubles ? measure_by_doubling(pass) : measure_by_words(pass); });
+    if (doubles()) lengths.insert(lengths.end(), {distances_[0], distances_[1]});
+    if (doubles() && shapes) lengths.push_back(diagonals_[1]);
+    access = {.reads = {work_, list_, edge_rows_, edge_columns_}, .writes = lengths, .with = {*this}};
+    access.reads.insert(access.reads.end(), lengths.begin(), lengths.end());
+    if (doubles()) frame.compute("mlaa distances", access, [&](Compute& pass) { measure_by_doubling(pass); });
 
-    // 3. Weights, mixed light, and its copy into the picture.
-    access = {.reads = {work_, list_, edge_rows_, edge_columns_, mixed_, picture, areas_, crossings_, distances()},
-              .writes = {work_, mixed_, picture},
-              .with = {*this}};
-    if (shapes) access.reads.push_back(*staircases_);
+    // 3. Weights, and mixed light.
+    access.reads.insert(access.reads.end(), {light_, areas_, crossings_});
+    access.writes = {work_, picture};
+    if (shapes && !doubles()) access.writes.push_back(diagonals_[0]);
     frame.compute("mlaa mix", access, [&](Compute& pass) {
-        over_list(pass, shapes ? mix_shapes_ : mix_).set("picture", picture, nearest_clamp).set("mixed", mixed_);
-        pass.set("distances", distances(), nearest_clamp).set("areas", areas_, nearest_clamp);
+        if (shapes && !doubles()) walk(pass);
+        over_list(pass, shapes ? mix_shapes_ : mix_).set("picture", light_, nearest_clamp).set("into", picture);
+        pass.set("areas", areas_, nearest_clamp);
+        if (doubles()) pass.set("distances", *lengths_, nearest_clamp);
         if (shapes) pass.set("diagonals", *staircases_, nearest_clamp).set("crossings", crossings_, nearest_clamp);
         set_edges(pass);
-        pass.dispatch_indirect(work_).wait();
-        put(pass, picture);
+        pass.dispatch_indirect(work_);
     });
 }
 // [/record]
 
-void Mlaa::search_by_luma(Frame& frame, const Image& picture) {
-    const ComputeAccess access{.reads = {picture, work_, list_, mixed_},
-                               .writes = {picture, work_, next_work_, list_, mixed_},
-                               .with = {*this}};
+// A whole picture, with which the given one changes places: other pixels are read while some are mixed.
+void Mlaa::search_by_luma(Frame& frame, Image& picture) {
+    const ComputeAccess access{.reads = {picture, work_}, .writes = {light_, work_, next_work_}, .with = {*this}};
     frame.compute("fxaa", access, [&](Compute& pass) {
-        pass.use(fxaa_).set("picture", picture, nearest_clamp).set("listed", list_).set("mixed", mixed_);
-        pass.set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size).wait();
-        put(pass, picture);
+        pass.use(fxaa_).set("picture", picture, nearest_clamp).set("into", light_);
+        const glm::uvec2 size = picture.desc.size;
+        pass.set("work", work_).set("next_work", next_work_);
+        pass.dispatch_threads(glm::uvec2(size.x, (size.y + 3) / 4));  // a thread has four pixels of a column
     });
-}
-
-void Mlaa::put(Compute& pass, const Image& picture) const {
-    over_list(pass, put_).set("mixed", mixed_).set("picture", picture).dispatch_indirect(work_);
+    std::swap(picture, light_);
 }
 
 void Mlaa::show_edges(Frame& frame, const Image& picture, bool lengths) const {
     if (!follows_edges()) return;
-    frame.compute("edges in color", {.reads = {edge_rows_, edge_columns_, distances(), picture}, .writes = {picture}},
-                  [&](Compute& pass) {
-                      pass.use(lengths ? lengths_in_color_ : edges_in_color_);
-                      set_edges(pass);
-                      pass.set("distances", distances(), nearest_clamp).set("picture", picture);
-                      pass.dispatch_threads(picture.desc.size);
-                  });
+    ComputeAccess access{.reads = {edge_rows_, edge_columns_, picture}, .writes = {picture}, .with = {*this}};
+    if (doubles()) access.reads.push_back(*lengths_);
+    frame.compute("edges in color", access, [&](Compute& pass) {
+        pass.use(lengths ? lengths_in_color_ : edges_in_color_);
+        set_edges(pass);
+        if (doubles()) pass.set("distances", *lengths_, nearest_clamp);
+        pass.set("picture", picture).dispatch_threads(picture.desc.size);
+    });
 }
 
 }  // namespace lightwalk

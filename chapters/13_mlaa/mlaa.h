@@ -10,9 +10,10 @@ namespace lightwalk {
 ///     antialias.record(frame, frame.hdr, {view, frame.depth, &scene});
 ///
 /// mixes pixels of the RGBA16F image, of any size up to 65535 a side, with their neighbours along its edges, in linear
-/// light. What lies beside no edge stays as it is, to the bit; a pixel that is mixed has no NaN, and alpha stays. The
-/// method taa changes every pixel, by what it saw in the frames before (taa.h). The methods from msaa_4x on are about how
-/// a picture is drawn: record() then does nothing (see drawing.h). Once per frame and module.
+/// light. What lies beside no edge stays as it is, to the bit; a pixel that is mixed has no NaN, and alpha stays. After
+/// fxaa_like the image has another handle, since it was written anew. The method taa changes every pixel, by what it saw
+/// in the frames before (taa.h). The methods from msaa_4x on are about how a picture is drawn: record() then does nothing
+/// (see drawing.h). Once per frame and module.
 /// Large (20 functions, 14 members): one member for each target and table that its passes share.
 struct Mlaa : Module {
     Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
@@ -45,20 +46,21 @@ struct Mlaa : Module {
 
     Taa taa{*this, "taa"};
 
-    void record(Frame& frame, const Image& picture, const Seen& seen);
+    void record(Frame& frame, Image& picture, const Seen& seen);
     /// Throws Failure for taa, which needs to know what is seen.
-    void record(Frame& frame, const Image& picture);
+    void record(Frame& frame, Image& picture);
 
     /// Whether it needs the picture alone, drawn once.
     bool is_filter() const { return method.is("fxaa_like") || follows_edges(); }
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
+    bool doubles() const { return !reads.is("words"); }
 
     /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours. None with
     /// words.
     int passes() const;
 
-    /// Of the last frame recorded, for viewing: words of edges (13_mlaa/edge_words.glsl), and beside edges four bytes
-    /// (13_mlaa/distance_bits.glsl). All r32ui.
+    /// Of the last frame recorded, for viewing: words of edges (13_mlaa/edge_words.glsl), and, if distances double, beside
+    /// edges four bytes (13_mlaa/distance_bits.glsl). All r32ui.
     const Image& edge_rows() const { return edge_rows_; }
     const Image& edge_columns() const { return edge_columns_; }
     const Image& distances() const { return *lengths_; }
@@ -77,29 +79,27 @@ struct Mlaa : Module {
     std::vector<std::string> status() const override;
 
   private:
-    void set_up(Frame& frame, glm::uvec2 size);
+    void set_up(Frame& frame, const Image& picture);
     void follow_edges(Frame& frame, const Image& picture);
-    void search_by_luma(Frame& frame, const Image& picture);
-    void measure_by_words(Compute& pass);
+    void search_by_luma(Frame& frame, Image& picture);
+    void walk(Compute& pass);
     void measure_by_doubling(Compute& pass);
     const Image* propagate(Compute& pass, const Image* from, const Image* into,
                            const glm::ivec2 (&directions)[4]) const;
     Compute& over_list(Compute& pass, const Pipeline& pipeline) const;
-    void put(Compute& pass, const Image& picture) const;
 
     Image edge_rows_, edge_columns_;
-    Image distances_[2], diagonals_[2];                       ///< the second of each for passes that double
+    Image distances_[2], diagonals_[2];                       ///< for passes that double
     const Image *lengths_ = nullptr, *staircases_ = nullptr;  ///< of those, as the last frame left them
     Image areas_, crossings_;
-    unsigned toggles_ = ~0u;  ///< that the tables were made for
-    Image mixed_;
+    unsigned toggles_ = ~0u;   ///< that the tables were made for
+    Image light_;              ///< of listed pixels, before it is mixed; with fxaa_like the picture of the frame before
     Buffer work_, next_work_;  ///< of this frame, and, which this frame empties, of the next
     Buffer list_;
     ReadBack counted_;
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
     Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
-    Pipeline scan_ = compute({.shader = "13_mlaa/lengths.comp"});
-    Pipeline scan_and_walk_ = compute({.shader = "13_mlaa/lengths.comp", .macros = {{"DIAGONALS", "1"}}});
+    Pipeline walk_ = compute({.shader = "13_mlaa/walk.comp"});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
     Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});
@@ -108,7 +108,6 @@ struct Mlaa : Module {
     Pipeline fxaa_ = compute({.shader = "13_mlaa/fxaa.comp"});
     Pipeline edges_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "0"}}});
     Pipeline lengths_in_color_ = compute({.shader = "13_mlaa/edges_in_color.comp", .macros = {{"LENGTHS", "1"}}});
-    Pipeline put_ = compute({.shader = "13_mlaa/put.comp"});
 };
 
 }  // namespace lightwalk

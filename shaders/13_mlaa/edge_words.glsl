@@ -4,11 +4,15 @@
 const int word_pixels = 16;
 uniform usampler2D edge_rows, edge_columns;
 
-// The word number `tile` of a row (`horizontal`) or column. No edges outside of the picture.
+ivec2 picture_size() { return ivec2(textureSize(edge_columns, 0).x, textureSize(edge_rows, 0).y); }
+
+// The word number `tile` of a row (`horizontal`) or column. No edges outside of the picture. (Always read: no read waits for
+// a comparison.)
 uint edge_word(int tile, int line, bool horizontal) {
     ivec2 at = horizontal ? ivec2(tile, line) : ivec2(line, tile), size = horizontal ? textureSize(edge_rows, 0) : textureSize(edge_columns, 0);
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) return 0u;
-    return horizontal ? texelFetch(edge_rows, at, 0).x : texelFetch(edge_columns, at, 0).x;
+    ivec2 inside = clamp(at, ivec2(0), size - 1);
+    uint word = horizontal ? texelFetch(edge_rows, inside, 0).x : texelFetch(edge_columns, inside, 0).x;
+    return at == inside ? word : 0u;
 }
 
 // Between the pixel and the one below it, or on its right.

@@ -1,5 +1,5 @@
-// Mixes each listed pixel with its neighbours by weights_of(), defined by the includer. Results wait in an image of
-// their own: neighbours still read the original picture.
+// Mixes each listed pixel with its neighbours by weights_of(), defined by the includer. All that it mixes lie beside an
+// edge as well: their light is read from where the pass that found edges kept it.
 #include "13_mlaa/blend.glsl"
 #include "13_mlaa/picture.glsl"
 #include "13_mlaa/work.glsl"
@@ -7,7 +7,7 @@
 layout(local_size_x = 256) in;
 
 layout(scalar) readonly buffer ListBuffer { uint listed[]; };
-layout(rgba16f) writeonly uniform image2D mixed;  // alpha 0: the pixel stays as it is
+layout(rgba16f) writeonly uniform image2D into;
 shared uint changed_here;
 
 // [mix]
@@ -17,14 +17,11 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < work.listed_count; i += listed_threads * gl_NumWorkGroups.x) {
         ivec2 pixel = unpack_pixel(listed[i]);
         vec4 weights = weights_of(pixel);
-        bool changes = any(greaterThan(weights, vec4(0.0)));
-        vec4 result = vec4(0.0);
-        if (changes) {
-            result = vec4(blend(light_at(pixel), light_at(pixel + ivec2(-1, 0)), light_at(pixel + ivec2(1, 0)),
-                                light_at(pixel + ivec2(0, -1)), light_at(pixel + ivec2(0, 1)), weights), 1.0);
-            atomicAdd(changed_here, 1u);
-        }
-        imageStore(mixed, pixel, result);
+        if (!any(greaterThan(weights, vec4(0.0)))) continue;  // it stays as it is, to the bit
+        vec3 mixed = blend(light_at(pixel), light_at(pixel + ivec2(-1, 0)), light_at(pixel + ivec2(1, 0)),
+                           light_at(pixel + ivec2(0, -1)), light_at(pixel + ivec2(0, 1)), weights);
+        imageStore(into, pixel, vec4(mixed, texelFetch(picture, pixel, 0).a));
+        atomicAdd(changed_here, 1u);
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u && changed_here > 0u) atomicAdd(work.changed_count, changed_here);

@@ -3,33 +3,9 @@
 #include "13_mlaa/areas.glsl"
 #include "13_mlaa/edge_source.glsl"
 #include "13_mlaa/lines.glsl"
-#include "13_mlaa/distance_bits.glsl"
+#include "13_mlaa/staircases.glsl"
 
 // How far the outline along a staircase of single steps stands above the line through the middles of its steps.
-
-uniform usampler2D diagonals;  // valid beside edges
-
-// A staircase and one of its steps, which are the edges below pixels: how many to its ends, that one counted, and which way
-// it runs (1 falling, -1 rising).
-struct Staircase {
-    ivec2 step;  // the pixel above the step's edge
-    int back, ahead, way;
-};
-
-Staircase staircase_at(ivec2 pixel, bool falling) {
-    uint word = edge_below(pixel) ? texelFetch(diagonals, pixel, 0).x : 0u;
-    return Staircase(pixel, int(byte_of(word, falling ? back_falling : back_rising)),
-                     int(byte_of(word, falling ? ahead_falling : ahead_rising)), falling ? 1 : -1);
-}
-
-ivec2 first_of(Staircase s) { return s.step - (s.back - 1) * ivec2(s.way, 1); }
-ivec2 last_of(Staircase s) { return s.step + (s.ahead - 1) * ivec2(s.way, 1); }
-
-// From four edges on, those below and those across: with three it is a turn of some line.
-bool is_staircase(Staircase s) {
-    int steps = s.back + s.ahead - 1;
-    return s.back > 0 && (steps > 2 || steps == 2 && (edge_before(first_of(s), s.way) || edge_after(last_of(s), s.way)));
-}
 
 // [staircase_height]
 // In the middle between two edges that are twice as long as a step the outline changes sides: half a pixel above the steps'
@@ -127,7 +103,7 @@ vec4 weights_of(ivec2 pixel) {
     if (of_detail != vec4(0.0)) return of_detail;
     // Above the edge of a step, or below it: the outline is the staircase, regardless of its edges' lines.
     for (int way = 1; way >= -1; way -= 2) {
-        Staircase here = staircase_at(pixel, way > 0), above = staircase_at(pixel - ivec2(0, 1), way > 0);
+        Staircase here = staircase_at(pixel, way), above = staircase_at(pixel - ivec2(0, 1), way);
         bool is_above = is_staircase(here), is_below = is_staircase(above);
         if (is_above || is_below)
             return vec4(0.0, 0.0, is_below ? corner_below(above) : 0.0, is_above ? corner_above(here) : 0.0);

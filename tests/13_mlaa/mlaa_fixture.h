@@ -23,7 +23,10 @@ struct OnMlaa : OnModules {
     ImageRgb filter(const std::string& method, glm::uvec2 size, const Light& light) {
         antialias.method.set(method);
         before = half_texels(size, light, 0.25f);
-        filter_frame(picture, size, before, [&] { antialias.record(frame, picture); });
+        filter_frame(picture, size, before, [&] {
+            antialias.record(frame, picture);
+            if (antialias.follows_edges() && !antialias.doubles()) scan(size);
+        });
         return read_linear(gpu, picture);
     }
 
@@ -31,7 +34,7 @@ struct OnMlaa : OnModules {
 
     /// The distances beside edges, four bytes a pixel; 0 where the words of edges have none.
     std::vector<uint32_t> lengths(glm::ivec2 size) {
-        auto words = numbers<uint32_t>(gpu.read_back(antialias.distances()));
+        auto words = numbers<uint32_t>(gpu.read_back(antialias.doubles() ? antialias.distances() : scanned_));
         const auto rows = numbers<uint32_t>(gpu.read_back(antialias.edge_rows()));
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
@@ -47,6 +50,31 @@ struct OnMlaa : OnModules {
         for (size_t i = 0; i < now.size(); ++i) changed += now[i] != before[i];
         return changed;
     }
+
+  private:
+    /// The lengths that words of edges tell.
+    void scan(glm::uvec2 size) {
+        scanned_.fit(gpu.device, {.name = "scanned", .format = VK_FORMAT_R32_UINT, .size = size});
+        const ComputeAccess access{
+            .reads = {antialias.edge_rows(), antialias.edge_columns()}, .writes = {scanned_}, .with = {antialias}};
+        frame.compute("scanned", access, [&](Compute& pass) {
+            pass.use(scan_).set("lengths", scanned_);
+            antialias.set_edges(pass);
+            pass.dispatch_threads(size);
+        });
+    }
+
+    Image scanned_;
+    const Pipeline scan_ = compute({.shader = "test/scanned_lengths.comp", .macros = {}, .source = R"(
+#include "13_mlaa/lines.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32ui) writeonly uniform uimage2D lengths;
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(lengths)))) return;
+    EdgeLine below = line_at(pixel, true), right = line_at(pixel, false);
+    imageStore(lengths, pixel, uvec4(below.back << back_below | below.ahead << ahead_below | right.back << back_right | right.ahead << ahead_right));
+})"});
 };
 
 /// White below a line through `point` (pixels, their middles at integers) that rises by the angle to the right.
