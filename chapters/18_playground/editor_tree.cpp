@@ -13,15 +13,6 @@ namespace {
 
 constexpr TextWidth eye_px{20.0f}, fold_px{20.0f};
 
-// The text, or its beginning and dots where it is wider.
-std::string cut_text(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    const float room = width - ImGui::CalcTextSize("...").x;
-    const char* rest = text.c_str();
-    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(room, 1.0f), 0.0f, rest, nullptr, &rest);
-    return text.substr(0, static_cast<size_t>(rest - text.c_str())) + "...";
-}
-
 const char* icon_of(const Entry& entry) {
     if (const SceneObject* object = entry.object()) return object->model.empty() ? icon::group : icon::object;
     return is_sun(entry) ? icon::sun : entry.light()->kind == Light::Kind::point ? icon::lamp : icon::spot;

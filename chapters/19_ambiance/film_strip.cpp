@@ -56,6 +56,7 @@ bool FilmWindow::draw_panels(const Area& picture, float, float scale) {
     const Bar bar{*ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                   reel.film().duration_s};
     scrub(bar);
+    draw_names(bar);
     draw_scenes(bar);
     draw_music(bar);
     draw_fades(bar);
@@ -108,11 +109,26 @@ void FilmWindow::draw_scenes(const Bar& bar) const {
         const bool is_on = clock_.time_s >= float(scenes[i].from_s) && clock_.time_s < float(scenes[i].to_s);
         bar.draw.AddQuadFilled({left, bottom}, {in, top}, {right, top}, {right, bottom},
                                color_of(i, is_on ? 0.80f : 0.48f));
-        bar.draw.PushClipRect({in, top}, {right - pad, bottom}, true);
-        bar.draw.AddText({in + pad, top + 2.0f}, IM_COL32(255, 255, 255, 235), scenes[i].name.c_str());
+        const std::string label = cut_text(scenes[i].name, right - in - 2.0f * pad, ".");
+        bar.draw.PushClipRect({in, top}, {right, bottom}, true);
+        bar.draw.AddText({in + pad, top + 2.0f}, IM_COL32(255, 255, 255, 235), label.c_str());
         bar.draw.PopClipRect();
         if (looped_ == i) bar.draw.AddRect({left, top}, {right, bottom}, IM_COL32(255, 255, 255, 255), 0.0f, 0, 2.0f);
     }
+}
+
+// The scenes below the pointer, by their whole names.
+void FilmWindow::draw_names(const Bar& bar) const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsItemHovered() || mouse.y > bar.y(0.52f)) return;
+    const double time_s = bar.time_s(mouse.x);
+    ImGui::BeginTooltip();
+    for (const FilmScene& one : reel.film().scenes)
+        if (one.from_s <= time_s && time_s < one.to_s) {
+            ImGui::Text("%s: %.1f to %.1f s", one.name.c_str(), one.from_s, one.to_s);
+            log_place("strip.name." + one.name);
+        }
+    ImGui::EndTooltip();
 }
 
 // How loud the music is, as far as its levels are known.

@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Large (27 functions, 9 members): each key of a film's window.
+/// Large (28 functions, 9 members): each key of a film's window.
 struct FilmWindow : Ambiance, WindowTool {
     bool on_mouse(const Input&, glm::vec2, bool) override { return false; }
     bool on_key(const KeyPress& key) override;
@@ -22,6 +22,7 @@ struct FilmWindow : Ambiance, WindowTool {
     struct Bar;  ///< where times lie on the screen
     void draw_buttons();
     void draw_scenes(const Bar& bar) const;
+    void draw_names(const Bar& bar) const;
     void draw_fades(const Bar& bar) const;
     void draw_music(const Bar& bar) const;
     void draw_keys(const Bar& bar) const;

@@ -44,6 +44,9 @@ void CostGraph::draw() const {
         list.AddRectFilled({from.x, y_of(costs_[i].gpu_ms)}, {right, bottom}, ImGui::GetColorU32(reference_color));
     }
     const std::string scale = fmt::format("{:.{}f} ms", most, most < 10.0 ? 2 : 0);
+    const ImVec2 text = ImGui::CalcTextSize(scale.c_str());
+    list.AddRectFilled(corner, {corner.x + text.x + 8.0f, corner.y + text.y + 2.0f},
+                       ImGui::GetColorU32({0.05f, 0.06f, 0.07f, 0.75f}), 3.0f);  // the blue is as bright as the number
     list.AddText({corner.x + 4.0f, corner.y + 1.0f}, ImGui::GetColorU32(ImGuiCol_Text), scale.c_str());
 }
 

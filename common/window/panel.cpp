@@ -13,6 +13,14 @@ void help_on_hover(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
 
+std::string cut_text(const std::string& text, float width, const char* end) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const float room = width - ImGui::CalcTextSize(end).x;
+    const char* rest = text.c_str();
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(room, 1.0f), 0.0f, rest, nullptr, &rest);
+    return text.substr(0, static_cast<size_t>(rest - text.c_str())) + end;
+}
+
 namespace {
 
 bool section(const char* name) {

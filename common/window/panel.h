@@ -40,6 +40,9 @@ struct PanelState {
 /// A text cut to fit the screen: a compiler may quote a line of megabytes.
 std::string shortened(const std::string& text);
 
+/// The text, or its beginning and `end` where it is wider.
+std::string cut_text(const std::string& text, float width, const char* end = "...");
+
 /// A tooltip over the widget drawn last.
 void help_on_hover(const char* text);
 

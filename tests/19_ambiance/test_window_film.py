@@ -131,8 +131,14 @@ class FilmWindow(unittest.TestCase):
         self.film.write_text("{")
         self.press("k", "not written")
         self.assertEqual(self.film.read_text(), "{")
-        self.film.write_text(text)
+        name = "a street of many houses and lamps"
+        self.film.write_text(text.replace('"name": "street"', f'"name": "{name}"'))
         self.press("F5", "reloaded")
+
+        # The whole name of a scene is under the pointer.
+        self.assertNotIn(f"strip.name.{name}", session.places)
+        session.move(self.bar_x(4.5), session.areas["strip.bar"][1] + 10)
+        session.wait(lambda: f"strip.name.{name}" in session.places, "the whole name")
 
         session.key("Escape")
         self.assertEqual((session.end(), session.errors), (0, []))
