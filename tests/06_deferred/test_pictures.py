@@ -58,7 +58,7 @@ class PicturesTest(ChapterPictures):
 
     def test_a_shader_that_never_emits_draws_nothing_after_one_that_does(self):
         """The starter culls no triangle, so none is left out; Mesa 22.3 read its outputs, which a compiler had removed."""
-        scene = [SCENES / "guardian.json", "--size", "160x90", "--set", "cull=left_out"]
+        scene = [SCENES / "bell.json", "--size", "160x90", "--set", "cull=left_out"]
         files = [(["--scene", *scene, "--use", use], self.folder / f"{name}.png")
                  for name, use in (("right", "solution"), ("starter", "solution,06.cull_back_face=exercise"))]
         self.assertEqual(render_many(self.chapter, files), ["", ""])
