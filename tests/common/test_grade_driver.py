@@ -12,6 +12,7 @@ from grading.grade import table, write_files
 from grading.judge import Judge
 from grading.judge_picture import DriverEnded, Pictures, ToolFailed
 from grading.sandbox import Done
+from tree import ROOT
 
 EXERCISE = "04.parallax_occlusion"
 
@@ -45,6 +46,19 @@ class Crash(unittest.TestCase):
         with self.assertRaisesRegex(ToolFailed, "ended with 1"):
             self.drawn((139, 1), "a.glsl")
         self.assertIsNone(self.drawn((), "a.glsl"))
+
+    def test_the_students_object_is_linked_last(self):
+        """Its toggles have no references. Before those of the chapter they would be used, and the chapter's other exercises
+        would be starters in its picture."""
+        place = "chapters/17_planets/exercise/camera_relative.cpp"
+        pictures = Pictures.__new__(Pictures)
+        pictures.wanted = {"17.camera_relative": "17_planets"}
+        pictures.links = {"17_planets": ["c++", "main.o", f"CMakeFiles/e.dir/./{place}.o", "-o", "program", "libchapter.a"]}
+        judge = mock.Mock(paths={"17.camera_relative": ROOT / place})
+        judge.started.return_value = contextlib.nullcontext(mock.Mock(finish=lambda: Done(0, "", False, False)))
+        pictures.link("17.camera_relative", self.folder, judge)
+        words = judge.started.call_args.args[0][-1].split()
+        self.assertEqual(words[-6:], ["c++", "main.o", "-o", "/grade/program", "libchapter.a", "/grade/student.o"])
 
     def test_there_is_no_mark_and_it_is_said(self):
         judge = Judge.__new__(Judge)

@@ -156,8 +156,9 @@ class Pictures:
         # Newer CMakes have the linker write its dependencies beside the build's objects.
         words = [word for word in self.links[chapter] if not word.startswith("-Wl,--dependency-file")]
         its = next(i for i, word in enumerate(words) if word.endswith(f"/{place}.o"))
-        words[its] = "/grade/student.o"
+        del words[its]
         words[words.index("-o") + 1] = "/grade/program"
+        words.append("/grade/student.o")  # last: its toggles, made without references, are those that are there already
         # Of the names in the student's object those alone that a reference has: it may have thousands more.
         for name in symbols(folder / "student.o", "8exercise"):
             if (other := name.replace("8exercise", "8solution", 1)) in references_of(chapter):
