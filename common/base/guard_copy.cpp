@@ -1,7 +1,6 @@
 #include "common/base/guard_copy.h"
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -19,6 +18,7 @@
 #include <thread>
 
 #include "common/base/error.h"
+#include "common/base/freed_memory.h"
 #include "common/base/progress.h"
 #include "common/base/sanitized.h"
 #include "common/base/text.h"
@@ -65,14 +65,6 @@ void begin_limits(const GuardLimits& limits) {
 }
 
 void end_memory_limit() { limit(RLIMIT_AS, RLIM_INFINITY); }
-
-// For a copy that serves many files: it takes longer to give a small file's memory back and to take it again than to
-// read the file.
-void keep_memory() {
-    constexpr int most = 32 << 20;
-    mallopt(M_MMAP_THRESHOLD, most);
-    mallopt(M_TRIM_THRESHOLD, most);
-}
 
 // No terminal, window or device of the original, which a copy may outlive.
 void confine(int socket, int memory) {
@@ -178,7 +170,7 @@ void GuardCopy::live(const GuardLimits* limits, const std::function<std::string(
     if (work) {
         answer([&](GuardReply& reply) { reply.append((*work)()); }, *limits, 0);
     } else {
-        keep_memory();
+        keep_freed_memory();
         while (serve_next()) {}
     }
     _exit(0);

@@ -27,11 +27,12 @@ void fields(Bytes& bytes, Decoded& picture) {
 namespace {
 
 /// stb takes a JPEG that is cut off and fills the rest with grey. Its end marker (FFD9) must stand after the last
-/// start of scan (FFDA).
+/// start of scan (FFDA). Both are sought from the side on which they lie.
 bool is_cut_jpeg(std::string_view bytes) {
     if (!bytes.starts_with("\xFF\xD8")) return false;
-    const size_t end = bytes.rfind("\xFF\xD9"), scan = bytes.rfind("\xFF\xDA");
-    return end == std::string::npos || scan == std::string::npos || end < scan;
+    const std::string_view scan = "\xFF\xDA";
+    const size_t end = bytes.rfind("\xFF\xD9");
+    return end == bytes.npos || bytes.find(scan) == bytes.npos || bytes.find(scan, end) != bytes.npos;
 }
 
 /// stb calls a PNG it finds too large "unknown"; so its header (width and height at byte 16, big endian) is read first.
@@ -136,14 +137,21 @@ Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth 
     if (is_cut_jpeg(bytes)) reject(path, "is cut off");
     Source of_depth{bytes}, source{bytes};
     const bool has_16 = stbi_is_16_bit_from_callbacks(&Source::calls, &of_depth);
+    // stb 2.27 takes such samples for 8 bits, and reads as many bytes again behind them.
+    if (has_16 && bytes.starts_with('P')) reject(path, "is a PNM image of 16 bits");
     picture.bits = has_16 && depth == Depth::as_stored ? 16 : 8;
+    // An end that stb or is_cut_jpeg() looks for needs no source, which stb reads in pieces of 128 bytes.
+    const bool has_end = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");
     int width = 0, height = 0, *channels = &picture.channels;
-    void* const pixels = has_16 ? static_cast<void*>(stbi_load_16_from_callbacks(&Source::calls, &source, &width,
-                                                                                 &height, channels, wanted))
-                                : stbi_load_from_callbacks(&Source::calls, &source, &width, &height, channels, wanted);
+    const auto load = [&](auto from_memory, auto from_source) -> void* {
+        const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+        if (has_end) return from_memory(data, static_cast<int>(bytes.size()), &width, &height, channels, wanted);
+        return from_source(&Source::calls, &source, &width, &height, channels, wanted);
+    };
+    void* const pixels = has_16 ? load(stbi_load_16_from_memory, stbi_load_16_from_callbacks)
+                                : load(stbi_load_from_memory, stbi_load_from_callbacks);
     if (!pixels) reject_as(path, "is broken or cut off");
     Raw raw{picture, {pixels, stbi_image_free}};
-    const bool has_end = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");  // which stb or we look for
     if (width != picture.width || height != picture.height || (source.ran_out && !has_end)) reject(path, "is cut off");
     if (runs_from_right(path, bytes) && !has_16) {
         if (wanted == 4) mirror_rows(static_cast<std::array<char, 4>*>(pixels), width, height);

@@ -240,10 +240,13 @@ void GltfFile::values(size_t index, size_t components, T* out, size_t step, Read
     const bool as_they_are = a.type == (std::is_same_v<T, float> ? 5126 : 5125);
     if (as_they_are && !a.bytes.empty())
         copy_vectors(a.bytes.data(), a.stride, out, step, components, a.count);
-    else if (!a.bytes.empty())
-        for (size_t i = 0; i < a.count; ++i)
-            for (size_t c = 0; c < components; ++c)
+    else if (!a.bytes.empty()) {
+        const bool is_packed = a.stride == components * a.component_bytes && step == components;  // one long vector
+        const size_t vectors = is_packed ? 1 : a.count, numbers = is_packed ? a.count * components : components;
+        for (size_t i = 0; i < vectors; ++i)
+            for (size_t c = 0; c < numbers; ++c)
                 out[i * step + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
+    }
     const json& from = entry("accessors", index);
     if (const auto sparse = from.find("sparse"); sparse != from.end()) {
         const json &at = sparse->at("indices"), &with = sparse->at("values");

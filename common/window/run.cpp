@@ -6,6 +6,7 @@
 #include "common/app/pictures.h"
 #include "common/base/crash.h"
 #include "common/base/files.h"
+#include "common/base/freed_memory.h"
 #include "common/base/guarded.h"
 #include "common/base/text.h"
 #include "common/study/study.h"
@@ -16,6 +17,7 @@ namespace lightwalk {
 
 int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make) {
     say_crashes();
+    keep_freed_memory();
     try {
         std::unique_ptr<Gpu> gpu;  // before the chapter, since it must outlive its images and buffers
         const std::unique_ptr<Chapter> chapter = make();

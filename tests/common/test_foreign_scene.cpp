@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "common/app/foreign_scene.h"
 #include "common/base/error.h"
+#include "common/scene/mesh.h"
 
 using namespace lightwalk;
 

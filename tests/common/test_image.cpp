@@ -1,7 +1,5 @@
 // Images on disk: they read back as written, and a file that is no image gives one clear line.
 #include <stb_image_write.h>
-#include <unistd.h>
-#include <webp/encode.h>
 
 #include <bit>
 #include <cmath>
@@ -9,41 +7,13 @@
 #include <limits>
 #include <string>
 
-#include "catch.h"
-#include "common/base/error.h"
 #include "common/base/files.h"
-#include "common/image/image.h"
+#include "image_fixture.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder of its own for each test case, removed at the end.
-struct Scratch {
-    fs::path folder = fs::temp_directory_path() / ("lightwalk_image_" + std::to_string(getpid()));
-    Scratch() { fs::create_directories(folder); }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    fs::path operator/(const char* name) const { return folder / name; }
-};
-
-Image8 pattern(int width, int height) {
-    Image8 image(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            image.at(x, y) = {uint8_t(x * 7), uint8_t(y * 11), uint8_t(x * y), uint8_t(255 - x)};
-    return image;
-}
-
-std::string message_of(const fs::path& path) {
-    try {
-        read_image_linear(path);
-    } catch (const InputError& error) { return error.what(); }
-    return "no error";
-}
 
 /// A 16-bit grey PNG of one pixel row, 0 and 32768 and 65535, made by hand: stored (uncompressed) deflate.
 std::string grey16_png() {
@@ -94,7 +64,7 @@ TEST_CASE("to_srgb8 clamps, and NaN is black") {
 }
 
 TEST_CASE("A PNG comes back as it was written") {
-    const Scratch scratch;
+    const FileFolder scratch;
     const Image8 image = pattern(33, 17);
     write_png(scratch / "a.png", image);
     const Image8 back = read_image8(scratch / "a.png");
@@ -105,7 +75,7 @@ TEST_CASE("A PNG comes back as it was written") {
 }
 
 TEST_CASE("A 16-bit grey PNG keeps its depth in linear light and rounds to 8 bits") {
-    const Scratch scratch;
+    const FileFolder scratch;
     write_file(scratch / "g.png", grey16_png());
     const ImageRgb linear = read_image_linear(scratch / "g.png");
     REQUIRE(linear.width == 3);
@@ -118,7 +88,7 @@ TEST_CASE("A 16-bit grey PNG keeps its depth in linear light and rounds to 8 bit
 }
 
 TEST_CASE("A PFM keeps every bit, NaN and Inf included") {
-    const Scratch scratch;
+    const FileFolder scratch;
     ImageRgb image(3, 2);
     image.pixels = {
         {0, -0.0f, 1e-40f}, {1e30f, -7, .1f},
@@ -137,7 +107,7 @@ TEST_CASE("A PFM keeps every bit, NaN and Inf included") {
 }
 
 TEST_CASE("A .hdr is linear as it stands") {
-    const Scratch scratch;
+    const FileFolder scratch;
     write_file(scratch / "a.hdr",
                radiance(2, 1, std::string("\x80\x40\x20\x81\0\0\0\0", 8)));  // mantissas * 2^(129-136)
     const ImageRgb image = read_image_linear(scratch / "a.hdr");
@@ -179,7 +149,7 @@ TEST_CASE("A .hdr is linear as it stands") {
 }
 
 TEST_CASE("What is not a whole image is refused in one line that names the file") {
-    const Scratch scratch;
+    const FileFolder scratch;
     write_png(scratch / "whole.png", pattern(64, 64));
     const std::string whole = read_file(scratch / "whole.png");
     const auto refused = [&](const char* name, const std::string& bytes, const char* why) {
@@ -191,7 +161,7 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
         CHECK(message.find('\n') == std::string::npos);
     };
     CHECK(message_of(scratch / "missing.png").find("cannot be opened") != std::string::npos);
-    CHECK(message_of(scratch.folder).find("is a folder") != std::string::npos);
+    CHECK(message_of(scratch.path).find("is a folder") != std::string::npos);
     refused("empty.png", "", "is empty");
     refused("text.png", "this is not an image at all, but it is long enough to look at", "is not an image");
     refused("short.webp", "RIFF", "is not an image");
@@ -214,10 +184,7 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
     refused("large.pfm", "PF\n99999 99999\n-1\nxxxx", "too large");
     refused("negative.pfm", "PF\n-1 4\n-1\nxxxx", "no pixels");
     std::string jpeg;
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
-    };
-    stbi_write_jpg_to_func(append, &jpeg, 64, 64, 4, pattern(64, 64).pixels.data(), 90);
+    stbi_write_jpg_to_func(append_bytes, &jpeg, 64, 64, 4, pattern(64, 64).pixels.data(), 90);
     write_file(scratch / "whole.jpg", jpeg);
     CHECK(read_image8(scratch / "whole.jpg").width == 64);
     refused("half.jpg", jpeg.substr(0, jpeg.size() / 2), ": is cut off;");  // stb alone would fill it with grey
@@ -227,79 +194,15 @@ TEST_CASE("What is not a whole image is refused in one line that names the file"
     refused("cut.jpg", std::string("\xFF\xD8\xFF\xE0\0\x10JFIF\0\x01\x01\0\0\x01\0\x01\0\0", 20), "broken header");
 }
 
-TEST_CASE("BMP, TGA and PSD are read, and refused where they are cut off") {
-    const Scratch scratch;
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
-    };
-    const Image8 image = pattern(31, 20);
-    std::string bmp, tga, psd("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\x14\0\0\0\x1f\0\x08\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 40);
-    stbi_write_bmp_to_func(append, &bmp, image.width, image.height, 4, image.pixels.data());
-    stbi_write_tga_to_func(append, &tga, image.width, image.height, 4, image.pixels.data());
-    for (int c = 0; c < 3; ++c)
-        for (const glm::u8vec4& p : image.pixels) psd += static_cast<char>(p[c]);
-    const std::pair<const char*, std::string> files[] = {{"a.bmp", bmp}, {"a.tga", tga}, {"a.psd", psd}};
-    for (const auto& [name, bytes] : files) {
-        CAPTURE(name);
-        write_file(scratch / name, bytes);
-        const Image8 back = read_image8(scratch / name);
-        REQUIRE((back.width == image.width && back.height == image.height));
-        bool same = true;
-        for (size_t i = 0; i < image.pixels.size(); ++i)
-            same = same && glm::u8vec3(back.pixels[i]) == glm::u8vec3(image.pixels[i]);
-        CHECK(same);
-        for (const size_t length : {bytes.size() - 1, bytes.size() - 300, bytes.size() / 2}) {
-            CAPTURE(length);
-            write_file(scratch / name, std::string_view(bytes).substr(0, length));
-            CHECK(message_of(scratch / name).find("cut off") != std::string::npos);
-        }
-    }
-}
-
-TEST_CASE("WebP is read, and refused where it is cut off") {
-    const Scratch scratch;
-    const Image8 image = pattern(31, 20);
-    uint8_t* encoded = nullptr;
-    const size_t size =
-        WebPEncodeLosslessRGBA(&image.pixels[0].r, image.width, image.height, 4 * image.width, &encoded);
-    const std::string bytes(encoded, encoded + size);
-    WebPFree(encoded);
-    write_file(scratch / "a.webp", bytes);
-    const Image8 back = read_image8(scratch / "a.webp");
-    REQUIRE((back.width == image.width && back.height == image.height));
-    for (size_t i = 0; i < image.pixels.size(); ++i) {
-        CHECK(back.pixels[i].a == image.pixels[i].a);
-        if (image.pixels[i].a > 0) CHECK(back.pixels[i] == image.pixels[i]);
-    }
-    write_file(scratch / "a.webp", std::string_view(bytes).substr(0, bytes.size() / 2));
-    CHECK(message_of(scratch / "a.webp").find("cut off") != std::string::npos);
-}
-
-// Truevision TGA 2.0, image descriptor: bit 4 is the order of columns, bit 5 that of rows.
-TEST_CASE("A TGA's rows run from the right where its descriptor says so") {
-    const Scratch scratch;
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), size_t(size));
-    };
-    const Image8 image = pattern(5, 3);
-    std::string tga;
-    stbi_write_tga_to_func(append, &tga, image.width, image.height, 4, image.pixels.data());
-    tga[17] = static_cast<char>(tga[17] ^ 0x30);
-    write_file(scratch / "turned.tga", tga);
-    const Image8 turned = read_image8(scratch / "turned.tga");
-    for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 5; ++x) CHECK(turned.at(x, y) == image.at(4 - x, 2 - y));
-}
-
 TEST_CASE("A PNG that cannot be written leaves nothing behind") {
-    const Scratch scratch;
+    const FileFolder scratch;
     CHECK_THROWS_AS(write_png(scratch / "no/such/folder.png", pattern(4, 4)), InputError);
     CHECK_THROWS_AS(write_png(scratch / "empty.png", Image8()), InputError);
-    CHECK(fs::is_empty(scratch.folder));
+    CHECK(fs::is_empty(scratch.path));
 }
 
 TEST_CASE("corpus: every picture is read or refused") {
-    const Scratch scratch;
+    const FileFolder scratch;
     size_t files = 0;
     for (const auto& entry : fs::directory_iterator(course_root() / "tests/common/corpus/image")) {
         CAPTURE(entry.path());

@@ -1,0 +1,79 @@
+// Pictures that other programs write: read as they were written, or refused.
+#include <stb_image_write.h>
+#include <webp/encode.h>
+
+#include <filesystem>
+#include <string>
+
+#include "common/base/files.h"
+#include "image_fixture.h"
+
+using namespace lightwalk;
+
+TEST_CASE("BMP, TGA and PSD are read, and refused where they are cut off") {
+    const FileFolder scratch;
+    const Image8 image = pattern(31, 20);
+    std::string bmp, tga, psd("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\x14\0\0\0\x1f\0\x08\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 40);
+    stbi_write_bmp_to_func(append_bytes, &bmp, image.width, image.height, 4, image.pixels.data());
+    stbi_write_tga_to_func(append_bytes, &tga, image.width, image.height, 4, image.pixels.data());
+    for (int c = 0; c < 3; ++c)
+        for (const glm::u8vec4& p : image.pixels) psd += static_cast<char>(p[c]);
+    const std::pair<const char*, std::string> files[] = {{"a.bmp", bmp}, {"a.tga", tga}, {"a.psd", psd}};
+    for (const auto& [name, bytes] : files) {
+        CAPTURE(name);
+        write_file(scratch / name, bytes);
+        const Image8 back = read_image8(scratch / name);
+        REQUIRE((back.width == image.width && back.height == image.height));
+        bool same = true;
+        for (size_t i = 0; i < image.pixels.size(); ++i)
+            same = same && glm::u8vec3(back.pixels[i]) == glm::u8vec3(image.pixels[i]);
+        CHECK(same);
+        for (const size_t length : {bytes.size() - 1, bytes.size() - 300, bytes.size() / 2}) {
+            CAPTURE(length);
+            write_file(scratch / name, std::string_view(bytes).substr(0, length));
+            CHECK(message_of(scratch / name).find("cut off") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("WebP is read, and refused where it is cut off") {
+    const FileFolder scratch;
+    const Image8 image = pattern(31, 20);
+    uint8_t* encoded = nullptr;
+    const size_t size =
+        WebPEncodeLosslessRGBA(&image.pixels[0].r, image.width, image.height, 4 * image.width, &encoded);
+    const std::string bytes(encoded, encoded + size);
+    WebPFree(encoded);
+    write_file(scratch / "a.webp", bytes);
+    const Image8 back = read_image8(scratch / "a.webp");
+    REQUIRE((back.width == image.width && back.height == image.height));
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        CHECK(back.pixels[i].a == image.pixels[i].a);
+        if (image.pixels[i].a > 0) CHECK(back.pixels[i] == image.pixels[i]);
+    }
+    write_file(scratch / "a.webp", std::string_view(bytes).substr(0, bytes.size() / 2));
+    CHECK(message_of(scratch / "a.webp").find("cut off") != std::string::npos);
+}
+
+// Truevision TGA 2.0, image descriptor: bit 4 is the order of columns, bit 5 that of rows.
+TEST_CASE("A TGA's rows run from the right where its descriptor says so") {
+    const FileFolder scratch;
+    const Image8 image = pattern(5, 3);
+    std::string tga;
+    stbi_write_tga_to_func(append_bytes, &tga, image.width, image.height, 4, image.pixels.data());
+    tga[17] = static_cast<char>(tga[17] ^ 0x30);
+    write_file(scratch / "turned.tga", tga);
+    const Image8 turned = read_image8(scratch / "turned.tga");
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 5; ++x) CHECK(turned.at(x, y) == image.at(4 - x, 2 - y));
+}
+
+// Netpbm: one byte a sample up to a largest value of 255, two above it.
+TEST_CASE("a PNM of 8 bits is read, and one of 16 is refused", "[common.pnm]") {
+    const FileFolder scratch;
+    const std::string samples = {1, 2, 3, 4, 5, 6};
+    write_file(scratch / "a.ppm", "P6 2 1 255\n" + samples);
+    CHECK(read_image8(scratch / "a.ppm").at(1, 0) == glm::u8vec4(4, 5, 6, 255));
+    write_file(scratch / "a.ppm", "P6 2 1 65535\n" + samples + samples);
+    CHECK(has_part(message_of(scratch / "a.ppm"), "is a PNM image of 16 bits"));
+}
