@@ -12,6 +12,8 @@ ObjData parse_textbook(std::string_view text, const std::string& name);
 ObjData parse_scan(std::string_view text, const std::string& name);
 /// `text` must be followed by at least 64 readable zero bytes.
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options);
+/// How parse_parallel() cuts a text: two chunks for each thread, but a single one where threads take no less time.
+size_t chunk_bytes_for(size_t text_bytes, unsigned threads);
 /// parse_tinyobjloader() or parse_assimp() in a guarded process, with its result checked.
 ObjData parse_guarded(std::string_view text, const std::string& name, Loader loader);
 /// Without objects and groups, which it does not tell apart; splits a quadrilateral along its shorter diagonal.

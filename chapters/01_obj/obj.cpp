@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <thread>
 
 #include "01_obj/lines.h"
 #include "01_obj/loaders.h"
@@ -91,7 +92,9 @@ bool is_obj(const fs::path& path) {
 ObjData parse_obj(const fs::path& path, Loader loader) {
     const MappedFile file(path);
     try {
-        ObjData data = parse(file.text(), path.string(), loader, {});
+        const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+        const ParseOptions options{chunk_bytes_for(file.text().size(), cores), cores};
+        ObjData data = parse(file.text(), path.string(), loader, options);
         file.check();
         return data;
     } catch (const InputError&) {

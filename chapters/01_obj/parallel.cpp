@@ -41,12 +41,17 @@ void populate(std::string_view text) {
 
 }  // namespace
 
+// A single chunk's lists become the result, those of several are copied: below 8 MiB two threads save less than that
+// takes. The smallest chunk of many threads takes as long as a thread needs to start.
+size_t chunk_bytes_for(size_t text_bytes, unsigned threads) {
+    constexpr size_t mebi = size_t{1} << 20;
+    if (threads < 3 && text_bytes < 8 * mebi) return 8 * mebi;
+    return std::clamp(text_bytes / (2 * threads), mebi / 4, mebi);
+}
+
 ObjData parse_parallel(std::string_view text, const std::string& name, ParseOptions options) {
     const unsigned threads = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-    // Two for each thread, but none of less than a thread costs.
-    const size_t even = std::max(text.size() / (2 * threads), size_t{1} << 18);
-    const std::vector<std::string_view> chunks =
-        chunks_of(text, std::max<size_t>(std::min(options.chunk_bytes, even), 1));
+    const std::vector<std::string_view> chunks = chunks_of(text, std::max<size_t>(options.chunk_bytes, 1));
     std::vector<Collected> collected(std::min<size_t>(threads, chunks.size()));
     std::vector<Piece> pieces(chunks.size());
     for (Collected& c : collected) reserve(c, text.size());
