@@ -12,7 +12,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 constexpr int texels = static_cast<int>(OCEAN_TEXELS);
-constexpr uint32_t levels_made = 6;  // by a dispatch of ocean_halve.comp
+constexpr uint32_t levels = OCEAN_LEVELS, layers = 6;  // of both images together
 
 // Wave numbers, in 1/m, between which the parts share the spectrum: six waves of the next tile are its longest.
 double least_k(int part) { return part == 0 ? 0.0 : 6 * 2 * M_PI / double(Ocean::tile_m()[part]); }
@@ -31,19 +31,10 @@ glm::dvec2 normal_pair(uint64_t n) {  // G. Box and M. Muller, 1958
     return {r * std::cos(angle), r * std::sin(angle)};
 }
 
-// At most `levels_made` levels behind that one.
-void halve(Compute& pass, const Pipeline& by, const Image& moved, const Image& sloped, uint32_t from) {
-    const uint32_t made = std::min(levels_made, moved.desc.mips - 1 - from);
-    std::vector<ImageView> moved_levels, sloped_levels;
-    for (uint32_t mip = from + 1; mip <= from + made; ++mip) {
-        moved_levels.push_back(moved.mip(mip));
-        sloped_levels.push_back(sloped.mip(mip));
-    }
-    pass.use(by).set("ocean_halve", static_cast<int>(made));
-    pass.set("finer_moved", moved.mip(from)).set("moved", std::span<const ImageView>(moved_levels));
-    pass.set("finer_sloped", sloped.mip(from)).set("sloped", std::span<const ImageView>(sloped_levels));
-    const uint32_t groups = ((OCEAN_TEXELS >> from) + 63) / 64;
-    pass.dispatch({groups, groups, 3});
+std::vector<ImageView> levels_of(const Image& image) {
+    std::vector<ImageView> all;
+    for (uint32_t mip = 0; mip < image.desc.mips; ++mip) all.push_back(image.mip(mip));
+    return all;
 }
 
 }  // namespace
@@ -88,9 +79,14 @@ void Ocean::make(Frame& frame) {
                                      .layers = layers,
                                      .kept = kept});
     };
-    fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, 6, 1);
-    for (Image& moved : moved_) fit(moved, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8, true);
-    fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, 8);
+    fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, layers, 1);
+    for (Image& moved : moved_) fit(moved, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, levels, true);
+    fit(sloped_, " sloped", VK_FORMAT_R16G16B16A16_SFLOAT, 3, levels);
+    if (!finished_) {
+        const VkDeviceSize tiles = layers * (OCEAN_TEXELS / 4) * (OCEAN_TEXELS / 4);
+        tiles_ = Buffer(frame.gpu.device, {.name = path() + " tiles", .bytes = sizeof(glm::vec4) * tiles});
+        finished_ = Buffer(frame.gpu.device, {.name = path() + " finished", .bytes = sizeof(uint32_t) * layers});
+    }
     if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value, Exercises::version())) return;
     std::vector<OceanWave> all;
     height_variance_ = 0;
@@ -130,18 +126,18 @@ void Ocean::record(Frame& frame) {
     // All frequencies are whole multiples of 1 / repeat_s: after 1e5 s nothing is lost but whole turns.
     const OceanNow now{.passed = static_cast<float>(std::fmod(double(frame.time_s), repeat_s) / repeat_s),
                        .chop = chop};
-    const Image& all_moved = moved_[0];
-    const ImageView moved = all_moved.mip(0), sloped = sloped_.mip(0);
-    frame.compute("ocean", {.reads = {fields_, waves_, all_moved, sloped_}, .writes = {fields_, all_moved, sloped_}},
-                  [&](Compute& pass) {
-                      pass.use(spectrum_).set("ocean_waves", waves_).set("ocean_now", now).set("fields", fields_);
-                      pass.dispatch_threads(glm::uvec3(OCEAN_TEXELS, OCEAN_TEXELS, 3)).wait();
-                      pass.use(rows_).set("fields", fields_).dispatch({OCEAN_TEXELS, 6, 1}).wait();
-                      pass.use(columns_).set("fields", fields_).set("moved", moved).set("sloped", sloped);
-                      pass.dispatch({OCEAN_TEXELS, 6, 1});
-                      for (uint32_t from = 0; from + 1 < all_moved.desc.mips; from += levels_made)
-                          halve(pass.wait(), halve_, all_moved, sloped_, from);
-                  });
+    frame.compute(
+        "ocean",
+        {.reads = {fields_, waves_, tiles_, finished_}, .writes = {fields_, tiles_, finished_, moved_[0], sloped_}},
+        [&](Compute& pass) {
+            pass.use(rows_).set("ocean_waves", waves_).set("ocean_now", now).set("fields", fields_);
+            pass.set("finished", finished_).dispatch({OCEAN_TEXELS / 2, 3, 1}).wait();
+            pass.use(columns_).set("fields", fields_).set("ocean_tiles", tiles_);
+            pass.offer("finished", finished_);  // an exercise of chapter 07's: it may not be there yet
+            pass.set("moved", std::span<const ImageView>(levels_of(moved_[0])));
+            pass.set("sloped", std::span<const ImageView>(levels_of(sloped_)));
+            pass.dispatch({OCEAN_TEXELS / 4, layers, 1});
+        });
 }
 // [/ocean_record]
 

@@ -11,6 +11,7 @@ namespace lightwalk {
 // [ocean]
 /// record() in each frame; then water_surface.glsl reads moved() and sloped(): three layers, each of a part of the
 /// spectrum, on a tile of tile_m() metres that repeats. All repeats after `repeat_s`.
+/// Large (11 functions, 10 members): one member for each target and table that its passes share.
 struct Ocean : Module {
     Ocean(Module& owner, std::string name) : Module(owner, std::move(name), "ocean") {}
 
@@ -41,15 +42,13 @@ struct Ocean : Module {
   private:
     void make(Frame& frame);
     Image fields_, moved_[2], sloped_;  ///< moved_: by this record(), by the one before
-    Buffer waves_;
+    Buffer waves_, tiles_, finished_;   ///< the last two of columns_: its workgroups' results, and their number
     Made<float, float, float, int, unsigned> made_;  ///< wind, fetch, its direction, shape, toggles
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
     OceanTravel a_second_[3]{};
-    Pipeline spectrum_ = compute({.shader = "15_terrain_water/ocean_spectrum.comp"});
-    Pipeline rows_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "0"}}});
-    Pipeline columns_ = compute({.shader = "15_terrain_water/ocean_fft.comp", .macros = {{"VERTICAL", "1"}}});
-    Pipeline halve_ = compute({.shader = "15_terrain_water/ocean_halve.comp"});
+    Pipeline rows_ = compute({.shader = "15_terrain_water/ocean_rows.comp"});
+    Pipeline columns_ = compute({.shader = "15_terrain_water/ocean_columns.comp"});
 };
 
 }  // namespace lightwalk

@@ -55,7 +55,7 @@ struct WaterBefore {
 
 const uint RINGS = 288u, SPOKES = 256u;
 
-const uint OCEAN_TEXELS = 256u;
+const uint OCEAN_TEXELS = 256u, OCEAN_LEVELS = 8u;
 
 // One wave of the ocean's spectrum.
 struct OceanWave {
