@@ -46,21 +46,21 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     for (const Step& step : plan_.steps) groups.push_back(groups_of(step, plan_));
     if (groups_made_.from(groups)) {
         wanted_ = frame.gpu.upload("bloom workgroups", groups);
-        dispatch_ = Buffer(frame.gpu.device, {.name = "bloom dispatches", .bytes = 12 * (groups.size() + 1)});
+        dispatch_ = frame.gpu.upload("bloom dispatches", std::vector<glm::uvec3>(groups.size() + 1, glm::uvec3(0)));
     }
     std::vector<glm::vec2> taps = plan_.taps;
     if (taps.empty()) taps.emplace_back(0.0f);  // a buffer has something in it
     if (taps_made_.from(taps)) taps_ = frame.gpu.upload("bloom taps", taps);
 }
 
-// Images after the bright pass are undefined if no blur ran: lit_at() of dispatches.glsl tells.
+// Images after the bright pass are undefined if no blur ran: spreads_at() of dispatches.glsl tells.
 void Bloom::show(Frame& frame, size_t image, float gain) const {
     const size_t i = std::min(image, images_.size() - 1);
     show_image(frame, images_[i],
                {.gain = glm::vec3(gain),
                 .texels = {glm::vec2(static_cast<float>(plan_.aprons[i])), plan_.extents[i]},
                 .words = &dispatch_,
-                .gate = static_cast<uint32_t>(3 * plan_.steps.size())});
+                .gate = static_cast<uint32_t>(3 * plan_.steps.size() + 1)});
 }
 
 // [record]
@@ -72,7 +72,6 @@ void Bloom::record(Frame& frame, const Image& hdr) {
     // 1. Bright pass; the number of workgroups of each blur step, 0 if nothing is bright.
     frame.compute("bloom cut", {.reads = {hdr, dispatch_}, .writes = {cut_out(), dispatch_}, .with = {*this}},
                   [&](Compute& pass) {
-                      pass.use(begin_).set("dispatches", dispatch_).dispatch({1, 1, 1}).wait();
                       pass.use(bright_).set("dispatches", dispatch_).set("hdr", hdr, nearest_clamp);
                       pass.set("result", cut_out()).dispatch_threads(hdr.desc.size).wait();
                       pass.use(decide_).set("dispatches", dispatch_).set("wanted", wanted_);
@@ -83,7 +82,7 @@ void Bloom::record(Frame& frame, const Image& hdr) {
     record_blur(frame);
 
     // 3. Back into the picture.
-    frame.compute("bloom combine", {.reads = {hdr, spread(), dispatch_}, .writes = {hdr}, .with = {*this}},
+    frame.compute("bloom combine", {.reads = {hdr, spread(), dispatch_}, .writes = {hdr, dispatch_}, .with = {*this}},
                   [&](Compute& pass) {
                       pass.use(combine_).set("dispatches", dispatch_).set("spread", spread(), nearest_clamp);
                       pass.set("hdr", hdr).dispatch_threads(hdr.desc.size);

@@ -83,9 +83,8 @@ struct Bloom : Module {
     Made<std::vector<glm::vec2>> taps_made_;
     Buffer taps_;      ///< of the plan
     Buffer wanted_;    ///< workgroups of each step, were there something to spread
-    Buffer dispatch_;  ///< those, or zeros; after them how many texels were cut out, or at least 1
+    Buffer dispatch_;  ///< those, or zeros; after them two words of dispatches.glsl
     const Pipeline& pipeline_of(const Step& step) const;
-    Pipeline begin_ = compute({.shader = "08_bloom/begin.comp"});
     Pipeline bright_ = compute({.shader = "08_bloom/bright.comp"});
     Pipeline decide_ = compute({.shader = "08_bloom/decide.comp"});
     Pipeline line_ = compute({.shader = "08_bloom/line.comp"});

@@ -273,7 +273,7 @@ double kawase_variance(int levels, double offset) {
 
 glm::uvec3 groups_of(const Step& step, const Plan& plan) {
     const glm::uvec2 size = plan.sizes[static_cast<size_t>(step.into)];
-    if (step.kind != Kind::shared) return glm::uvec3((size + 7u) / 8u, 1);
+    if (step.kind != Kind::shared) return glm::uvec3((size + 15u) / 16u, 1);
     const bool across = step.direction.x != 0;  // 256 texels of a line each
     return {((across ? size.x : size.y) + 255u) / 256u, across ? size.y : size.x, 1};
 }

@@ -5,4 +5,5 @@ layout(scalar) readonly buffer WantedBuffer { uint wanted[]; };
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i < lit_at()) dispatches[i] = dispatches[lit_at()] * wanted[i];
+    if (i == 0u) dispatches[spreads_at()] = dispatches[lit_at()];
 }

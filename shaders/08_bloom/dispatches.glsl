@@ -1,6 +1,8 @@
-// Workgroups of each step of the blur, three words each; the last three words begin with whether anything is to be spread.
+// Workgroups of each step of the blur, three words each; then whether a frame found anything bright, and whether it spreads
+// anything.
 #ifndef DISPATCH_ACCESS
 #define DISPATCH_ACCESS coherent
 #endif
 layout(scalar) DISPATCH_ACCESS buffer DispatchBuffer { uint dispatches[]; };
-uint lit_at() { return uint(dispatches.length()) - 3u; }
+uint lit_at() { return uint(dispatches.length()) - 3u; }  // 0 when a frame begins
+uint spreads_at() { return lit_at() + 1u; }

@@ -1,7 +1,7 @@
 // A level of the pyramid from the one above.
 #include "08_bloom/down_filter.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

@@ -2,7 +2,7 @@
 #include "08_bloom/level_source.glsl"
 #include "common/light.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 // B. Karis, "Tone mapping", 2013: each square's mean counts the less the brighter it is. Light is lost.
 vec3 weighed(ivec2 at) {

@@ -2,7 +2,7 @@
 #define OF_A_LEVEL
 #include "08_bloom/step.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 // [kawase_down]
 void main() {

@@ -1,7 +1,7 @@
 // Weighted neighbours along a line.
 #include "08_bloom/step.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(scalar) readonly buffer TapBuffer { vec2 taps[]; };
 
 // [line]

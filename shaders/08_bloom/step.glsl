@@ -17,9 +17,13 @@ vec3 read(vec2 position) {
     vec2 size = vec2(textureSize(from, 0)), at = position;
 #ifdef OF_A_LEVEL
     if (step_now.mirrors != 0) {
-        vec2 extent = step_now.extent, last = size - float(step_now.from_apron) - 0.5;
-        vec2 mirrored = extent - abs(2.0 * extent * fract(at / (2.0 * extent)) - extent);
-        at = mix(at, mirrored, notEqual(at, clamp(at, vec2(0.5 - float(step_now.from_apron)), last)));
+        vec2 last = size - float(step_now.from_apron) - 0.5;
+        bvec2 beyond = notEqual(at, clamp(at, vec2(0.5 - float(step_now.from_apron)), last));
+        if (any(beyond)) {  // few are: the others need no division
+            vec2 extent = step_now.extent;
+            vec2 mirrored = extent - abs(2.0 * extent * fract(at / (2.0 * extent)) - extent);
+            at = mix(at, mirrored, beyond);
+        }
     }
 #endif
     return textureLod(from, (at + float(step_now.from_apron)) / size, 0.0).rgb;
