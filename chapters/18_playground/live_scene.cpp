@@ -91,8 +91,8 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     const SceneSettings& settings = document.settings();
     scene.file.ambient = settings.ambient;
     scene.file.background = settings.background;
-    scene.file.bare = settings.bare;
-    scene.file.emission = settings.emission;
+    const uint64_t painted = scene.painted;
+    const bool same_kinds = scene.repaint(settings.bare, settings.emission);
     const Environment& shown = scene.file.environment;
     try {
         if (settings.environment.image != shown.image)
@@ -101,18 +101,18 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
             scene.file.environment = settings.environment;
     } catch (const InputError& e) { note(e); }
 
-    const auto edits = changes.structure ? std::nullopt : edits_of(document, scene, changes.entries);
+    const auto edits = changes.structure || !same_kinds ? std::nullopt : edits_of(document, scene, changes.entries);
     if (edits && scene.paint(edits->paints)) {
         for (const EntryId id : edits->lights) scene.file.lights[light_places_.at(id)] = light_of(document.at(id));
         scene.move(edits->moves);
-        return !edits->paints.empty() ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
+        return scene.painted != painted ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
     }
     Exported all = exported(document);
     std::vector<uint32_t> from;
     from.reserve(all.objects.size());
     for (const EntryId id : all.objects) from.push_back(object_of(id));
     if (without) leave_out(gpu, scene, all.scene.objects, from, loader, note);
-    loads = scene.replace_objects(gpu, std::move(all.scene.objects), from, loader);
+    loads = scene.replace_objects(gpu, std::move(all.scene.objects), from, loader) || !same_kinds;
     scene.file.lights = std::move(all.scene.lights);
     scene.file.hidden_lights = std::move(all.scene.hidden_lights);
     number(all);

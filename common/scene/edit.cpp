@@ -99,6 +99,23 @@ bool Scene::paint(std::span<const Paint> paints) {
     painted = next_placement();
     return true;
 }
+
+bool Scene::repaint(bool bare, float emission) {
+    if (file.bare == bare && file.emission == emission) return true;
+    file.bare = bare;
+    file.emission = emission;
+    bool same_kinds = true;
+    for (DrawItem& item : items) {
+        const DrawItem before = item;
+        set_material(item, file.objects[item.object].material, bare);
+        same_kinds &= differ_in_numbers(before, item);
+    }
+    if (!same_kinds)
+        for (DrawItem& item : items) static_cast<MapImages&>(item.maps) = item.loaded_maps;
+    to_paint_.assign(items.size(), true);
+    painted = next_placement();
+    return same_kinds;
+}
 // [/paint]
 
 // [replace_objects]

@@ -81,6 +81,10 @@ class Scene : public Drawable {
     };
     bool paint(std::span<const Paint> paints);
 
+    /// Gives every item's material the file's `bare` and `emission` as they are now; as paint(). False: some are of
+    /// another kind, and their maps are the pool's again; replace_objects() has to make the lists.
+    bool repaint(bool bare, float emission);
+
     /// Replaces the objects. `from`: for each its index in file.objects before, or `new_object`. Objects with the
     /// same model, material and role are not loaded again; other models and textures come from the pools. Throws
     /// InputError as load(), without any change. Returns whether modules have to prepare again, for a new model or

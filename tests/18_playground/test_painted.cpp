@@ -18,6 +18,18 @@ struct Asked : Knob<int> {
     mutable int texts = 0;
 };
 
+// As a new scene of the document has it, on the device as well after a frame.
+void check_as_loaded(Shown& shown, const ModelLoader& loader) {
+    Scene fresh;
+    fresh.load(shown.gpu, exported(shown.document).scene, loader);
+    CHECK(items_of(shown.scene) == items_of(fresh));
+    Frame frame(shown.gpu);
+    TestScene::begin(frame);
+    shown.scene.upload_moved(frame);
+    frame.end();
+    CHECK(shown.gpu.read_back(shown.scene.materials) == shown.gpu.read_back(fresh.materials));
+}
+
 }  // namespace
 
 TEST_CASE("a new colour makes no list and loads nothing; another kind of surface does", "[18.painted]") {
@@ -31,20 +43,12 @@ TEST_CASE("a new colour makes no list and loads nothing; another kind of surface
         shown.document.commit();
         const uint64_t lists = shown.scene.lists_made, placed = shown.scene.placed, painted = shown.scene.painted;
         const LiveScene::Done done = shown.update();
-        Scene fresh;
-        fresh.load(shown.gpu, exported(shown.document).scene, test_model);
-        CHECK(items_of(shown.scene) == items_of(fresh));
         const bool only_painted = done == LiveScene::Done::painted;
         CHECK(shown.scene.lists_made == lists + !only_painted);
         CHECK((shown.scene.placed == placed) == only_painted);
         CHECK((shown.scene.painted != painted) == only_painted);
         CHECK(shown.live.loads != only_painted);
-        // As the device has it after a frame.
-        Frame frame(shown.gpu);
-        TestScene::begin(frame);
-        shown.scene.upload_moved(frame);
-        frame.end();
-        CHECK(shown.gpu.read_back(shown.scene.materials) == shown.gpu.read_back(fresh.materials));
+        check_as_loaded(shown, test_model);
         return done;
     };
     using Material = MaterialOverride;
@@ -57,6 +61,38 @@ TEST_CASE("a new colour makes no list and loads nothing; another kind of surface
     CHECK(edit(a, [](Material& m) { m.roughness = 0.75f; }) == LiveScene::Done::painted);
     CHECK(edit(a, [](Material& m) { m.shininess = 7; }) == LiveScene::Done::painted);
     CHECK(edit(a, [](Material& m) { m.two_sided = true; }) == LiveScene::Done::replaced);
+}
+
+TEST_CASE("emission of the whole scene paints materials; bare ones may be of another kind", "[18.repainted]") {
+    Shown shown;
+    add_object(shown.document, named("a", ball_file));
+    const auto shiny = [](const std::filesystem::path& file) {
+        Model model = test_model(file);
+        Material& material = model.materials[0];
+        material.emissive = {1, 2, 3};
+        material.has_exponent = material.metallic_roughness = material.microfacets = true;
+        material.roughness = 0.25f;
+        return model;
+    };
+    const auto update = [&] { return shown.live.update(shown.gpu, shown.document, shown.scene, shiny); };
+    REQUIRE(update() == LiveScene::Done::replaced);
+    const auto edit = [&](const auto& change) {
+        shown.document.begin("scene");
+        change(*shown.document.edit(root_entry).settings());
+        shown.document.commit();
+        const uint64_t lists = shown.scene.lists_made;
+        const LiveScene::Done done = update();
+        CHECK(shown.scene.lists_made == lists + (done == LiveScene::Done::replaced));
+        CHECK(shown.live.loads == (done == LiveScene::Done::replaced));
+        check_as_loaded(shown, shiny);
+        return done;
+    };
+    CHECK(edit([](SceneSettings& s) { s.emission = 2; }) == LiveScene::Done::painted);
+    CHECK(edit([](SceneSettings& s) { s.ambient = glm::vec3(1); }) == LiveScene::Done::nothing);
+    CHECK(edit([](SceneSettings& s) { s.bare = true; }) == LiveScene::Done::replaced);
+    shown.document.undo();
+    CHECK(update() == LiveScene::Done::replaced);
+    check_as_loaded(shown, shiny);
 }
 
 TEST_CASE("a frame at rest asks no setting for its text; numbers and choices that change are the document's",
