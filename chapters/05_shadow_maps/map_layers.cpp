@@ -1,9 +1,23 @@
 #include "05_shadow_maps/map_layers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
+#include "common/gpu/gpu_work.h"
+
 namespace lightwalk {
+
+bool MapContent::operator==(const MapContent& other) const {
+    if (number && number == other.number) return true;
+    if (view != other.view || others != other.others) return false;
+    ++gpu_work.lists;
+    if (casters != other.casters) return false;
+    static std::atomic<uint64_t> last{0};
+    if (!number) number = other.number ? other.number : ++last;
+    other.number = number;
+    return true;
+}
 
 std::vector<uint32_t> moved_between(const MapContent& before, const MapContent& now) {
     const auto& [a, b] = std::tie(before.casters, now.casters);
@@ -19,6 +33,7 @@ std::vector<uint32_t> moved_between(const MapContent& before, const MapContent& 
 
 MapContent without(MapContent content, const std::vector<uint32_t>& items) {
     std::erase_if(content.casters, [&](const auto& caster) { return std::ranges::binary_search(items, caster.first); });
+    content.number = 0;
     return content;
 }
 
@@ -35,7 +50,7 @@ const MapLayers::Layer* MapLayers::before(const MapContent& wanted) const {
 std::vector<uint32_t> MapLayers::choose(uint32_t id, const std::vector<const MapContent*>& wanted, uint32_t most) {
     constexpr uint32_t none = ~0u;
     std::vector<uint32_t>& chosen = of_view_[id];
-    chosen.assign(wanted.size(), none);
+    const std::vector<uint32_t> before = std::exchange(chosen, std::vector<uint32_t>(wanted.size(), none));
     std::vector<bool> taken(layers_.size()), of_another(layers_.size());
     for (const auto& [other, layers] : of_view_)
         for (const uint32_t layer : layers)
@@ -62,6 +77,7 @@ std::vector<uint32_t> MapLayers::choose(uint32_t id, const std::vector<const Map
         taken.push_back(true);
         of_another.push_back(false);
     }
+    changes_ += chosen != before;
     return chosen;
 }
 // [/choose]

@@ -14,7 +14,8 @@ struct MapContent {
     glm::mat4 view{0.0f};                                 ///< the light's: world to clip space
     std::vector<std::pair<uint32_t, glm::mat4>> casters;  ///< places in Scene::items, and where they stood
     uint64_t others = 0;                                  ///< Shadow::Casters::others_placed
-    bool operator==(const MapContent&) const = default;
+    mutable uint64_t number = 0;  ///< of contents that were found to be equal, which are not compared again; 0: none
+    bool operator==(const MapContent& other) const;
 };
 
 /// Indices in Scene::items of moved items, or of items in only one of the two; ascending, as both are.
@@ -41,18 +42,30 @@ class MapLayers {
     const Layer* before(const MapContent& wanted) const;
 
     /// Invalidates all layers.
-    void forget() { layers_.assign(layers_.size(), {}); }
+    void forget() {
+        layers_.assign(layers_.size(), {});
+        ++changes_;
+    }
     /// Nor are the layers.
     void clear() {
         layers_.clear();
         of_view_.clear();
+        ++changes_;
     }
 
     size_t size() const { return layers_.size(); }
-    Layer& operator[](uint32_t layer) { return layers_[layer]; }
+    const Layer& operator[](uint32_t layer) const { return layers_[layer]; }
+    void set(uint32_t layer, Layer drawn) {
+        layers_[layer] = std::move(drawn);
+        ++changes_;
+    }
+
+    /// Another number after each change of contents, or of a view's choice.
+    uint64_t changes() const { return changes_; }
 
   private:
     std::vector<Layer> layers_;
+    uint64_t changes_ = 0;
     std::map<uint32_t, std::vector<uint32_t>> of_view_;
 };
 // [/map_layers]

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/base/exercise.h"
+#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 
@@ -76,17 +77,18 @@ std::vector<Shadow::Wanted> Shadow::find_views(const Scene& scene, const std::ve
 // [/find_views]
 
 // At rest they are those of the frame before: each light's casters are searched once.
-void Shadow::find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
+bool Shadow::find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
                                 const Casters& casters) {
     std::vector<float> reach_m(lights->size());
     for (size_t i = 0; i < lights->size(); ++i)
         if ((*lights)[i].shadow) reach_m[i] = reach((*lights)[i]);
-    for (Wanted& one : now_->found) one.release();
     if (!now_->found_from.from(lights, reach_m, camera, scene.placed, casters.others, casters.others_placed,
                                view_options(), has_passed(), method.is("none"), Exercises::version()))
-        return;
+        return false;
     now_->found = find_views(scene, *lights, reach_m, camera, casters, now_->found_lights);
     ++searches;
+    ++gpu_work.lists;
+    return true;
 }
 
 // [choose_layers]
@@ -196,7 +198,7 @@ void Shadow::copy_still(Frame& frame, const Scene& scene, const std::vector<Want
         const ImageView from = map_.layer(w.still_layer);
         if (layers_[w.still_layer].content != w.still) {
             draw_view(frame, w, w.among_moved(scene, false), clear(from, 0.0f), casters);
-            layers_[w.still_layer] = {w.still, w.moved};
+            layers_.set(w.still_layer, {w.still, w.moved});
         }
         copies.emplace_back(from, map_.layer(w.view.data.layer));
     }
@@ -219,8 +221,14 @@ void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, c
     now_ = &by_view_[id];
     now_->eye = {view.eye, view.pixel_rad()};
     if (made_.from(transparent.index, blur_key(), Exercises::version())) forget();
-    find_changed_views(scene, lights, reach, has_cascades ? view.camera : Camera{}, casters);
+    const bool changed = find_changed_views(scene, lights, reach, has_cascades ? view.camera : Camera{}, casters);
+    drawn_views = copied_views = 0;
+    if (!changed && keep && now_->settled == layers_.changes()) {
+        views = now_->needed;
+        return;
+    }
     std::vector<Wanted>& wanted = now_->found;
+    for (Wanted& one : wanted) one.release();
     find_moving(wanted);
     choose_layers(frame, id, wanted);
     reserve(frame);
@@ -228,7 +236,6 @@ void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, c
     for (const Wanted& w : wanted) data.push_back(w.view.data);
     now_->lights.upload(frame, "shadow_lights", now_->found_lights);
     now_->views.upload(frame, "shadow_views", data);
-    drawn_views = 0;
     copy_still(frame, scene, wanted, casters);
     for (uint32_t i = 0; i < wanted.size(); ++i) {
         const Wanted& w = wanted[i];
@@ -242,9 +249,12 @@ void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, c
         if (has_passed()) draw_passed(frame, w, casters);
         if (has_moments())
             moments_.record(frame, into, now_->views.buffer, i, blur_of(blur, exponent, exponent_negative), macros());
-        layers_[layer] = {w.content, w.moved};
+        layers_.set(layer, {w.content, w.moved});
         ++drawn_views;
     }
+    now_->needed = views;
+    now_->settled.reset();
+    if (drawn_views == 0 && copied_views == 0) now_->settled = layers_.changes();
 }
 // [/record]
 

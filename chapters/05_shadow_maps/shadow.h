@@ -170,7 +170,7 @@ struct Shadow : Module {
     std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights,
                                    const std::vector<float>& reach_m, const Camera& camera, const Casters& casters,
                                    std::vector<ShadowLight>& shadow_lights) const;
-    void find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
+    bool find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
                             const Casters& casters);
     void record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
                 const Casters& casters);
@@ -216,6 +216,8 @@ struct Shadow : Module {
             found_from;
         std::vector<Wanted> found;
         std::vector<ShadowLight> found_lights;
+        int needed = 0;                   ///< maps
+        std::optional<uint64_t> settled;  ///< MapLayers::changes(), when every map was there
     };
     std::map<uint32_t, OfView> by_view_;
     LightList directional_;       ///< the last ones given without a module Lights

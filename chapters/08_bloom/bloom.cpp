@@ -4,6 +4,7 @@
 
 #include "08_bloom/step_parameters.h"
 #include "common/app/show_image.h"
+#include "common/base/exercise.h"
 
 namespace lightwalk {
 namespace {
@@ -33,7 +34,13 @@ BlurWish Bloom::wish(glm::uvec2 size) const {
 
 // The plan, its images and its parameters on the device.
 void Bloom::set_up(Frame& frame, glm::uvec2 size) {
-    plan_ = plan_blur(wish(size));
+    if (!plan_made_.from(wish(size), Exercises::version())) return;
+    try {
+        plan_ = plan_blur(wish(size));
+    } catch (...) {
+        plan_made_.forget();
+        throw;
+    }
     images_.resize(plan_.sizes.size());
     for (size_t i = 0; i < images_.size(); ++i) {
         const bool full = plan_.full_floats && i > 0;

@@ -77,6 +77,7 @@ struct Bloom : Module {
     void set_up(Frame& frame, glm::uvec2 size);
     void record_blur(Frame& frame);
 
+    Made<BlurWish, unsigned> plan_made_;  ///< and the exercises
     Plan plan_;
     std::vector<Image> images_;  ///< as in the plan
     Made<std::vector<glm::uvec3>> groups_made_;

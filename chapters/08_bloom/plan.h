@@ -14,6 +14,7 @@ struct BlurWish {
     bool sum = false;       ///< several Gaussians, each with the same energy, instead of one
     glm::uvec2 size{1};     ///< pixels
     bool karis = false;     ///< the pyramid's first level weighs each read by 1 / (1 + luminance)
+    bool operator==(const BlurWish&) const = default;
 };
 
 // [step]

@@ -93,11 +93,18 @@ void Post::run(Frame& frame, const Step& step, const Image& from, const Image& i
     const std::vector<KnobBase*> order = effects();
     const bool gathers = !step.empty() && std::count(order.begin(), order.begin() + reading_around, step[0]) > 0;
     const bool in_place = &from == &into;
-    Macros variant;
-    for (const KnobBase* effect : order)
-        if (std::count(step.begin(), step.end(), effect) == 0) variant.set(effect->macro(), "0");  // off
-    if (in_place) variant.set("IN_PLACE", "1");
-    if (into.desc.format == VK_FORMAT_R32G32B32A32_SFLOAT) variant.set("FULL_FLOATS", "1");
+    const bool full_floats = into.desc.format == VK_FORMAT_R32G32B32A32_SFLOAT;
+    const auto is_off = [&](const KnobBase* effect) { return std::count(step.begin(), step.end(), effect) == 0; };
+    uint64_t key = 2 * in_place + full_floats;
+    for (const KnobBase* effect : order) key = 2 * key + is_off(effect);
+    const auto [known, is_new] = variants_.try_emplace(key);
+    Macros& variant = known->second;
+    if (is_new) {
+        for (const KnobBase* effect : order)
+            if (is_off(effect)) variant.set(effect->macro(), "0");
+        if (in_place) variant.set("IN_PLACE", "1");
+        if (full_floats) variant.set("FULL_FLOATS", "1");
+    }
     const std::string name = step.size() == 1 && (gathers || method.is("pass_each")) ? step[0]->path() : path();
     frame.compute(name, {.reads = {from, into}, .writes = {into}, .with = {*this}}, [&](Compute& pass) {
         pass.use(gathers ? gather_ : stack_, variant).set("into", into).set("post_now", now(frame));

@@ -1,5 +1,7 @@
 // Post-effect module: from linear light to the screen.
 #pragma once
+#include <map>
+
 #include "09_post_effects/auto_exposure.h"
 #include "09_post_effects/post_now.h"
 
@@ -145,6 +147,7 @@ struct Post : Module {
     using Step = std::vector<KnobBase*>;  ///< the effects of one pass
     std::vector<Step> steps();
     void run(Frame& frame, const Step& step, const Image& from, const Image& into);
+    std::map<uint64_t, Macros> variants_;  ///< of the shaders, by the effects of a pass
     void set_up(Frame& frame, glm::uvec2 size, size_t images);
     PostNow now(const Frame& frame) const;
 

@@ -23,6 +23,12 @@ glm::vec3 Atmosphere::to_sun() const {
     return {std::cos(up) * std::sin(around), std::sin(up), -std::cos(up) * std::cos(around)};
 }
 
+float Atmosphere::mie_g() const {
+    if (!phase.is("cornette_shanks")) return mean_cosine;
+    if (!mie_g_ || mie_g_->first != mean_cosine) mie_g_ = {mean_cosine, cornette_shanks_g(mean_cosine)};
+    return mie_g_->second;
+}
+
 Air Atmosphere::air() const {
     const auto per_m = [](glm::vec3 per_mm) { return 1e-6f * per_mm; };
     return {.rayleigh = per_m(rayleigh),
@@ -30,7 +36,7 @@ Air Atmosphere::air() const {
             .mie = per_m(mie),
             .mie_height = mie_height_m,
             .mie_extinction = per_m(mie.value + mie_absorption.value),
-            .mie_g = phase.is("cornette_shanks") ? cornette_shanks_g(mean_cosine) : mean_cosine.value,
+            .mie_g = mie_g(),
             .layer = per_m(ozone),
             .layer_center = ozone_center_m,
             .layer_width = ozone_width_m,

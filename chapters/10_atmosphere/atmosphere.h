@@ -17,7 +17,7 @@ namespace lightwalk {
 /// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
 /// if the pixel's ray meets it, else the background beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
-/// Large (19 functions, 16 members): one member for each target and table that its passes share.
+/// Large (20 functions, 17 members): one member for each target and table that its passes share.
 struct Atmosphere : Drawing {
     Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]
@@ -142,6 +142,8 @@ struct Atmosphere : Drawing {
     void set_lasting(Compute& pass) const;
     std::vector<PathPart> parts() const;
     float height_of(glm::vec3 position) const;
+    float mie_g() const;
+    mutable std::optional<std::pair<float, float>> mie_g_;  ///< mean_cosine and its g: each pass asks
     float volume_reach_m(const Camera& camera) const;
 
     Buffer skylight_;

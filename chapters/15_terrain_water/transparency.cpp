@@ -20,7 +20,7 @@ class Transparency::Stage : public Given {
     }
     const std::string& kind() const override { return kind_; }
     Macros macros() const override { return Macros().replace_file("common/put_surface.glsl", file_); }
-    std::vector<std::byte> block(const Binding&) const override { return {}; }
+    std::span<const std::byte> block(const Binding&) const override { return {}; }
     std::vector<Resource> reads() const override {
         std::vector<Resource> all;
         for (const auto& [name, view] : images_) all.emplace_back(view);

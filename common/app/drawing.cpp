@@ -132,10 +132,11 @@ void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawin
 // [order]
 Drawings in_order(const Drawings& drawings) {
     Drawings all;
+    all.reserve(drawings.size());
+    const auto earlier = [](const Drawing& a, const Drawing& b) { return a.drawn_in() < b.drawn_in(); };
     for (Drawing& drawing : drawings)
-        if (!drawing.in_use || drawing.in_use()) all.emplace_back(drawing);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Drawing& a, const Drawing& b) { return a.drawn_in() < b.drawn_in(); });
+        if (!drawing.in_use || drawing.in_use())
+            all.insert(std::upper_bound(all.begin(), all.end(), drawing, earlier), drawing);
     return all;
 }
 

@@ -16,6 +16,7 @@ namespace lightwalk {
 Module::Module(Module& owner, std::string name, std::string kind) : owner_(&owner), kind_(std::move(kind)) {
     path_ = owner.path_.empty() || name.empty() ? owner.path_ + name : owner.path_ + "." + name;
     if (kind_.empty()) kind_ = name;
+    if (!kind_.empty()) block_name_ = BindingName(kind_).hash;
     owner.members_.push_back({.module = this});
     owner.forget_macros();
 }
@@ -26,13 +27,14 @@ Module::~Module() {
     owner_->forget_macros();
 }
 
-KnobList Module::all_knobs() const {
-    KnobList all;
+const KnobList& Module::all_knobs() const {
+    if (all_) return *all_;
+    KnobList& all = all_.emplace();
     for (const Member& member : members_) {
         if (member.knob) {
             all.push_back(member.knob);
         } else {
-            const KnobList more = member.module->all_knobs();
+            const KnobList& more = member.module->all_knobs();
             all.insert(all.end(), more.begin(), more.end());
         }
     }
@@ -41,8 +43,9 @@ KnobList Module::all_knobs() const {
 
 void Module::forget_macros() {
     for (Module* module = this; module; module = module->owner_) {
+        module->all_.reset();
         module->macros_.reset();
-        module->own_.clear();
+        module->blocks_.clear();
     }
 }
 
@@ -61,31 +64,37 @@ Macros Module::macros() const {
     return *macros_;
 }
 
-// Member by member, the knob of that name. Both are mostly in one order: the search goes on behind the last one found.
-std::vector<std::byte> Module::block(const Binding& binding) const {
-    if (binding.name != (kind_.empty() ? std::string_view("knobs") : std::string_view(kind_))) return {};
-    std::vector<std::byte> bytes(binding.bytes);
-    if (own_.empty()) visit_own([&](const KnobBase& knob) { own_.push_back(&knob); });
-    size_t next = 0;
-    for (const BlockMember& member : binding.members) {
-        const KnobBase* found = nullptr;
-        for (size_t i = 0; i < own_.size() && !found; ++i, next = (next + 1) % own_.size())
-            if (own_[next]->name == member.name) found = own_[next];
-        if (!found)
-            throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
-                          path_.empty() ? "the chapter" : "the module " + path_);
-        const KnobBase::Numbers numbers = found->numbers();
-        if (numbers.count != member.components)
-            throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
-                          member.components, numbers.count);
+// Knobs are searched by name once for each layout; each pass asks for their numbers.
+std::span<const std::byte> Module::block(const Binding& binding) const {
+    if (binding.hash != block_name_) return {};
+    auto block = std::ranges::find(blocks_, binding.layout, &Block::layout);
+    if (block == blocks_.end()) {
+        Block made{.layout = binding.layout, .bytes = std::vector<std::byte>(binding.bytes)};
+        std::vector<const KnobBase*> own;
+        visit_own([&](const KnobBase& knob) { own.push_back(&knob); });
+        for (const BlockMember& member : binding.members) {
+            const auto found = std::ranges::find(own, member.name, &KnobBase::name);
+            if (found == own.end())
+                throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
+                              path_.empty() ? "the chapter" : "the module " + path_);
+            if (const size_t count = (*found)->numbers().count; count != member.components)
+                throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
+                              member.components, count);
+            made.knobs.push_back(*found);
+        }
+        block = blocks_.insert(block, std::move(made));
+    }
+    for (size_t m = 0; m < binding.members.size(); ++m) {
+        const BlockMember& member = binding.members[m];
+        const KnobBase::Numbers numbers = block->knobs[m]->numbers();
         for (size_t i = 0; i < numbers.count; ++i) {
             const uint32_t word = member.type == BlockMember::Type::number
                                       ? std::bit_cast<uint32_t>(numbers.values[i])
                                       : std::bit_cast<uint32_t>(static_cast<int32_t>(numbers.values[i]));
-            std::memcpy(bytes.data() + member.offset + 4 * i, &word, 4);
+            std::memcpy(block->bytes.data() + member.offset + 4 * i, &word, 4);
         }
     }
-    return bytes;
+    return block->bytes;
 }
 
 void Module::expand(std::vector<const Given*>& into) const {

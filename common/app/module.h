@@ -33,7 +33,7 @@ struct Gathering {
 /// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
 /// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
-/// Large (29 functions, 8 members): the life of a module, which a chapter folds over.
+/// Large (29 functions, 10 members): the life of a module, which a chapter folds over.
 class Module : public Given {
   public:
     /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.
@@ -45,11 +45,11 @@ class Module : public Given {
     const std::string& path() const { return path_; }  ///< "shadow", or "lights.shadow"; empty: the chapter itself
 
     Macros macros() const override;
-    std::vector<std::byte> block(const Binding& binding) const override;
+    std::span<const std::byte> block(const Binding& binding) const override;
     void expand(std::vector<const Given*>& into) const override;
 
     /// Of it and of all its modules, in the order of declaration; of a chapter all there are.
-    KnobList all_knobs() const;
+    const KnobList& all_knobs() const;
 
     /// At the start of a frame: gives targets their size, and turns histories over.
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size);
@@ -127,9 +127,17 @@ class Module : public Given {
     };
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
+    mutable std::optional<KnobList> all_;
     mutable std::optional<Macros> macros_;
     mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< with variants; the ones in macros_
-    mutable std::vector<const KnobBase*> own_;                          ///< that visit_own() visits, once asked for
+    /// Uniform blocks that shaders have of it, and their bytes the last time. A few.
+    struct Block {
+        uint64_t layout = 0;
+        std::vector<const KnobBase*> knobs{};  ///< of each member
+        std::vector<std::byte> bytes{};
+    };
+    mutable std::vector<Block> blocks_;
+    uint64_t block_name_ = BindingName("knobs").hash;
 };
 
 }  // namespace lightwalk

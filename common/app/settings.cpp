@@ -1,30 +1,25 @@
 #include "common/app/settings.h"
 
+#include <bit>
 #include <cmath>
 
+#include "common/gpu/pipeline.h"
+
 namespace lightwalk {
-namespace {
 
-// Bytes rather than text: some are compared in every frame.
-template <class T>
-void append(std::string& to, const T& value) {
-    to.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-}  // namespace
-
+// A hash of the values, rather than all of them: some are compared in every frame.
 std::string settings_of(const Module& module) {
-    std::string result;
+    uint64_t hash = 1;
     for (const KnobBase* knob : module.all_knobs()) {
         const KnobBase::Numbers numbers = knob->numbers();
-        if (numbers.count == 0) append(result, knob->variant());
+        if (numbers.count == 0) hash = mixed(hash, knob->variant());
         for (const float number : numbers)
             if (std::fabs(number) < 0x1p24f)
-                append(result, number);
+                hash = mixed(hash, std::bit_cast<uint32_t>(number));
             else
-                result += knob->text();  // a float does not hold every integer that large
+                hash = mixed(hash, hash_bytes(knob->text()));  // a float does not hold every integer that large
     }
-    return result;
+    return {reinterpret_cast<const char*>(&hash), sizeof hash};
 }
 
 }  // namespace lightwalk

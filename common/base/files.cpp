@@ -227,9 +227,4 @@ void check_writable(const fs::path& path) {
     if (open_descriptor(path) < 0) Part(path, place_of(path));
 }
 
-uint64_t hash_bytes(std::string_view bytes, uint64_t seed) {
-    for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    return seed;
-}
-
 }  // namespace lightwalk

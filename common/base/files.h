@@ -50,6 +50,9 @@ void write_file_to_disk(const std::filesystem::path& path, std::string_view byte
 void check_writable(const std::filesystem::path& path);
 
 /// FNV-1a, 64 bits: for cache keys and checksums, not against an adversary.
-uint64_t hash_bytes(std::string_view bytes, uint64_t seed = 14695981039346656037ull);
+constexpr uint64_t hash_bytes(std::string_view bytes, uint64_t seed = 14695981039346656037ull) {
+    for (const char c : bytes) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+    return seed;
+}
 
 }  // namespace lightwalk

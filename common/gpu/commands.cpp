@@ -24,22 +24,23 @@ uint64_t word(T value) {
 
 // Structures are written member by member: bytes between their members may be anything.
 template <class... Values>
-void put(std::vector<uint64_t>& words, Values... values) {
-    words.insert(words.end(), {word(values)...});
+void put(CommandWords& words, Values... values) {
+    uint64_t* at = words.take(sizeof...(values));
+    ((*at++ = word(values)), ...);
 }
 
-void put(std::vector<uint64_t>& words, const VkImageSubresourceLayers& l) {
+void put(CommandWords& words, const VkImageSubresourceLayers& l) {
     put(words, l.aspectMask, l.mipLevel, l.baseArrayLayer, l.layerCount);
 }
 
-void put(std::vector<uint64_t>& words, const VkBufferImageCopy& r) {
+void put(CommandWords& words, const VkBufferImageCopy& r) {
     put(words, r.bufferOffset);
     put(words, r.imageSubresource);
     put(words, r.imageOffset.x, r.imageOffset.y, r.imageOffset.z);
     put(words, r.imageExtent.width, r.imageExtent.height, r.imageExtent.depth);
 }
 
-void put(std::vector<uint64_t>& words, const VkRenderingAttachmentInfo& a, bool is_depth) {
+void put(CommandWords& words, const VkRenderingAttachmentInfo& a, bool is_depth) {
     const auto& color = a.clearValue.color.uint32;
     put(words, a.imageView, a.imageLayout, a.resolveMode, a.resolveImageView, a.resolveImageLayout, a.loadOp,
         a.storeOp);
@@ -50,6 +51,12 @@ void put(std::vector<uint64_t>& words, const VkRenderingAttachmentInfo& a, bool 
 }
 
 }  // namespace
+
+uint64_t* CommandWords::take(size_t count) {
+    if (used_ + count > words_.size()) words_.resize(2 * words_.size() + count);
+    used_ += count;
+    return words_.data() + used_ - count;
+}
 
 void Commands::pipeline_barrier(std::span<const VkImageMemoryBarrier2> images,
                                 std::span<const VkBufferMemoryBarrier2> buffers) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -11,6 +12,18 @@
 namespace lightwalk {
 
 class Device;
+
+/// Numbers in a row, in memory that is kept: none is set twice.
+class CommandWords {
+  public:
+    uint64_t* take(size_t count);  ///< the next ones, to be set
+    std::span<const uint64_t> all() const { return std::span(words_).first(used_); }
+    void clear() { used_ = 0; }
+
+  private:
+    std::vector<uint64_t> words_;
+    size_t used_ = 0;
+};
 
 // [commands]
 /// Commands with Vulkan's names and arguments, as numbers in the order of recording. Comparing two lists is faster than a
@@ -54,16 +67,16 @@ class Commands {
     void clear_color_image(VkImage image, const VkClearColorValue& color);
     void update_buffer(VkBuffer buffer, std::span<const uint32_t> contents);
 
-    bool empty() const { return words_.empty(); }
-    size_t size() const { return words_.size(); }  ///< numbers
+    bool empty() const { return size() == 0; }
+    size_t size() const { return words_.all().size(); }  ///< numbers
     void clear() { words_.clear(); }
-    bool operator==(const Commands&) const = default;
+    bool operator==(const Commands& other) const { return std::ranges::equal(words_.all(), other.words_.all()); }
 
     /// Records all of them.
     void record(const Device& device, VkCommandBuffer into) const;
 
   private:
-    std::vector<uint64_t> words_;
+    CommandWords words_;
 };
 
 }  // namespace lightwalk

@@ -14,7 +14,7 @@ namespace {
 /// Takes numbers in the order in which they were put.
 class Reader {
   public:
-    explicit Reader(const std::vector<uint64_t>& words) : at_(words.data()), end_(at_ + words.size()) {}
+    explicit Reader(std::span<const uint64_t> words) : at_(words.data()), end_(at_ + words.size()) {}
     explicit operator bool() const { return at_ != end_; }
 
     template <class T>
@@ -287,7 +287,7 @@ void Replay::transfer(CommandCode code) {
 }  // namespace
 
 void Commands::record(const Device& device, VkCommandBuffer into) const {
-    Replay replay{.device = device, .into = into, .reader = Reader(words_)};
+    Replay replay{.device = device, .into = into, .reader = Reader(words_.all())};
     while (replay.reader) replay.run(replay.reader.take<CommandCode>());
 }
 

@@ -1,7 +1,6 @@
 // One frame: its targets, the passes recorded into it, and how long each took.
 #pragma once
 #include <functional>
-#include <map>
 
 #include "common/base/function_ref.h"
 #include "common/gpu/pass.h"
@@ -16,6 +15,24 @@ struct Crop {
     glm::uvec2 whole{0};    ///< pixels of the whole picture
     glm::uvec2 origin{0};   ///< of the frame's first pixel in it
     glm::vec2 shift{0.0f};  ///< of the whole picture within a pixel, for anti-aliasing: -0.5 to 0.5 pixels
+};
+
+/// Bytes of uniform blocks by name. They are few.
+class Globals {
+  public:
+    std::vector<std::byte>& operator[](const BindingName& name) {
+        for (auto& [hash, bytes] : all_)
+            if (hash == name.hash) return bytes;
+        return all_.emplace_back(name.hash, std::vector<std::byte>()).second;
+    }
+    const std::vector<std::byte>* find(const Binding& block) const {
+        for (const auto& [hash, bytes] : all_)
+            if (hash == block.hash) return &bytes;
+        return nullptr;
+    }
+
+  private:
+    std::vector<std::pair<uint64_t, std::vector<std::byte>>> all_;
 };
 
 /// Records passes in order and submits them at once. A pass that never ends is named.
@@ -119,7 +136,7 @@ class Frame {
     std::function<void()> after_pass;
 
     /// Uniform blocks that every shader may name: bytes by name.
-    std::map<std::string, std::vector<std::byte>> globals;
+    Globals globals;
 
     // For Pass.
     VkDescriptorBufferInfo copy_to_arena(std::span<const std::byte> bytes);

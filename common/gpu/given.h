@@ -1,5 +1,6 @@
 // A module's contribution to a pass: macros, uniforms, resources read, and bindings.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "common/gpu/macros.h"
@@ -19,9 +20,9 @@ class Given {
     virtual const std::string& kind() const = 0;
     virtual Macros macros() const = 0;
 
-    /// The bytes of a uniform block, where it is this one's; else none. Throws Failure if the shader's members do
+    /// The bytes of a uniform block, where it is this one's; else none. Good until the next call. Throws Failure if the shader's members do
     /// not fit.
-    virtual std::vector<std::byte> block(const Binding& binding) const = 0;
+    virtual std::span<const std::byte> block(const Binding& binding) const = 0;
 
     /// Resources that the pass reads on its behalf.
     virtual std::vector<Resource> reads() const;

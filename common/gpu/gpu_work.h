@@ -11,6 +11,7 @@ struct GpuWork {
     uint64_t transfers = 0;        ///< submitted and waited for: Gpu::submit_now
     uint64_t macro_lists = 0;      ///< of modules, made from their knobs
     uint64_t searches = 0;         ///< for a pipeline by the text of its shaders
+    uint64_t lists = 0;            ///< of a scene's items, made or compared one by one
     uint64_t sets = 0;             ///< of descriptors, written
     uint64_t command_buffers = 0;  ///< of frames, recorded
     double waited_ms = 0;          ///< for the device

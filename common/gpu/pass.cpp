@@ -51,28 +51,26 @@ Pass::Pass(Frame& owner, const std::string& pass_name, Commands& frame_commands,
     lists_.scopes.push_back(nullptr);
 }
 
-Pass::Slot Pass::slot(std::string_view binding) const {
+Pass::Slot Pass::slot(const BindingName& binding) const {
     Slot result;
-    if (!pipeline_) return result;
-    const auto found = std::ranges::find(pipeline_->names, binding);
-    if (found == pipeline_->names.end()) return result;
+    const Binding* const found = pipeline_ ? pipeline_->find(binding) : nullptr;
+    if (!found || !found->used) return result;
     result.pipeline_ = pipeline_;
-    result.number_ = static_cast<uint32_t>(found - pipeline_->names.begin());
+    result.number_ = found->number;
     return result;
 }
 
 // Null if there is nothing to set: no pipeline, an empty slot, or a binding that the shaders declare and do not use.
 const Binding* Pass::find(const Name& binding) const {
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
-    const Slot found = binding.by_slot ? binding.slot : slot(binding.text);
-    if (found.pipeline_ == pipeline_) return &pipeline_->bindings[found.number_];
-    if (binding.by_slot) throw Failure("pass '{}' sets a slot of a pipeline that is not in use any more", name);
-    std::string known;
-    for (const Binding& b : pipeline_->bindings) {
-        if (b.name == binding.text) return nullptr;
-        known += (known.empty() ? "" : ", ") + b.name;
+    if (binding.by_slot) {
+        if (binding.slot.pipeline_ == pipeline_) return &pipeline_->bindings[binding.slot.number_];
+        throw Failure("pass '{}' sets a slot of a pipeline that is not in use any more", name);
     }
-    throw Failure("pass '{}': its shaders have no binding '{}'; they have: {}", name, binding.text, known);
+    if (const Binding* found = pipeline_->find(binding.name)) return found->used ? found : nullptr;
+    std::string known;
+    for (const Binding& b : pipeline_->bindings) known += (known.empty() ? "" : ", ") + b.name;
+    throw Failure("pass '{}': its shaders have no binding '{}'; they have: {}", name, binding.name.text, known);
 }
 
 void Pass::fail_unstated(std::string_view use, bool writes) const {
@@ -111,6 +109,9 @@ void Pass::check_indirect(const Buffer& buffer) const {
 
 void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
                 VkPipelineBindPoint point) {
+    const std::pair used(wanted.id, variant.hash());
+    if (pipeline_ && lists_.used == used) return;
+    lists_.used = used;
     lists_.scopes.back() = &variant;
     const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, lists_.scopes);
     if (pipeline && pipeline == pipeline_) return;  // bindings are still valid
@@ -134,12 +135,12 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     modules_bind_ = true;
     for (const Binding& binding : pipeline->bindings) {
         if (!binding.used || binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
-        if (const auto it = frame.globals.find(binding.name); it != frame.globals.end()) {
-            set_bytes(binding.name, it->second);
+        if (const auto* bytes = frame.globals.find(binding)) {
+            set_block(binding, *bytes);
             continue;
         }
         for (const Given* given : lists_.given)
-            if (const auto bytes = given->block(binding); !bytes.empty()) set_bytes(binding.name, bytes);
+            if (const auto bytes = given->block(binding); !bytes.empty()) set_block(binding, bytes);
     }
     for (const Given* given : lists_.given) given->bind(*this);
     modules_bind_ = false;
@@ -212,20 +213,22 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
 }
 
 void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
-    const Binding* binding = find(name_in_shader);
-    if (!binding) return;
-    if (listener()) listener()->sets(binding->name, bytes);
-    if (binding->type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
-        throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding->name);
-    if (bytes.size() != binding->bytes)
-        throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding->name, bytes.size(),
-                      binding->bytes);
-    PassLists::Bound& bound = lists_.bound[binding->number];
+    if (const Binding* binding = find(name_in_shader)) set_block(*binding, bytes);
+}
+
+void Pass::set_block(const Binding& binding, std::span<const std::byte> bytes) {
+    if (listener()) listener()->sets(binding.name, bytes);
+    if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
+        throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding.name);
+    if (bytes.size() != binding.bytes)
+        throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding.name, bytes.size(),
+                      binding.bytes);
+    PassLists::Bound& bound = lists_.bound[binding.number];
     // Compared with a host copy: reading device memory back can be slow.
     std::byte* const known = lists_.bytes.data() + bound.at;
     if (!bound.set || std::memcmp(known, bytes.data(), bytes.size()) != 0) {
         std::memcpy(known, bytes.data(), bytes.size());
-        store(*binding, 0, lists_.buffer_infos, frame.copy_to_arena(bytes));
+        store(binding, 0, lists_.buffer_infos, frame.copy_to_arena(bytes));
     }
     missing_ -= !std::exchange(bound.set, true);
 }

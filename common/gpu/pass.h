@@ -20,6 +20,7 @@ struct PassLists {
         uint32_t at = 0;  ///< of a uniform block's bytes
     };
     std::vector<const Given*> given;
+    std::pair<uint64_t, uint64_t> used;  ///< Pipeline::id, and the hash of the variant's macros
     std::vector<Resource> reads;
     std::vector<Stated> stated;
     Rendering rendering;
@@ -63,30 +64,33 @@ class Pass {
         const BuiltPipeline* pipeline_ = nullptr;
         uint32_t number_ = 0;
     };
-    Slot slot(std::string_view binding) const;
+    Slot slot(const BindingName& binding) const;
 
     /// True if the pipeline in use has a binding of that name.
-    bool wants(std::string_view binding) const { return static_cast<bool>(slot(binding)); }
+    bool wants(const BindingName& binding) const { return static_cast<bool>(slot(binding)); }
 
     /// Argument of set(): a binding's name in the shaders, or a slot.
     struct Name {
-        Name(const char* n) : text(n) {}
-        Name(const std::string& n) : text(n) {}
-        Name(std::string_view n) : text(n) {}
-        Name(const Slot& s) : slot(s), by_slot(true) {}
-        std::string_view text;
-        Slot slot;
+        template <size_t length>
+        consteval Name(const char (&literal)[length]) : name(literal) {}
+        template <class T>
+        requires(std::is_convertible_v<const T&, std::string_view> && !std::is_array_v<T>) Name(const T& text)
+            : name(text) {}
+        Name(const BindingName& n) : name(n) {}
+        Name(const Slot& s) : name(std::string_view()), slot(s), by_slot(true) {}
+        BindingName name;
+        Slot slot{};
         bool by_slot = false;
     };
 
     /// set() if the pipeline has such a binding; for modules, which know neither the kind of pass nor its shaders.
-    void offer(std::string_view binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
+    void offer(const BindingName& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
         set_images(slot(binding), {&view, 1}, sampler);
     }
-    void offer(std::string_view binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
+    void offer(const BindingName& binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             !std::convertible_to<const T&, ImageView>) void offer(std::string_view binding, const T& value) {
+             !std::convertible_to<const T&, ImageView>) void offer(const BindingName& binding, const T& value) {
         set_bytes(slot(binding), std::as_bytes(std::span(&value, 1)));
     }
 
@@ -115,6 +119,7 @@ class Pass {
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
     void mark(const Binding& binding);
+    void set_block(const Binding& binding, std::span<const std::byte> bytes);
     PassLists& lists_;
     size_t missing_ = 0;  ///< bindings that were not set since use()
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;

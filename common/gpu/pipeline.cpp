@@ -1,6 +1,7 @@
 #include "common/gpu/pipeline.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "common/base/exercise.h"
 #include "common/base/turn.h"
@@ -82,6 +83,24 @@ BuiltPipeline::~BuiltPipeline() {
     vkDestroyPipelineLayout(device_.handle, layout, nullptr);
     vkDestroyDescriptorSetLayout(device_.handle, set_layout, nullptr);
     for (const VkShaderModule module : modules) vkDestroyShaderModule(device_.handle, module, nullptr);
+}
+
+// At most a quarter of it is taken, so that a name that is absent is mostly found to be so at once.
+void BuiltPipeline::index_names() {
+    by_hash_.assign(std::bit_ceil(4 * bindings.size() + 1), 0);
+    const size_t mask = by_hash_.size() - 1;
+    for (const Binding& binding : bindings) {
+        size_t at = binding.hash & mask;
+        while (by_hash_[at]) at = (at + 1) & mask;
+        by_hash_[at] = static_cast<uint16_t>(binding.number + 1);
+    }
+}
+
+const Binding* BuiltPipeline::find(const BindingName& name) const {
+    const size_t mask = by_hash_.size() - 1;
+    for (size_t at = name.hash & mask; by_hash_[at]; at = (at + 1) & mask)
+        if (const Binding& binding = bindings[by_hash_[at] - 1u]; binding.hash == name.hash) return &binding;
+    return nullptr;
 }
 
 std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& macros) {
@@ -237,9 +256,9 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     for (const Binding& binding : built->bindings) {
         if (!binding.used) break;
         entries.push_back({binding.number, binding.type, binding.count, binding.stages, nullptr});
-        built->names.push_back(binding.name);
         built->descriptors += binding.count;
     }
+    built->index_names();
     built->pushes = built->descriptors <= device_.max_push_descriptors;
     const VkDescriptorSetLayoutCreateInfo set_info{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,

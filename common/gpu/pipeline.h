@@ -74,7 +74,7 @@ struct TargetFormats {
 };
 
 /// One variant, built.
-/// Large (3 functions, 10 members): Vulkan's handles.
+/// Large (5 functions, 10 members): Vulkan's handles.
 struct BuiltPipeline {
     explicit BuiltPipeline(Device& device) : device_(device) {}
     ~BuiltPipeline();
@@ -82,15 +82,18 @@ struct BuiltPipeline {
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
-    std::vector<Binding> bindings;        ///< by number; those in use come first
-    std::vector<std::string_view> names;  ///< of those in use
-    uint32_t descriptors = 0;             ///< all elements of those in use
-    bool pushes = true;                   ///< push descriptors; else the set of a pool
+    std::vector<Binding> bindings;  ///< by number; those in use come first; then index_names()
+    uint32_t descriptors = 0;       ///< all elements of those in use
+    bool pushes = true;             ///< push descriptors; else the set of a pool
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
 
+    void index_names();
+    const Binding* find(const BindingName& name) const;  ///< null: no such binding
+
   private:
     Device& device_;
+    std::vector<uint16_t> by_hash_;  ///< numbers counted from 1, at their names' hashes or behind; 0: free
 };
 
 class PipelineLibrary {

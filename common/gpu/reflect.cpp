@@ -35,6 +35,15 @@ std::string name_of(spvc_compiler compiler, const spvc_reflected_resource& resou
     return spvc_compiler_get_name(compiler, resource.base_type_id);
 }
 
+uint64_t layout_of(const Binding& block) {
+    uint64_t layout = hash_bytes(block.name);
+    for (const BlockMember& member : block.members) {
+        const uint32_t rest[] = {static_cast<uint32_t>(member.type), member.offset, member.components, block.bytes};
+        layout = hash_bytes({reinterpret_cast<const char*>(rest), sizeof rest}, hash_bytes(member.name, layout));
+    }
+    return layout;
+}
+
 std::vector<BlockMember> members_of(spvc_compiler compiler, const spvc_reflected_resource& resource, spvc_type type) {
     std::vector<BlockMember> result(spvc_type_get_num_member_types(type));
     for (unsigned i = 0; i < result.size(); ++i) {
@@ -149,6 +158,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             const bool block = type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             const spvc_type base = spvc_compiler_get_type_handle(compiler, list[i].base_type_id);
             Binding binding{.name = name_of(compiler, list[i], base, block), .type = type};
+            binding.hash = hash_bytes(binding.name);
             binding.used = in_use.count(list[i].id) > 0;
             const spvc_type whole = spvc_compiler_get_type_handle(compiler, list[i].type_id);
             for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(whole); ++d)
@@ -161,6 +171,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
                 spvc_compiler_get_declared_struct_size(compiler, base, &bytes);
                 binding.bytes = static_cast<uint32_t>(bytes);
                 binding.members = members_of(compiler, list[i], base);
+                binding.layout = layout_of(binding);
             } else if (type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) {
                 binding.writable = writable(compiler, list[i], block);
                 binding.readable = !spvc_compiler_has_decoration(compiler, list[i].id, SpvDecorationNonReadable);

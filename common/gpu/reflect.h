@@ -5,9 +5,24 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "common/base/files.h"
+
 namespace lightwalk {
+
+/// A binding's name, with the number by which pipelines find it: of a literal it is known to the compiler.
+struct BindingName {
+    template <size_t length>
+    consteval BindingName(const char (&literal)[length])
+        : text(literal, length - 1), hash(hash_bytes({literal, length - 1})) {}
+    template <class T>
+    requires(std::is_convertible_v<const T&, std::string_view> && !std::is_array_v<T>) BindingName(const T& name)
+        : text(name), hash(hash_bytes(text)) {}
+    std::string_view text;
+    uint64_t hash;
+};
 
 /// A member of a uniform block.
 struct BlockMember {
@@ -22,6 +37,8 @@ struct BlockMember {
 /// or the block's own where it has several.
 struct Binding {
     std::string name;
+    uint64_t hash = 0;    ///< BindingName::hash
+    uint64_t layout = 0;  ///< the same for blocks with the same members
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     uint32_t number = 0;
     uint32_t count = 1;                                 ///< elements of an array

@@ -38,8 +38,8 @@ VkBorderColor vk(Border border) {
 }  // namespace
 
 VkSampler Samplers::operator[](const Sampler& sampler) {
-    auto& made = made_[sampler];
-    if (made) return made;
+    for (const auto& [known, made] : made_)
+        if (known == sampler) return made;
     const float most = device_.has.samplerAnisotropy ? device_.properties.limits.maxSamplerAnisotropy : 1.0f;
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = vk(sampler.filter),
@@ -57,10 +57,13 @@ VkSampler Samplers::operator[](const Sampler& sampler) {
                                    .minLod = sampler.min_lod,
                                    .maxLod = sampler.max_lod,
                                    .borderColor = vk(sampler.border)};
+    Owned<VkSampler, vkDestroySampler> made;
     check(vkCreateSampler(device_.handle, &info, nullptr, made.put(device_.handle)), "vkCreateSampler");
-    device_.set_name(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(VkSampler(made)),
+    made_.emplace_back(sampler, std::move(made));
+    const VkSampler handle = made_.back().second;
+    device_.set_name(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(handle),
                      fmt::format("sampler {}", made_.size()));
-    return made;
+    return handle;
 }
 
 }  // namespace lightwalk

@@ -1,8 +1,8 @@
 // How a texture is read: stated where it is bound, made once per device.
 #pragma once
-#include <compare>
-#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "common/gpu/device.h"
 #include "common/gpu/owned.h"
@@ -25,7 +25,7 @@ struct Sampler {
     float anisotropy = 1;                  ///< samples along a slanted footprint, 1 to 16; at most the device's limit
     float min_lod = 0, max_lod = VK_LOD_CLAMP_NONE;  ///< mips of the bound view
     float lod_bias = 0;                              ///< mips; positive is blurrier
-    auto operator<=>(const Sampler&) const = default;
+    bool operator==(const Sampler&) const = default;
 };
 
 inline constexpr Sampler linear_repeat{};
@@ -43,7 +43,7 @@ class Samplers {
 
   private:
     Device& device_;
-    std::map<Sampler, Owned<VkSampler, vkDestroySampler>> made_;
+    std::vector<std::pair<Sampler, Owned<VkSampler, vkDestroySampler>>> made_;  ///< a few
 };
 
 }  // namespace lightwalk

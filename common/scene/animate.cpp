@@ -80,6 +80,7 @@ void animate(Scene& scene, float time_s) {
 }
 
 void Scene::upload_moved(Frame& frame) {
+    if (!uploaded_.from(placed, painted)) return;
     if (to_deform_)
         for (const auto& model : moving_models_)
             if (deforming_.contains(model.get())) deform_model(frame, *model, time_s_);
@@ -90,6 +91,7 @@ void Scene::upload_moved(Frame& frame) {
 }
 
 void Scene::find_batches() {
+    opaque_runs_.clear();
     batch_of_.assign(items.size(), 0);
     for (size_t i = 1; i < items.size(); ++i) {
         const DrawItem &a = items[i - 1], &b = items[i];

@@ -1,8 +1,10 @@
 #include "common/scene/draw_list.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
+#include "common/gpu/gpu_work.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -15,8 +17,7 @@ class Bindings {
         pass.set(pass.slot("instances"), scene.instances).set(pass.slot("materials"), scene.materials);
         pass.set(pass.slot("map_placements"), scene.placements);
         for (size_t map = 0; map < map_slot_count; ++map)
-            if (const Pass::Slot slot = pass.slot(map_slots()[map].binding))
-                maps_[map_count_++] = {slot, map, nullptr, {}};
+            if (const Pass::Slot slot = pass.slot(names()[map])) maps_[map_count_++] = {slot, map, nullptr, {}};
     }
 
     void set(const DrawItem& item) {
@@ -45,6 +46,14 @@ class Bindings {
     }
 
   private:
+    static const std::vector<BindingName>& names() {
+        static const std::vector<BindingName> all = [] {
+            std::vector<BindingName> made;
+            for (const auto& slot : map_slots()) made.emplace_back(slot.binding);
+            return made;
+        }();
+        return all;
+    }
     struct Wanted {
         Pass::Slot slot;
         size_t map = 0;
@@ -86,6 +95,13 @@ void DrawList::draw(Raster& pass) const {
 }
 
 std::vector<Batch> DrawList::batches() const {
+    // All opaque items in their order: those are known.
+    if (!items_.empty() && items_.front() == 0 && items_.back() + 1 == items_.size() &&
+        std::ranges::is_sorted(items_, std::less_equal<>()))
+        if (std::vector<Batch> known = scene_->opaque_batches();
+            !known.empty() && known.back().first + known.back().count == items_.size())
+            return known;
+    ++gpu_work.lists;
     std::vector<Batch> result;
     each_run(*scene_, items_, [&](uint32_t first, uint32_t count) { result.emplace_back(*scene_, first, count); });
     return result;

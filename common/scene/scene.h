@@ -112,6 +112,7 @@ class Scene : public Drawable {
     DrawList all() const;
     DrawList opaque() const;
     DrawList transparent() const;
+    std::vector<Batch> opaque_batches() const;  ///< opaque().batches(), found once
     std::vector<Batch> batches() const { return all().batches(); }
 
     /// Whether animate() has anything to do.
@@ -174,6 +175,8 @@ class Scene : public Drawable {
     bool to_deform_ = false;
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_, to_paint_;
+    Made<uint64_t, uint64_t> uploaded_;                               ///< placed and painted
+    mutable std::vector<std::pair<uint32_t, uint32_t>> opaque_runs_;  ///< of batches: first item, items
     size_t first_transparent_ = 0;
     ModelPool models_;
     std::unique_ptr<ImagePool> images_;

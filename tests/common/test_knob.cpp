@@ -113,16 +113,24 @@ TEST_CASE("a module fills its uniform block and no other") {
     Outer outer;
     outer.lamp.bias_m.set("0.25");
     const Binding block{.name = "shadow",
+                        .hash = BindingName("shadow").hash,
+                        .layout = 1,
                         .type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                         .bytes = 4,
                         .members = {{.name = "bias_m", .type = BlockMember::Type::number}}};
-    const std::vector<std::byte> bytes = outer.lamp.block(block);
-    float value = 0;
-    REQUIRE(bytes.size() == 4);
-    std::memcpy(&value, bytes.data(), 4);
-    CHECK(value == 0.25f);
+    const auto number_in = [&](const Inner& of) {
+        const std::span<const std::byte> bytes = of.block(block);
+        float value = 0;
+        REQUIRE(bytes.size() == 4);
+        std::memcpy(&value, bytes.data(), 4);
+        return value;
+    };
+    CHECK(number_in(outer.lamp) == 0.25f);
+    outer.lamp.bias_m.set("0.5");
+    CHECK(number_in(outer.lamp) == 0.5f);
     CHECK(outer.block(block).empty());
     Binding unknown = block;
+    unknown.layout = 2;
     unknown.members[0].name = "slope";
     CHECK_THROWS_WITH(outer.sun.block(unknown), "the shader's shadow.slope is no knob of the module sun");
 }

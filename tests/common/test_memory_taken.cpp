@@ -1,36 +1,14 @@
 // Memory that a program takes, counted by its own operator new.
 #include <fmt/core.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <new>
 
+#include "blocks_taken.h"
 #include "common/scene/gltf.h"
 #include "common/scene/scene_file.h"
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
-
-namespace {
-
-thread_local size_t blocks_taken = 0, bytes_taken = 0;
-
-}  // namespace
-
-void* operator new(size_t bytes) {
-    ++blocks_taken;
-    bytes_taken += bytes;
-    if (void* const block = std::malloc(bytes ? bytes : 1)) return block;
-    throw std::bad_alloc();
-}
-// Sanitizers have one of their own, whose blocks the operators below could not free.
-void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
-    ++blocks_taken;
-    bytes_taken += bytes;
-    return std::malloc(bytes ? bytes : 1);
-}
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, size_t) noexcept { std::free(block); }
 
 TEST_CASE("a model is read with few times its file's bytes") {
     for (const auto& [name, most] : {std::pair{"models/suzanne_family.glb", 10.5}, {"models/knot.glb", 5.5}}) {
