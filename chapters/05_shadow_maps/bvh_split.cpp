@@ -1,138 +1,168 @@
 #include "05_shadow_maps/bvh_split.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "05_shadow_maps/bvh_data.h"
+#include <limits>
 
 namespace lightwalk {
 namespace {
 
-constexpr int bin_count = 16;
-
-using Four = Boxed::Four;
+using Four = WideBox::Four;
 using Numbers = int32_t __attribute__((vector_size(16)));
 
-struct Box {
-    Four lower, upper;
-    static Box empty() { return {Four{} + 1e30f, Four{} - 1e30f}; }
-    void add(const Four& from, const Four& to) {
-        lower = from < lower ? from : lower;
-        upper = to > upper ? to : upper;
-    }
-    // Half of the surface; in double precision, for the square of a planet's size is no float.
-    double area() const {
-        const Four e = upper - lower;
-        const double x = e[0], y = e[1], z = e[2];
-        return x * y + y * z + z * x;
-    }
+Numbers bins_of(const Boxed& b, const BinGrid& grid) {
+    constexpr auto last = static_cast<float>(BinGrid::bins - 1);
+    const Four at = (b.lower + b.upper - grid.origin) * grid.bins_per_m;
+    const Four most = Four{} + last;
+    return __builtin_convertvector(at < most ? at : most, Numbers);
+}
+
+// Boxes in one bin.
+struct Place {
+    const WideBox* box;
+    uint32_t count;
+    int bin;
 };
 
-struct Bins {
-    std::array<uint32_t, bin_count> count{};
-    std::array<Box, bin_count> box;  ///< of bins that are not empty, and of no others
-    void add(int at, const Boxed& b) {
-        const auto bin = static_cast<size_t>(at);
-        if (count[bin]++ == 0)
-            box[bin] = {b.lower, b.upper};
-        else
-            box[bin].add(b.lower, b.upper);
-    }
-};
-
-struct Cut {
-    int axis = -1;  ///< -1: none
-    int bin = 0;    ///< the first on the upper side
-    double cost = INFINITY;
-};
-
-// The grid of bins over a run's centres.
-struct Grid {
-    Four origin, bins_per_m;
-    bool has[3];  ///< an extent along this axis
-
-    explicit Grid(const Box& centers) : origin(centers.lower), bins_per_m{} {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float extent = centers.upper[axis] - centers.lower[axis];
-            const float scale = bin_count / extent;
-            has[axis] = extent > 0 && std::isfinite(scale);
-            if (has[axis]) bins_per_m[axis] = scale;
-        }
-    }
-    Numbers bins_of(const Boxed& b) const {
-        const auto at = __builtin_convertvector((b.center() - origin) * bins_per_m, Numbers);
-        return at < bin_count - 1 ? at : Numbers{} + (bin_count - 1);
-    }
-    int bin_of(const Boxed& b, int axis) const {
-        return std::min(static_cast<int>((b.center(axis) - origin[axis]) * bins_per_m[axis]), bin_count - 1);
-    }
-};
-
-// The best cut along one axis, where it is cheaper than `best`. A border behind an empty bin cuts nothing else.
-void try_axis(const Bins& bins, uint32_t total, int axis, Cut& best) {
-    std::array<double, bin_count> upper_cost{};
-    Box upper = Box::empty();
+// The best cut along one axis, where it is cheaper than `best`. Places come in the order of their bins.
+void try_axis(std::span<const Place> places, int axis, BinCut& best) {
+    std::array<double, BinGrid::bins> upper_cost;
+    WideBox upper;
     uint32_t count = 0;
-    for (size_t i = bin_count - 1; i > 0; --i) {
-        if (bins.count[i] == 0) continue;
-        upper.add(bins.box[i].lower, bins.box[i].upper);
-        count += bins.count[i];
+    for (size_t i = places.size(); i-- > 1;) {
+        upper.add(*places[i].box);
+        count += places[i].count;
         upper_cost[i] = upper.area() * count;
     }
-    Box lower = Box::empty();
+    WideBox lower;
     count = 0;
-    for (size_t i = 0; i < bin_count; ++i) {
-        if (bins.count[i] == 0) continue;
-        lower.add(bins.box[i].lower, bins.box[i].upper);
-        count += bins.count[i];
-        if (count == total) return;
-        size_t next = i + 1;
-        while (bins.count[next] == 0) ++next;
-        const double cost = lower.area() * count + upper_cost[next];
-        if (cost < best.cost) best = {axis, static_cast<int>(next), cost};
+    for (size_t i = 1; i < places.size(); ++i) {
+        lower.add(*places[i - 1].box);
+        count += places[i - 1].count;
+        if (places[i].bin == places[i - 1].bin) continue;
+        const double cost = lower.area() * count + upper_cost[i];
+        if (cost < best.cost) best = {axis, places[i].bin, count, cost};
     }
 }
 
-Cut best_cut(Run begin, Run end, const Grid& grid) {
-    std::array<Bins, 3> bins;
-    for (Run i = begin; i != end; ++i) {
-        const Numbers at = grid.bins_of(*i);
-        bins[0].add(at[0], *i);
-        bins[1].add(at[1], *i);
-        bins[2].add(at[2], *i);
+// Below so many boxes it is faster to sort them by their bins.
+constexpr size_t few = 8;
+
+BinCut best_cut_of_few(std::span<const Boxed> run, const BinGrid& grid) {
+    // Each axis sorts a column of numbers: the bin, and which box.
+    std::array<Four, few> keys;
+    for (size_t i = 0; i < run.size(); ++i) {
+        keys[i] = __builtin_convertvector(bins_of(run[i], grid) * int(few) + int(i), Four);
+        for (size_t k = i; k > 0; --k) {
+            const Four a = keys[k - 1], b = keys[k];
+            keys[k - 1] = a < b ? a : b;
+            keys[k] = a < b ? b : a;
+        }
     }
-    Cut best;
-    for (int axis = 0; axis < 3; ++axis)
-        if (grid.has[axis]) try_axis(bins[axis], static_cast<uint32_t>(end - begin), axis, best);
+    std::array<Numbers, few> sorted;
+    for (size_t i = 0; i < run.size(); ++i) sorted[i] = __builtin_convertvector(keys[i], Numbers);
+    std::array<Place, few> places;
+    BinCut best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!grid.has(axis)) continue;
+        for (size_t i = 0; i < run.size(); ++i) {
+            const auto key = static_cast<unsigned>(sorted[i][axis]);
+            places[i] = {&run[key % few], 1, int(key / few)};
+        }
+        try_axis({places.data(), run.size()}, axis, best);
+        if (best && run.size() == 2) break;  // the other axes cut the same
+    }
     return best;
 }
 
-// How many levels a tree of halves needs for so many triangles.
-uint32_t levels_of_halves(uint32_t count) { return std::bit_width((count + BVH_LEAF - 1) / BVH_LEAF - 1u); }
-
 }  // namespace
 
-Run split(Run begin, Run end, uint32_t levels) {
-    Box box = Box::empty(), centers = Box::empty();
-    for (Run i = begin; i != end; ++i) {
-        box.add(i->lower, i->upper);
-        centers.add(i->center(), i->center());
+Extent extent_of(std::span<const Boxed> run) {
+    Extent extent;
+    for (const Boxed& b : run) extent.add(b);
+    return extent;
+}
+
+BinGrid::BinGrid(const WideBox& centers) : origin(centers.lower) {
+    Four extent = centers.upper - centers.lower;
+    extent[3] = 0;
+    const Four scale = bins / extent;
+    bins_per_m = (extent > 0) & (scale <= std::numeric_limits<float>::max()) ? scale : Four{};
+}
+
+void Bins::add(std::span<const Boxed> run, const BinGrid& grid) {
+    const auto put = [&](size_t axis, int at, const Boxed b) {
+        const auto bin = static_cast<size_t>(at);
+        box[axis][bin].add(b);
+        ++count[axis][bin];
+    };
+    for (const Boxed b : run) {
+        const Numbers at = bins_of(b, grid);
+        put(0, at[0], b);
+        put(1, at[1], b);
+        put(2, at[2], b);
     }
-    const auto count = static_cast<uint32_t>(end - begin);
-    const Grid grid(centers);
-    const Cut best = levels_of_halves(count) < levels ? best_cut(begin, end, grid) : Cut{};
-    // Going down costs as much as one triangle.
-    const bool helps = best.axis >= 0 && box.area() + best.cost < box.area() * count;
-    if (count <= BVH_LEAF && !helps) return end;
-    if (best.axis >= 0)
-        return std::partition(begin, end, [&](const Boxed& b) { return grid.bin_of(b, best.axis) < best.bin; });
+}
+
+void Bins::add(const Bins& other) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (size_t bin = 0; bin < BinGrid::bins; ++bin) {
+            box[axis][bin].add(other.box[axis][bin]);
+            count[axis][bin] += other.count[axis][bin];
+        }
+}
+
+// A border behind an empty bin cuts nothing else.
+BinCut Bins::best_cut(const BinGrid& grid) const {
+    BinCut best;
+    std::array<Place, BinGrid::bins> places;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!grid.has(axis)) continue;
+        size_t used = 0;
+        for (int bin = 0; bin < BinGrid::bins; ++bin) {
+            const uint32_t inside = count[axis][size_t(bin)];
+            places[used] = {&box[axis][size_t(bin)], inside, bin};
+            used += inside > 0;
+        }
+        try_axis({places.data(), used}, axis, best);
+    }
+    return best;
+}
+
+uint32_t Bins::below(const BinCut& cut) const {
+    uint32_t below = 0;
+    for (int bin = 0; bin < cut.bin; ++bin) below += count[cut.axis][size_t(bin)];
+    return below;
+}
+
+BinCut best_cut(std::span<const Boxed> run, const BinGrid& grid) {
+    if (run.size() <= few) return best_cut_of_few(run, grid);
+    Bins bins;
+    bins.add(run, grid);
+    return bins.best_cut(grid);
+}
+
+// Without a branch: a processor could not guess it.
+size_t part_boxes(std::span<const Boxed> run, const BinGrid& grid, const BinCut& cut, Boxed* lower, Boxed* upper) {
+    const float origin = grid.origin[cut.axis], bins_per_m = grid.bins_per_m[cut.axis];
+    const auto border = static_cast<float>(cut.bin);
+    const auto to_upper = static_cast<size_t>(upper - lower);
+    size_t below = 0;
+    for (size_t i = 0; i < run.size(); ++i) {
+        const Boxed& b = run[i];
+        const float center = b.lower[cut.axis] + b.upper[cut.axis];
+        const size_t is_below = (center - origin) * bins_per_m < border;
+        lower[below + (to_upper + i - 2 * below) * (1 - is_below)] = b;
+        below += is_below;
+    }
+    return below;
+}
+
+void halve_boxes(std::span<Boxed> run, const WideBox& centers) {
     const Four e = centers.upper - centers.lower;
     const int widest = e[0] >= e[1] && e[0] >= e[2] ? 0 : e[1] >= e[2] ? 1 : 2;
-    const Run middle = begin + count / 2;
-    std::nth_element(begin, middle, end,
-                     [&](const Boxed& a, const Boxed& b) { return a.center(widest) < b.center(widest); });
-    return middle;
+    std::nth_element(run.begin(), run.begin() + run.size() / 2, run.end(), [&](const Boxed& a, const Boxed& b) {
+        return a.lower[widest] + a.upper[widest] < b.lower[widest] + b.upper[widest];
+    });
 }
 
 }  // namespace lightwalk

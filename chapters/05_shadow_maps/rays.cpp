@@ -112,11 +112,11 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
         cut.y = masks.of(item.maps[MapSlot::opacity], 0);
     }
     std::vector<RayCutout> with_holes = aside([&] { return cut_with(cut_by, scene, triangles); });
-    bvh_ = aside([&] { return Bvh(std::move(triangles)); });
+    bvh_ = aside([&] { return Bvh(triangles); });
     placed_ = scene.placed;
     set_offset();
-    nodes_ = gpu.upload("ray nodes", bvh_.nodes());
-    triangles_ = gpu.upload("ray triangles", bvh_.triangles());
+    nodes_ = gpu.upload("ray nodes", std::as_bytes(bvh_.nodes()));
+    triangles_ = gpu.upload("ray triangles", std::as_bytes(bvh_.triangles()));
     has_cutouts_ = !with_holes.empty();
     if (!has_cutouts_) with_holes.emplace_back();
     cutouts_ = gpu.upload("ray cutouts", with_holes);
@@ -138,8 +138,8 @@ void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
     bvh_.refit(ray_triangles(scene, frame.time_s));
     placed_ = scene.placed;
     set_offset();
-    frame.upload("ray nodes", nodes_, bvh_.nodes());
-    frame.upload("ray triangles", triangles_, bvh_.triangles());
+    frame.upload("ray nodes", nodes_, std::as_bytes(bvh_.nodes()));
+    frame.upload("ray triangles", triangles_, std::as_bytes(bvh_.triangles()));
 }
 
 // Holes that no triangle has are compiled out.

@@ -37,7 +37,7 @@ inline std::vector<RayTriangle> triangles_of(const char* model) {
     return triangles;
 }
 
-inline Bounds bounds_of(const std::vector<RayTriangle>& triangles) {
+inline Bounds bounds_of(std::span<const RayTriangle> triangles) {
     Bounds bounds;
     for (const RayTriangle& t : triangles) {
         bounds.add(t.a);
@@ -98,7 +98,8 @@ void main() {
             found = true;
         }
     bool any = found;)" + tail});
-    const Buffer nodes = gpu.upload("nodes", bvh.nodes()), triangles = gpu.upload("triangles", bvh.triangles());
+    const Buffer nodes = gpu.upload("nodes", std::as_bytes(bvh.nodes()));
+    const Buffer triangles = gpu.upload("triangles", std::as_bytes(bvh.triangles()));
     const Buffer in = gpu.upload("rays", rays);
     const Buffer out(gpu.device, {.name = "results", .bytes = rays.size() * sizeof(TestHit)});
     Frame frame(gpu);

@@ -1,5 +1,6 @@
 // The hierarchy itself: every triangle once, boxes that contain their children, a bounded depth, for any input.
 #include <cmath>
+#include <cstring>
 
 #include "05_shadow_maps/ray_fixture.h"
 #include "catch.h"
@@ -20,18 +21,20 @@ std::string wrong_in(const Bvh& bvh, size_t triangles) {
         uint32_t node, depth;
     };
     std::vector<Visit> visits{{0, 0}};
+    const std::span<const BvhNode> nodes = bvh.nodes();
     uint32_t deepest = 0;
-    size_t nodes = 0;
+    size_t reached = 0;
     while (!visits.empty()) {
         const auto [at, depth] = visits.back();
         visits.pop_back();
-        ++nodes;
+        ++reached;
         deepest = std::max(deepest, depth);
-        const BvhNode& node = bvh.nodes().at(at);
+        const BvhNode& node = nodes[at];
         if (node.count == 0)
             for (const uint32_t child : {node.first, node.first + 1}) {
                 if (child <= at) return "a child before its parent";
-                const BvhNode& below = bvh.nodes().at(child);
+                if (child >= nodes.size()) return "a child that is not there";
+                const BvhNode& below = nodes[child];
                 if (!holds(node, below.lower) || !holds(node, below.upper)) return "a child's box sticks out";
                 visits.push_back({child, depth + 1});
             }
@@ -42,7 +45,7 @@ std::string wrong_in(const Bvh& bvh, size_t triangles) {
             if (!holds(node, t.a) || !holds(node, t.b) || !holds(node, t.c)) return "a triangle sticks out of its leaf";
         }
     }
-    if (nodes != bvh.nodes().size()) return "nodes that nobody reaches";
+    if (reached != nodes.size()) return "nodes that nobody reaches";
     if (deepest != bvh.depth()) return "depth " + std::to_string(deepest);
     if (deepest > BVH_STACK) return "deeper than a ray remembers";
     for (const int times : seen)
@@ -76,13 +79,27 @@ TEST_CASE("a hierarchy holds every triangle once, in boxes that hold what is bel
     }
 }
 
-TEST_CASE("a hierarchy whose sides grew at the same time is the same each time, and whole") {
-    const auto triangles = random_triangles(70'000, 0.01);
-    const Bvh bvh(triangles);
-    CHECK(wrong_in(bvh, triangles.size()) == "");
-    CHECK(bvh.order() == Bvh(triangles).order());
-    // An even spread: no branch is much deeper than a tree of halves, whose leaves hold four.
-    CHECK(bvh.depth() <= 15 + 8);
+TEST_CASE("a hierarchy is the same to the bit on any number of threads, and whole") {
+    auto triangles = random_triangles(70'000, 0.01);
+    for (const RayTriangle& t : random_triangles(3000, 0)) triangles.push_back({t.a, t.a, t.a, NO_CUTOUT});
+    triangles.insert(triangles.end(), 5000, triangles[0]);
+    const Bvh one(triangles, 1);
+    CHECK(wrong_in(one, triangles.size()) == "");
+    for (const unsigned threads : {0, 2, 3, 16}) {
+        INFO(threads << " threads");
+        const Bvh bvh(triangles, threads);
+        CHECK(bvh.order() == one.order());
+        CHECK(bvh.depth() == one.depth());
+        const auto is_same = [](auto a, auto b) {
+            return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+        };
+        CHECK(is_same(bvh.nodes(), one.nodes()));
+        CHECK(is_same(bvh.triangles(), one.triangles()));
+    }
+}
+
+TEST_CASE("an even spread makes no branch much deeper than a tree of halves, with leaves of four") {
+    CHECK(Bvh(random_triangles(70'000, 0.01)).depth() <= 15 + 8);
 }
 
 TEST_CASE("input that gives a hierarchy nothing to go by") {

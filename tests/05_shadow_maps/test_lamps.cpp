@@ -35,7 +35,8 @@ void main() {
     results[i] = lamp_visibility(Lamp(q.to_middle, q.radius, q.most), q.origin, q.seed);
 }
 )"});
-    const Buffer nodes = gpu.upload("nodes", bvh.nodes()), triangles = gpu.upload("triangles", bvh.triangles());
+    const Buffer nodes = gpu.upload("nodes", std::as_bytes(bvh.nodes()));
+    const Buffer triangles = gpu.upload("triangles", std::as_bytes(bvh.triangles()));
     const Buffer in = gpu.upload("queries", queries);
     const Buffer out(gpu.device, {.name = "results", .bytes = std::max<size_t>(16, queries.size() * 4)});
     Frame frame(gpu);

@@ -28,7 +28,7 @@ Found exact_hit(const RayTriangle& triangle, const TestRay& ray) {
 }
 
 // The fault of a hit; "" if none. Where the nearest triangles' edges decide it, either is.
-std::string wrong_hit(const std::vector<RayTriangle>& triangles, const TestRay& ray, const TestHit& hit) {
+std::string wrong_hit(std::span<const RayTriangle> triangles, const TestRay& ray, const TestHit& hit) {
     constexpr double edge = 1e-4;
     double inside = INFINITY, nearby = INFINITY;  // the nearest that is surely hit, and that may be
     for (const RayTriangle& triangle : triangles) {
