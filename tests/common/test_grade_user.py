@@ -24,7 +24,8 @@ import os, pathlib, sys, unittest
 from build import build
 build.build = lambda *wanted, **how: None
 from grading import judge, judge_picture
-judge.Judge.draw_seed = lambda self: 7
+draws = judge.Judge.draw_seed
+judge.Judge.draw_seed = lambda self: draws(self) if os.access(self.folder, os.W_OK) else 7
 judge.KEPT = judge_picture.KEPT = pathlib.Path(os.environ["HOME"]) / "kept"
 unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
 """
