@@ -85,6 +85,7 @@ bool Shadow::find_changed_views(const Scene& scene, const LightList& lights, con
     if (!now_->found_from.from(lights, reach_m, camera, scene.placed, casters.others, casters.others_placed,
                                view_options(), has_passed(), method.is("none"), Exercises::version()))
         return false;
+    now_->settled.reset();  // now, since this frame may fail
     now_->found = find_views(scene, *lights, reach_m, camera, casters, now_->found_lights);
     ++searches;
     ++gpu_work.lists;
