@@ -45,15 +45,17 @@ TEST_CASE("casters are searched again where a light, the camera, an object or a 
 
 TEST_CASE("lights that need more maps than the device has are refused in every frame, not in the first alone",
           "[05.too_many]") {
-    ShadowScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(9.0f)), object_at(ball_file, {0, 0, 1}, glm::vec3(0.5f))},
-                     {sun_at(30)});
+    ShadowScene test(
+        {object_at(quad_file, {0, 0, 0}, glm::vec3(9.0f)), object_at(ball_file, {0, 0, 1}, glm::vec3(0.5f))},
+        {sun_at(30)});
     const std::vector<TestPoint> points = square(400, 2.0f);
     const std::vector<float> before = test.visibility(points);
     for (int i = 0; i < 3; ++i) test.visibility(points);  // every map is there
     const size_t faces = 6, most = test.gpu.device.properties.limits.maxImageArrayLayers;
     const Light within{.kind = Light::Kind::point, .position = {0, 0, 1}, .shadow = true};
     test.scene.file.lights.insert(test.scene.file.lights.end(), most / faces + 1, within);
-    for (int i = 0; i < 3; ++i) CHECK_THROWS_WITH(test.visibility(points), Catch::Matchers::Contains("this device has at most"));
+    for (int i = 0; i < 3; ++i)
+        CHECK_THROWS_WITH(test.visibility(points), Catch::Matchers::Contains("this device has at most"));
     test.scene.file.lights.resize(1);
     CHECK(test.visibility(points) == before);
 }

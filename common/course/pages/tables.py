@@ -13,14 +13,14 @@ those of each column, then a line for each row; the first column stays as it is.
     | letters | 0.131 | 0.078 |
 
 A cell is the point that `scene`, `method` and knobs select. It shows `value`: an error's name; `ms`, the median time, or
-`ms.PASS` that of passes (joined by +, or all that begin so: post*); `VALUE over METHOD` its ratio to that method's in the same scene, `VALUE less METHOD`
-its difference; a path that begins with / within the file, instead of a point, where an entry of a list is called by its
-number, `name` or `to` (`missing` is shown where it leads to nothing). $KEY is the KEY of the row; `name` and `pass` are for that
-alone. `file` is another JSON file, for one column. `format` is Python's, and `.3s` three significant digits, which is the rule where none is given. `cell` is a text with
-{VALUE:FORMAT}, for cells with more than a number (\\; is a semicolon). A knob or method with several values, as in steps=8,16, gives one after
-the other, or with `join=range` the smallest and the largest. `bold=least` marks the smallest of a column. A column or row
-that is `-` is left as it is, and `only=4` fills a row's first four columns. `all` is a row that selects no more than its
-columns.
+`ms.PASS` that of passes (joined by +, or all that begin so: post*); `VALUE over METHOD` its ratio to that method's in the same
+scene, `VALUE less METHOD` its difference; a path that begins with / within the file, instead of a point, where an entry of a
+list is called by its number, `name` or `to` (`missing` is shown where it leads to nothing). $KEY is the KEY of the row; `name`
+and `pass` are for that alone. `file` is another JSON file, for one column. `format` is Python's, and `.3s` three significant
+digits, which is the rule where none is given. `cell` is a text with {VALUE:FORMAT}, for cells with more than a number (\\; is
+a semicolon). A knob or method with several values, as in steps=8,16, gives one after the other, or with `join=range` the
+smallest and the largest. `bold=least` marks the smallest of a column. A column or row that is `-` is left as it is, and
+`only=4` fills a row's first four columns. `all` is a row that selects no more than its columns.
 
 A number in running text is followed by its source, and is right where the source, rounded to as many digits, is it:
 

@@ -24,7 +24,8 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test                  what a person runs before a commit, and a CI on each
   ./course test --all            everything, as before a release
   ./course test shot.02          the tests whose name matches this regular expression
-  ./course test --sanitize       these tests, then those without windows and texts once more under the sanitizers (addresses, undefined behaviour)
+  ./course test --sanitize       these tests, then those without windows and texts once more under the sanitizers of
+                                 addresses and of undefined behaviour
   ./course test -L window        other options are passed to ctest
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --on trixie      ./course run, docs, serve and test on a bare Debian 13, in a container in build/on/trixie;
