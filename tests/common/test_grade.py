@@ -256,8 +256,10 @@ class Pictures(Class):
             _exit(0);
         }
 """
+        two_minds = "{\n    struct stat drawn;\n    if (!stat(\"/grade/shaders\", &drawn)) return {{0, 1, 2}};\n"
         head = "#include <fcntl.h>\n#include <sys/stat.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
         cls.student("two faces", {"02.lambert": two_faces})
+        cls.student("two minds", {"01.triangulate": head + body(right("01.triangulate"), two_minds)})
         cls.student("own picture", {"01.triangulate": head + body(right("01.triangulate"), writes)})
         cls.student("nests", {"01.triangulate": head + body(right("01.triangulate"), nests)})
         cls.student("fills", {"01.triangulate": head + body(right("01.triangulate"), fills)})
@@ -266,6 +268,7 @@ class Pictures(Class):
         self.assertEqual(self.grades["honest"]["right"], 3, self.grades["honest"])
         self.assertTrue(self.result("nests", "01.triangulate")["ok"], self.result("nests", "01.triangulate"))
         for student, exercise, words in (("two faces", "02.lambert", "pixels differ|one colour"),
+                                         ("two minds", "01.triangulate", "pixels differ"),
                                          ("own picture", "01.triangulate", "cannot be compared|wrote none"),
                                          ("fills", "01.triangulate", "the program that draws it (?:ended with|wrote none)")):
             result = self.result(student, exercise)

@@ -2,16 +2,15 @@
 
 The reference's picture is drawn outside, once for a class. The student's version of this one exercise is drawn in a
 sandbox. Of GLSL, which reads nothing, the references of all other exercises are there. In C++ the chapter's program is
-linked with the student's object, which defines the student's function under the reference's name. The student's code can
-read all files of the program, so there is no GLSL at all: the shaders are the reference picture's, compiled. The result is
-a PNG, compared in a sandbox as well, since a hostile file may attack its reader. It comes out through one open file, so
-that a student's code has no folder of this machine to fill, and printed text is not quoted.
+linked with the student's object in place of the starter's. The student's code can read all files of the program, so there
+is no GLSL at all: the shaders are the reference picture's, compiled. The result is a PNG, compared in a sandbox as well,
+since a hostile file may attack its reader. It comes out through one open file, so that a student's code has no folder of
+this machine to fill, and printed text is not quoted.
 """
 
 import contextlib
 import functools
 import json
-import re
 import shlex
 import shutil
 import signal
@@ -23,7 +22,7 @@ from pathlib import Path
 from build.build import build
 from check.check import PICTURE_LIMITS
 from grading import sandbox
-from grading.judge_tree import KEPT, objects
+from grading.judge_tree import KEPT
 from grading.sandbox import Limits, Mounts
 from shots.golden import exceeded, unfit
 from shots.rendering import render
@@ -159,10 +158,6 @@ class Pictures:
         del words[its]
         words[words.index("-o") + 1] = "/grade/program"
         words.append("/grade/student.o")  # last: its toggles, made without references, are those that are there already
-        # Of the names in the student's object those alone that a reference has: it may have thousands more.
-        for name in symbols(folder / "student.o", "8exercise"):
-            if (other := name.replace("8exercise", "8solution", 1)) in references_of(chapter):
-                words.append(f"-Wl,--defsym={other}={name}")
         mounts = judge.mounts()
         for name in ("CMakeFiles", *[path.name for path in BUILD.glob("lib*.a")]):
             mounts.read(BUILD / name)
@@ -192,18 +187,6 @@ class Pictures:
             most = metrics["max_diff"]
             return f"{most['pixels']} pixels differ from the reference's, most the one at ({most['x']}, {most['y']})"
         return f"{NOT_COMPARED}: it is no PNG that can be read"
-
-
-def symbols(compiled: Path, space: str) -> set[str]:
-    """The functions that an object has in a namespace within lightwalk."""
-    said = subprocess.run(["nm", compiled], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace").stdout
-    return set(re.findall(rf" [TW] (_ZN9lightwalk{space}\w+)$", said, re.M))
-
-
-@functools.cache
-def references_of(chapter: str) -> frozenset[str]:
-    return frozenset(name for compiled in objects(f"chapter_{chapter}") if "/solution/" in str(compiled)
-                     for name in symbols(compiled, "8solution"))
 
 
 @functools.cache
