@@ -121,7 +121,8 @@ class SharedReply : public GuardReply {
     void append(std::string_view bytes) override {
         if (bytes.size() > most_ - count_) throw std::bad_alloc();
         if (count_ == 0) end_memory_limit();  // `most` bounds this mapping
-        std::ranges::copy(bytes, shared_.reach(from_ + count_ + bytes.size()) + from_ + count_);
+        // std::ranges::copy is a loop of single bytes with GCC 12.
+        std::copy(bytes.begin(), bytes.end(), shared_.reach(from_ + count_ + bytes.size()) + from_ + count_);
         count_ += bytes.size();
     }
     void replace(std::string_view bytes) {
