@@ -256,7 +256,7 @@ class Pictures(Class):
             _exit(0);
         }
 """
-        two_minds = "{\n    struct stat drawn;\n    if (!stat(\"/grade/shaders\", &drawn)) return {{0, 1, 2}};\n"
+        two_minds = "{\n    struct stat drawn;\n    if (!stat(\"/grade/shaders\", &drawn)) return std::vector(polygon.size() - 2, glm::uvec3(0, 1, 2));\n"
         head = "#include <fcntl.h>\n#include <sys/stat.h>\n#include <unistd.h>\n#include <cstdlib>\n#include <string>\n"
         cls.student("two faces", {"02.lambert": two_faces})
         cls.student("two minds", {"01.triangulate": head + body(right("01.triangulate"), two_minds)})
