@@ -57,9 +57,9 @@ void Mlaa::set_up(Frame& frame, const Image& picture) {
         fit(distances_[0], " distances", size);
         fit(distances_[1], " longer distances", size);
     }
-    if (method.is("smaa_like")) {
+    if (doubles() && method.is("smaa_like")) {
         fit(diagonals_[0], " staircases", size);
-        if (doubles()) fit(diagonals_[1], " longer staircases", size);
+        fit(diagonals_[1], " longer staircases", size);
     }
     if (std::exchange(toggles_, Exercises::version()) == Exercises::version()) return;
     const auto table = [&](Image& image, const char* name, uint32_t side, const std::vector<float>& values) {
@@ -95,14 +95,6 @@ Compute& Mlaa::over_list(Compute& pass, const Pipeline& pipeline) const {
     return pass.use(pipeline).set("listed", list_).set("work", work_);
 }
 
-// Staircases step by step.
-void Mlaa::walk(Compute& pass) {
-    over_list(pass, walk_).set("staircases", diagonals_[0]);
-    set_edges(pass);
-    pass.dispatch_indirect(work_).wait();
-    staircases_ = &diagonals_[0];
-}
-
 // Links between neighbours, then distances that grow from pass to pass.
 void Mlaa::measure_by_doubling(Compute& pass) {
     const auto grow = [&](const Pipeline& link, const Image(&images)[2], const glm::ivec2(&directions)[4]) {
@@ -131,16 +123,19 @@ void Mlaa::record(Frame& frame, Image& picture) {
 
 void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     const bool shapes = method.is("smaa_like");
+    // A software device converts colours in all threads of a workgroup that has one edge: it goes through the list instead.
+    const bool at_once = drops_at_once.value_or(!frame.gpu.device.software());
 
     // 1. Edges as bits, the list of pixels beside them, and their light, since neighbours read it after it was mixed.
     ComputeAccess access{.reads = {picture, work_, list_, edge_rows_, edge_columns_},
                          .writes = {edge_rows_, edge_columns_, list_, light_, work_, next_work_},
                          .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(edges_).set("picture", picture, nearest_clamp).set("light_beside", light_);
+        pass.use(shapes && at_once ? seen_edges_ : edges_);
+        pass.set("picture", picture, nearest_clamp).set("light_beside", light_);
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_);
         pass.set("listed", list_).set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size);
-        if (!shapes) return;
+        if (!shapes || at_once) return;
         over_list(pass.wait(), strong_edges_).set("picture", picture, nearest_clamp);
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_).dispatch_indirect(work_);
     });
@@ -148,9 +143,8 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     // 2. Line lengths, unless words of edges tell them. From here on only listed pixels are processed, by as many
     // workgroups as they need.
     std::vector<Resource> lengths;
-    if (shapes) lengths.push_back(diagonals_[0]);
     if (doubles()) lengths.insert(lengths.end(), {distances_[0], distances_[1]});
-    if (doubles() && shapes) lengths.push_back(diagonals_[1]);
+    if (doubles() && shapes) lengths.insert(lengths.end(), {diagonals_[0], diagonals_[1]});
     access = {.reads = {work_, list_, edge_rows_, edge_columns_}, .writes = lengths, .with = {*this}};
     access.reads.insert(access.reads.end(), lengths.begin(), lengths.end());
     if (doubles()) frame.compute("mlaa distances", access, [&](Compute& pass) { measure_by_doubling(pass); });
@@ -158,13 +152,12 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     // 3. Weights, and mixed light.
     access.reads.insert(access.reads.end(), {light_, areas_, crossings_});
     access.writes = {work_, picture};
-    if (shapes && !doubles()) access.writes.push_back(diagonals_[0]);
     frame.compute("mlaa mix", access, [&](Compute& pass) {
-        if (shapes && !doubles()) walk(pass);
         over_list(pass, shapes ? mix_shapes_ : mix_).set("picture", light_, nearest_clamp).set("into", picture);
         pass.set("areas", areas_, nearest_clamp);
         if (doubles()) pass.set("distances", *lengths_, nearest_clamp);
-        if (shapes) pass.set("diagonals", *staircases_, nearest_clamp).set("crossings", crossings_, nearest_clamp);
+        if (doubles() && shapes) pass.set("diagonals", *staircases_, nearest_clamp);
+        if (shapes) pass.set("crossings", crossings_, nearest_clamp);
         set_edges(pass);
         pass.dispatch_indirect(work_);
     });

@@ -1,5 +1,7 @@
 // Anti-aliasing module, for any picture in linear light.
 #pragma once
+#include <optional>
+
 #include "13_mlaa/taa.h"
 
 namespace lightwalk {
@@ -14,7 +16,7 @@ namespace lightwalk {
 /// fxaa_like the image has another handle, since it was written anew. The method taa changes every pixel, by what it saw
 /// in the frames before (taa.h). The methods from msaa_4x on are about how a picture is drawn: record() then does nothing
 /// (see drawing.h). Once per frame and module.
-/// Large (20 functions, 14 members): one member for each target and table that its passes share.
+/// Large (19 functions, 15 members): one member for each target and table that its passes share.
 struct Mlaa : Module {
     Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
         taa.in_use = [this] { return method.is("taa"); };
@@ -55,6 +57,9 @@ struct Mlaa : Module {
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
     bool doubles() const { return !reads.is("words"); }
 
+    /// For tests: whether hidden edges are dropped where edges are found (method smaa_like), not by the device's kind.
+    std::optional<bool> drops_at_once;
+
     /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours. None with
     /// words.
     int passes() const;
@@ -82,7 +87,6 @@ struct Mlaa : Module {
     void set_up(Frame& frame, const Image& picture);
     void follow_edges(Frame& frame, const Image& picture);
     void search_by_luma(Frame& frame, Image& picture);
-    void walk(Compute& pass);
     void measure_by_doubling(Compute& pass);
     const Image* propagate(Compute& pass, const Image* from, const Image* into,
                            const glm::ivec2 (&directions)[4]) const;
@@ -97,9 +101,9 @@ struct Mlaa : Module {
     Buffer work_, next_work_;  ///< of this frame, and, which this frame empties, of the next
     Buffer list_;
     ReadBack counted_;
-    Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp"});
+    Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DROPS_HIDDEN", "0"}}});
+    Pipeline seen_edges_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DROPS_HIDDEN", "1"}}});
     Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
-    Pipeline walk_ = compute({.shader = "13_mlaa/walk.comp"});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
     Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});

@@ -16,31 +16,25 @@ float luma_of(vec3 light) { return sqrt(luminance(light)); }
 // Of a workgroup's tile and the pixels around it, each read once; a thread has four pixels of a column.
 const int rows = 4, threads = int(gl_WorkGroupSize.x * gl_WorkGroupSize.y);
 const ivec2 tile = ivec2(gl_WorkGroupSize.x, rows * gl_WorkGroupSize.y), kept_size = tile + 2;
-const int kept_count = kept_size.x * kept_size.y, rounds = (kept_count + threads - 1) / threads;
-shared float kept[kept_count];
+shared float kept[kept_size.x * kept_size.y];
 shared uint strong[tile.x * tile.y], strong_count, changed_count;  // pixels with contrast
 
 ivec2 corner() { return tile * ivec2(gl_WorkGroupID.xy); }
-
-// All reads of a thread first: none waits for another.
-void keep_luma() {
-    vec3 light[rounds];
-    for (int k = 0; k < rounds; ++k) {
-        int slot = int(gl_LocalInvocationIndex) + k * threads;
-        light[k] = light_at(corner() - 1 + ivec2(slot % kept_size.x, slot / kept_size.x));
-    }
-    for (int k = 0; k < rounds; ++k) {
-        int slot = int(gl_LocalInvocationIndex) + k * threads;
-        if (slot < kept_count) kept[slot] = luma_of(light[k]);
-    }
-}
-float kept_luma(ivec2 place) { return kept[(place.y + 1) * kept_size.x + place.x + 1]; }
+int slot_of(ivec2 place) { return (place.y + 1) * kept_size.x + place.x + 1; }
+float kept_luma(ivec2 place) { return kept[slot_of(place)]; }
 bool is_kept(ivec2 place) { return all(greaterThanEqual(place, ivec2(-1))) && all(lessThanEqual(place, tile)); }
 
-// The contrast around a pixel of the tile, 0 where it is too low to be seen.
-float contrast(ivec2 place) {
-    float m = kept_luma(place), n = kept_luma(place + ivec2(0, -1)), s = kept_luma(place + ivec2(0, 1));
-    float w = kept_luma(place + ivec2(-1, 0)), e = kept_luma(place + ivec2(1, 0));
+// The pixels around the tile, by number.
+const int ring_count = 2 * (kept_size.x + tile.y);
+ivec2 ring_place(int i) {
+    int beside = i - 2 * kept_size.x;
+    if (i < kept_size.x) return ivec2(i - 1, -1);
+    if (i < 2 * kept_size.x) return ivec2(i - kept_size.x - 1, tile.y);
+    return ivec2((beside & 1) * (tile.x + 1) - 1, beside >> 1);
+}
+
+// The contrast of a pixel and its four neighbours, 0 where it is too low to be seen.
+float contrast(float m, float n, float s, float w, float e) {
     float most = max(max(max(n, s), max(w, e)), m), range = most - min(min(min(n, s), min(w, e)), m);
     return range < max(1.0 / 16.0, most / 8.0) ? 0.0 : range;
 }
@@ -58,10 +52,10 @@ void search_on(inout End end, int first, ivec2 place, ivec2 side, ivec2 along, f
     if (end.steps > 0) return;
     float near[asked], far[asked];
     if (is_kept(place + (first + asked - 1) * along)) {
+        int slot = slot_of(place + first * along), step = along.y * kept_size.x + along.x, aside = side.y * kept_size.x + side.x;
         for (int k = 0; k < asked; ++k) {
-            ivec2 at = place + (first + k) * along;
-            near[k] = kept_luma(at);
-            far[k] = kept_luma(at + side);
+            near[k] = kept[slot + k * step];
+            far[k] = kept[slot + k * step + aside];
         }
     } else {
         vec3 light[asked], other[asked];
@@ -83,9 +77,10 @@ void search_on(inout End end, int first, ivec2 place, ivec2 side, ivec2 along, f
 }
 
 // [fxaa]
-// The pixel's light, mixed with that of the neighbour across its edge; alpha is the share of that neighbour.
-vec4 fxaa(ivec2 place) {
-    float range = contrast(place), m = kept_luma(place);
+// Writes the pixel's light, mixed with that of the neighbour across its edge. False where it takes nothing from it.
+bool fxaa(ivec2 place) {
+    vec4 texel = texelFetch(picture, corner() + place, 0);
+    float m = kept_luma(place);
     float n = kept_luma(place + ivec2(0, -1)), s = kept_luma(place + ivec2(0, 1));
     float w = kept_luma(place + ivec2(-1, 0)), e = kept_luma(place + ivec2(1, 0));
     float nw = kept_luma(place + ivec2(-1, -1)), ne = kept_luma(place + ivec2(1, -1));
@@ -96,7 +91,7 @@ vec4 fxaa(ivec2 place) {
     float before = horizontal ? n : w, behind = horizontal ? s : e;
     int towards = abs(before - m) >= abs(behind - m) ? -1 : 1;
     ivec2 side = horizontal ? ivec2(0, towards) : ivec2(towards, 0), along = horizontal ? ivec2(1, 0) : ivec2(0, 1);
-    vec3 own = light_at(corner() + place), across = light_at(corner() + place + side);
+    vec3 own = finite_light(texel.rgb), across = light_at(corner() + place + side);
 
     float other = towards < 0 ? before : behind, mean = 0.5 * (m + other), enough = 0.25 * abs(other - m);
     End back = End(0, 0.0), ahead = End(0, 0.0);
@@ -111,39 +106,50 @@ vec4 fxaa(ivec2 place) {
 
     // Features smaller than a pixel: the difference from their neighbours' mean.
     float around = (2.0 * (n + s + w + e) + nw + ne + sw + se) / 12.0;
-    float lone = smoothstep(0.0, 1.0, clamp(abs(around - m) / range, 0.0, 1.0));
+    float lone = smoothstep(0.0, 1.0, clamp(abs(around - m) / contrast(m, n, s, w, e), 0.0, 1.0));
     float share = max(by_end, 0.5 * lone * lone);
-    return vec4(mix(own, across, share), share);
+    imageStore(into, corner() + place, share > 0.0 ? vec4(mix(own, across, share), texel.a) : texel);
+    return share > 0.0;
 }
 // [/fxaa]
 
 // Few pixels have contrast. The workgroup's first threads take those, so that no thread waits while others search. All
-// others are copied.
+// others are copied from registers.
 void main() {
-    uint own = gl_LocalInvocationIndex;
+    int own = int(gl_LocalInvocationIndex);
     if (gl_GlobalInvocationID.xy == uvec2(0u)) next_work.groups[0] = next_work.listed_count = next_work.changed_count = 0u;
-    if (own == 0u) strong_count = changed_count = 0u;
-    keep_luma();
-    barrier();
+    if (own == 0) strong_count = changed_count = 0u;
     ivec2 size = textureSize(picture, 0), first = ivec2(gl_LocalInvocationID.xy) * ivec2(1, rows);
     vec4 texel[rows];
     for (int i = 0; i < rows; ++i) texel[i] = texelFetch(picture, min(corner() + first + ivec2(0, i), size - 1), 0);
+    if (own < ring_count) kept[slot_of(ring_place(own))] = luma_of(light_at(corner() + ring_place(own)));
+    float luma[rows];
+    for (int i = 0; i < rows; ++i) kept[slot_of(first + ivec2(0, i))] = luma[i] = luma_of(finite_light(texel[i].rgb));
+    barrier();
+
+    float above = kept_luma(first - ivec2(0, 1)), below = kept_luma(first + ivec2(0, rows));
+    uint found = 0u;  // a bit for each row
     for (int i = 0; i < rows; ++i) {
         ivec2 place = first + ivec2(0, i);
-        if (any(greaterThanEqual(corner() + place, size))) continue;
-        if (contrast(place) > 0.0) strong[atomicAdd(strong_count, 1u)] = pack_pixel(place);
-        else imageStore(into, corner() + place, texel[i]);
+        float n = i > 0 ? luma[max(i - 1, 0)] : above, s = i < rows - 1 ? luma[min(i + 1, rows - 1)] : below;
+        bool has_contrast = contrast(luma[i], n, s, kept_luma(place - ivec2(1, 0)), kept_luma(place + ivec2(1, 0))) > 0.0;
+        bool inside = all(lessThan(corner() + place, size));
+        if (inside && !has_contrast) imageStore(into, corner() + place, texel[i]);
+        found |= uint(inside && has_contrast) << i;
+    }
+    if (found != 0u) {
+        uint at = atomicAdd(strong_count, uint(bitCount(found)));
+        for (int i = 0; i < rows; ++i)
+            if ((found >> i & 1u) != 0u) strong[at++] = pack_pixel(first + ivec2(0, i));
     }
     barrier();
     if (strong_count == 0u) return;
-    for (uint at = own; at < strong_count; at += uint(threads)) {
-        ivec2 place = unpack_pixel(strong[at]), pixel = corner() + place;
-        vec4 found = fxaa(place), before = texelFetch(picture, pixel, 0);
-        imageStore(into, pixel, found.a > 0.0 ? vec4(found.rgb, before.a) : before);
-        if (found.a > 0.0) atomicAdd(changed_count, 1u);
-    }
+
+    uint changed = 0u;
+    for (uint at = uint(own); at < strong_count; at += uint(threads)) changed += uint(fxaa(unpack_pixel(strong[at])));
+    if (changed > 0u) atomicAdd(changed_count, changed);
     barrier();
-    if (own > 0u) return;
+    if (own > 0) return;
     atomicAdd(work.listed_count, strong_count);
     atomicAdd(work.changed_count, changed_count);
 }

@@ -102,11 +102,16 @@ vec4 weights_of(ivec2 pixel) {
     vec4 of_detail = detail_weights(pixel);
     if (of_detail != vec4(0.0)) return of_detail;
     // Above the edge of a step, or below it: the outline is the staircase, regardless of its edges' lines.
-    for (int way = 1; way >= -1; way -= 2) {
-        Staircase here = staircase_at(pixel, way), above = staircase_at(pixel - ivec2(0, 1), way);
-        bool is_above = is_staircase(here), is_below = is_staircase(above);
-        if (is_above || is_below)
-            return vec4(0.0, 0.0, is_below ? corner_below(above) : 0.0, is_above ? corner_above(here) : 0.0);
+    int way = 0;
+    bool is_above = false, is_below = false;
+    for (int i = 1; i >= -1 && way == 0; i -= 2) {
+        is_above = is_staircase(pixel, i);
+        is_below = is_staircase(pixel - ivec2(0, 1), i);
+        if (is_above || is_below) way = i;
+    }
+    if (way != 0) {
+        float below = is_below ? corner_below(staircase_at(pixel - ivec2(0, 1), way)) : 0.0;
+        return vec4(0.0, 0.0, below, is_above ? corner_above(staircase_at(pixel, way)) : 0.0);
     }
     return vec4(shape_weight(pixel - ivec2(1, 0), false, 1), shape_weight(pixel, false, -1),
                 shape_weight(pixel - ivec2(0, 1), true, 1), shape_weight(pixel, true, -1));

@@ -1,6 +1,7 @@
 // Staircases of single steps.
 #include "13_mlaa/distance_bits.glsl"
 #include "13_mlaa/edge_source.glsl"
+#include "13_mlaa/lines.glsl"
 
 // A staircase and one of its steps, which are the edges below pixels: how many to its ends, that one counted, and which way
 // it runs (1 falling, -1 rising).
@@ -9,19 +10,43 @@ struct Staircase {
     int back, ahead, way;
 };
 
+// Whether the edge below a pixel is a step of one, without its length. From four edges on, those below and those across:
+// with three it is a turn of some line.
+bool is_staircase(ivec2 pixel, int way) {
+    ivec2 along = ivec2(way, 1);
+    bool below = edge_below(pixel), before = edge_before(pixel, way), after = edge_after(pixel, way);
+    bool back = edge_below(pixel - along), ahead = edge_below(pixel + along);
+    bool first = edge_before(pixel - along, way), last = edge_after(pixel + along, way);
+    return below && (before && back && (first || after) || after && ahead && (before || last));
+}
+
+#if MLAA_READS == MLAA_READS_WORDS
+// Steps from a pixel's on, itself counted, where `ahead` is 1 downwards and -1 upwards. Four are asked at once: none of
+// these reads waits for another.
+const int asked = 4;
+int walked(ivec2 pixel, int way, int ahead) {
+    for (int steps = 1; steps < mlaa.reach; steps += asked) {
+        uint ends = 1u << asked;
+        for (int k = 0; k < asked; ++k) {
+            ivec2 at = pixel + (steps + k - 1) * ahead * ivec2(way, 1);
+            ends |= uint(!(ahead > 0 ? follows_after(at, way) : follows_before(at, way))) << k;
+        }
+        int more = findLSB(ends);
+        if (more < asked) return min(steps + more, mlaa.reach);
+    }
+    return mlaa.reach;
+}
+
+Staircase staircase_at(ivec2 pixel, int way) { return Staircase(pixel, walked(pixel, way, -1), walked(pixel, way, 1), way); }
+#else
 uniform usampler2D diagonals;  // valid beside edges
 
 Staircase staircase_at(ivec2 pixel, int way) {
-    uint word = edge_below(pixel) ? texelFetch(diagonals, pixel, 0).x : 0u;
+    uint word = texelFetch(diagonals, pixel, 0).x;
     return Staircase(pixel, int(byte_of(word, way > 0 ? back_falling : back_rising)),
                      int(byte_of(word, way > 0 ? ahead_falling : ahead_rising)), way);
 }
+#endif
 
 ivec2 first_of(Staircase s) { return s.step - (s.back - 1) * ivec2(s.way, 1); }
 ivec2 last_of(Staircase s) { return s.step + (s.ahead - 1) * ivec2(s.way, 1); }
-
-// From four edges on, those below and those across: with three it is a turn of some line.
-bool is_staircase(Staircase s) {
-    int steps = s.back + s.ahead - 1;
-    return s.back > 0 && (steps > 2 || steps == 2 && (edge_before(first_of(s), s.way) || edge_after(last_of(s), s.way)));
-}
