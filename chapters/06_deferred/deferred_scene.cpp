@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/gpu/gpu_work.h"
+
 namespace lightwalk {
 
 DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed)
@@ -128,6 +130,7 @@ void DeferredScene::write_gbuffer(Frame& frame, Canvas& canvas) {
 // [/draw]
 
 void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
+    if (!shading.rest && !emits()) return;
     const std::vector<Batch> stored = batches_by_stored(true);
     const std::vector<Batch> batches = shading.rest ? stored : emitting(scene(), stored);
     if (batches.empty()) return;
@@ -136,6 +139,12 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
         shading.rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
         [&](Raster& pass) { draw_kept(pass, both, batches); });
+}
+
+bool DeferredScene::emits() {
+    if (emission_sought_.from(scene().placed, scene().painted))
+        emits_ = !emitting(scene(), scene().opaque_batches()).empty();
+    return emits_;
 }
 
 // Lit as they are drawn, by the lights of their own cells.
@@ -166,6 +175,7 @@ SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
 }
 
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {
+    ++gpu_work.lists;
     std::vector<Batch> kept;
     for (const Batch& batch : batches) {
         bool any = false;

@@ -3,6 +3,7 @@
 #include "05_shadow_maps/lit_scene.h"
 #include "06_deferred/culling.h"
 #include "06_deferred/deferred_lights.h"
+#include "common/base/made.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -10,7 +11,7 @@ namespace lightwalk {
 // [deferred_scene]
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
 /// room for (unlit ones, and microfacets unless all are) and transparent ones are drawn as LitScene draws them.
-/// Large (17 functions, 9 members): a pipeline for each pass.
+/// Large (18 functions, 11 members): a pipeline for each pass.
 struct DeferredScene : Drawing, ItemCaster {
     DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -58,6 +59,7 @@ struct DeferredScene : Drawing, ItemCaster {
     std::function<void(Raster&)> often_by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     void draw_kept(Raster& pass, const SurfacePipelines& both, const std::vector<Batch>& batches) const;
     std::vector<With> with(std::vector<With> modules) const;
+    bool emits();  ///< any opaque item
     const Scene& scene() const { return surfaces.scene(); }
 
     DeferredLights deferred_lights_;
@@ -73,6 +75,8 @@ struct DeferredScene : Drawing, ItemCaster {
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,
                                       .macros = {{"LEFT_OUT", "1"}}}};
+    Made<uint64_t, uint64_t> emission_sought_;  ///< the scene's placements and materials
+    bool emits_ = false;
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
 };
 
