@@ -225,6 +225,7 @@ class PicturesTest(ChapterPictures):
             self.run_program("--scene", scene, *options, "--timings", out, "--size", "32x24")
             timings = json.loads(out.read_text())
             self.assertEqual(timings["status"], [f"2 lights, packed {times}×"])
+            self.assertGreater(timings["recording_in_a_row_cpu_ms"], 0)
             uploads = [p["frames"] for p in timings["passes"] if p["name"] == "lights"]  # the first frame is not counted
             self.assertEqual(uploads, [times - 1] if times > 1 else [])
             self.assertEqual([p["name"] for p in timings["passes"] if p["frames"] == 6][-1], "encode_srgb")
