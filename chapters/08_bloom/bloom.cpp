@@ -76,12 +76,16 @@ void Bloom::record(Frame& frame, const Image& hdr) {
     if (method.is("none")) return;
     set_up(frame, hdr.desc.size);
 
-    // 1. Bright pass; the number of workgroups of each blur step, 0 if nothing is bright.
+    // 1. Bright pass; the number of workgroups of each blur step, 0 if nothing is bright. The frame's number saves a pass
+    // that would clear the word.
+    const auto frame_now = static_cast<uint32_t>(frame.number());
     frame.compute("bloom cut", {.reads = {hdr, dispatch_}, .writes = {cut_out(), dispatch_}, .with = {*this}},
                   [&](Compute& pass) {
                       pass.use(bright_).set("dispatches", dispatch_).set("hdr", hdr, nearest_clamp);
-                      pass.set("result", cut_out()).dispatch_threads(hdr.desc.size).wait();
+                      pass.set("frame_now", frame_now).set("result", cut_out());
+                      pass.dispatch_threads(hdr.desc.size).wait();
                       pass.use(decide_).set("dispatches", dispatch_).set("wanted", wanted_);
+                      pass.set("frame_now", frame_now);
                       pass.dispatch_threads(glm::uvec2(static_cast<uint32_t>(3 * plan_.steps.size()), 1));
                   });
 
@@ -89,7 +93,7 @@ void Bloom::record(Frame& frame, const Image& hdr) {
     record_blur(frame);
 
     // 3. Back into the picture.
-    frame.compute("bloom combine", {.reads = {hdr, spread(), dispatch_}, .writes = {hdr, dispatch_}, .with = {*this}},
+    frame.compute("bloom combine", {.reads = {hdr, spread(), dispatch_}, .writes = {hdr}, .with = {*this}},
                   [&](Compute& pass) {
                       pass.use(combine_).set("dispatches", dispatch_).set("spread", spread(), nearest_clamp);
                       pass.set("hdr", hdr).dispatch_threads(hdr.desc.size);

@@ -34,13 +34,10 @@ Access shader_access(bool compute, bool reads, bool writes, bool buffer) {
     if (reads) access.access |= VK_ACCESS_2_SHADER_READ_BIT;
     // A storage image is often read to be written; saying so costs nothing.
     if (writes) access.access |= VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_SHADER_READ_BIT;
-    if (buffer && reads) {
-        access.stages |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
-        access.access |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
-        if (!compute) {
-            access.stages |= VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT;
-            access.access |= VK_ACCESS_2_INDEX_READ_BIT;
-        }
+    // A compute pass waits for commands where it dispatches by them (Pass::check_indirect).
+    if (buffer && reads && !compute) {
+        access.stages |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT;
+        access.access |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
     }
     return access;
 }

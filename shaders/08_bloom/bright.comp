@@ -5,6 +5,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(scalar) uniform BloomBlock { float threshold, knee; } bloom;
+layout(scalar) uniform FrameNowBlock { uint frame_now; };
 uniform sampler2D hdr;
 layout(rgba16f) writeonly uniform image2D result;
 shared bool lit;
@@ -29,5 +30,5 @@ void main() {
     if (any(greaterThan(bright, vec3(0.0)))) lit = true;
     if (inside) imageStore(result, pixel, vec4(bright, 1.0));
     barrier();
-    if (gl_LocalInvocationIndex == 0u && lit) dispatches[lit_at()] = 1u;  // all writers store the same value
+    if (gl_LocalInvocationIndex == 0u && lit) dispatches[lit_at()] = frame_now;  // all writers store the same value
 }

@@ -1,5 +1,5 @@
 // The picture with its bloom, in place.
-#define DISPATCH_ACCESS restrict
+#define DISPATCH_ACCESS readonly
 #include "08_bloom/combine.glsl"
 #include "08_bloom/dispatches.glsl"
 
@@ -12,7 +12,6 @@ layout(rgba16f) uniform image2D hdr;
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(hdr)))) return;
-    if (pixel == ivec2(0)) dispatches[lit_at()] = 0u;  // for the next frame
     vec4 before = imageLoad(hdr, pixel);
     // Where no blur ran, its result holds anything.
     vec3 light = dispatches[spreads_at()] != 0u ? texelFetch(spread, pixel, 0).rgb : vec3(0.0);
