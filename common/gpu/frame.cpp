@@ -1,8 +1,10 @@
 #include "common/gpu/frame.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/gpu/fill.h"
 
 namespace lightwalk {
 
@@ -144,15 +146,21 @@ void Frame::need_light(const std::string& who, const Image& image) const {
 void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record) {
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
-    rendering.set(name, targets, size, watch_.shows_discarded);
-    // After a pipeline without colour targets, Mesa 25's rasteriser blends every target as the first one, until the
-    // frame ends (handle_graphics_pipeline in lvp_execute.c). One that is absent avoids this.
-    if (gpu.device.software() && rendering.formats.color.empty()) rendering.formats.color = {VK_FORMAT_UNDEFINED};
+    const auto set_rendering = [&](const RasterTargets& as) {
+        rendering.set(name, as, size, watch_.shows_discarded);
+        // After a pipeline without colour targets, Mesa 25's rasteriser blends every target as the first one, until the
+        // frame ends (handle_graphics_pipeline in lvp_execute.c). One that is absent avoids this.
+        if (gpu.device.software() && rendering.formats.color.empty()) rendering.formats.color = {VK_FORMAT_UNDEFINED};
+    };
+    set_rendering(targets);
     all_given(lists_.given, name, targets.with, root);
     with_given(lists_.reads, targets.reads, lists_.given);
     state(lists_.stated, name, lists_.reads, targets.writes, &targets);
     check_reads(name, lists_.stated, &rendering);
+    const auto filled = [&](const Attachment& target) { return can_fill(gpu.device, target, targets.layers); };
+    const bool fills = fills_targets(gpu) && (filled(targets.depth) || std::ranges::any_of(targets.color, filled));
     Commands& commands = begin_pass(name, "raster");
+    if (fills) set_rendering(fill_targets(*this, commands, targets));
     add_barriers(lists_.barriers, false, lists_.stated);
     rendering.add_barriers(lists_.barriers);
     lists_.barriers.record(commands);
