@@ -1,5 +1,5 @@
 // A picture of one colour, for drawing over it in compute.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(rgba16f) writeonly uniform image2D result;
 layout(scalar) uniform BackgroundBlock { vec4 background; };
