@@ -125,8 +125,11 @@ class WindowTest(PictureTest):
         self.assert_same(self.picture()[rows], self.start[rows], "the last good picture did not stay")
 
     def assert_rests(self):
+        """In the least busy of up to three seconds: on a busy machine the end of what went before takes a while."""
         stat = Path(f"/proc/{self.session.process.pid}/stat")
-        before = sum(map(int, stat.read_text().split()[13:15]))
-        time.sleep(1.0)
-        used = sum(map(int, stat.read_text().split()[13:15])) - before
-        self.assertLess(used / os.sysconf("SC_CLK_TCK"), 0.3, "seconds of work in a second in which nothing changes")
+        used = []
+        while len(used) < 3 and min(used, default=1) >= 0.3:
+            before = sum(map(int, stat.read_text().split()[13:15]))
+            time.sleep(1.0)
+            used.append((sum(map(int, stat.read_text().split()[13:15])) - before) / os.sysconf("SC_CLK_TCK"))
+        self.assertLess(min(used), 0.3, "seconds of work in a second in which nothing changes")
