@@ -2,31 +2,15 @@
 
 namespace lightwalk {
 
-namespace {
-
-const Pipeline no_item = compute({.shader = "05_shadow_maps/nothing_seen.comp"});
-const Pipeline one_color = compute({.shader = "05_shadow_maps/background.comp"});
-
-}  // namespace
-
 ShadedChoice::ShadedChoice(Module& module)
     : Choice(module, "shaded", {"raster", "visibility"}, "raster",
              "Shading of opaque surfaces without a G-buffer: as they are drawn, by fragment shaders (raster), or in "
              "compute, once for each pixel of a visibility buffer; raster for displaced meshes and for several samples "
              "per pixel") {}
 
-Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas) {
+Attachment visibility_target(Frame& frame, Image& image, const Canvas& canvas) {
     image.fit(frame.gpu.device, {.name = "visible", .format = VK_FORMAT_R32G32_UINT, .size = canvas.size()});
-    ComputeAccess access{.writes = {image}};
-    const bool is_first = !canvas.has_color();
-    if (is_first) access.writes.push_back(canvas.color_overwritten());
-    frame.compute("nothing seen", access, [&](Compute& pass) {
-        pass.use(no_item).set("result", image).dispatch_threads(canvas.size());
-        if (!is_first) return;
-        pass.use(one_color).set("result", canvas.color_overwritten()).set("background", canvas.background());
-        pass.dispatch_threads(canvas.size());
-    });
-    return keep(image);
+    return clear(image, glm::vec4(0.0f));
 }
 
 bool VisibilityBuffer::suits(const Maps& maps, const Canvas& canvas) {
@@ -36,7 +20,7 @@ bool VisibilityBuffer::suits(const Maps& maps, const Canvas& canvas) {
 // [record]
 void VisibilityBuffer::record(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches,
                               Canvas& canvas) {
-    const Attachment seen = nothing_seen(frame, seen_, canvas);
+    const Attachment seen = visibility_target(frame, seen_, canvas);
     std::vector<Batch> solid, holes;
     for (const Batch& batch : batches) (maps.has_holes(batch.item()) ? holes : solid).push_back(batch);
     frame.raster("visible", {.color = {seen}, .depth = canvas.depth_target(), .with = {maps}}, [&](Raster& pass) {

@@ -35,8 +35,7 @@ struct ShadedChoice : Choice {
     explicit ShadedChoice(Module& module);
 };
 
-/// A visibility buffer of the canvas's size with nothing in it, to be drawn into. The canvas has its background where
-/// nothing was drawn yet.
-Attachment nothing_seen(Frame& frame, Image& image, Canvas& canvas);
+/// `image` as a visibility buffer of the canvas's size, cleared to item 0 (none).
+Attachment visibility_target(Frame& frame, Image& image, const Canvas& canvas);
 
 }  // namespace lightwalk

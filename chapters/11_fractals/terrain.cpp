@@ -87,7 +87,7 @@ void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
     frame.compute("terrain vertices", {.writes = {lifted_}, .with = {*this}}, [&](Compute& pass) {
         pass.use(lift_).set("ground_vertices", lifted_).dispatch_threads({side * side, count});
     });
-    const Attachment seen = nothing_seen(frame, seen_, canvas);
+    const Attachment seen = visibility_target(frame, seen_, canvas);
     frame.raster("terrain visible",
                  {.color = {seen}, .depth = canvas.depth_target(), .reads = {lifted_}, .with = {*this}},
                  [&](Raster& pass) {

@@ -123,21 +123,16 @@ void Mlaa::record(Frame& frame, Image& picture) {
 
 void Mlaa::follow_edges(Frame& frame, const Image& picture) {
     const bool shapes = method.is("smaa_like");
-    // A software device converts colours in all threads of a workgroup that has one edge: it goes through the list instead.
-    const bool at_once = drops_at_once.value_or(!frame.gpu.device.software());
 
     // 1. Edges as bits, the list of pixels beside them, and their light, since neighbours read it after it was mixed.
     ComputeAccess access{.reads = {picture, work_, list_, edge_rows_, edge_columns_},
                          .writes = {edge_rows_, edge_columns_, list_, light_, work_, next_work_},
                          .with = {*this}};
     frame.compute("mlaa edges", access, [&](Compute& pass) {
-        pass.use(shapes && at_once ? seen_edges_ : edges_);
+        pass.use(shapes ? seen_edges_ : edges_);
         pass.set("picture", picture, nearest_clamp).set("light_beside", light_);
         pass.set("row_words", edge_rows_).set("column_words", edge_columns_);
         pass.set("listed", list_).set("work", work_).set("next_work", next_work_).dispatch_threads(picture.desc.size);
-        if (!shapes || at_once) return;
-        over_list(pass.wait(), strong_edges_).set("picture", picture, nearest_clamp);
-        pass.set("row_words", edge_rows_).set("column_words", edge_columns_).dispatch_indirect(work_);
     });
 
     // 2. Line lengths, unless words of edges tell them. From here on only listed pixels are processed, by as many

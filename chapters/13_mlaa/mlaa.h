@@ -57,9 +57,6 @@ struct Mlaa : Module {
     bool follows_edges() const { return method.is("mlaa") || method.is("smaa_like"); }
     bool doubles() const { return !reads.is("words"); }
 
-    /// For tests: whether hidden edges are dropped where edges are found (method smaa_like), not by the device's kind.
-    std::optional<bool> drops_at_once;
-
     /// Passes over the list until lines are followed as far as `reach`, after the one that links neighbours. None with
     /// words.
     int passes() const;
@@ -103,7 +100,6 @@ struct Mlaa : Module {
     ReadBack counted_;
     Pipeline edges_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DROPS_HIDDEN", "0"}}});
     Pipeline seen_edges_ = compute({.shader = "13_mlaa/edges.comp", .macros = {{"DROPS_HIDDEN", "1"}}});
-    Pipeline strong_edges_ = compute({.shader = "13_mlaa/strong_edges.comp"});
     Pipeline diagonal_seeds_ = compute({.shader = "13_mlaa/diagonal_seeds.comp"});
     Pipeline links_ = compute({.shader = "13_mlaa/links.comp"});
     Pipeline propagate_ = compute({.shader = "13_mlaa/propagate.comp"});

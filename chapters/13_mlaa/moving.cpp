@@ -60,8 +60,9 @@ void Moving::keep(Frame& frame, const Scene& scene) {
     Device& device = frame.gpu.device;
     const auto copy = [&](const Buffer& from, Buffer& into, const char* name) {
         if (into.bytes != from.bytes) into = Buffer(device, {.name = name, .bytes = from.bytes});
-        frame.transfer(name, {.reads = {from}, .writes = {into}}, [&](Commands& commands) {
-            commands.copy_buffer(from.handle, into.handle, {.size = from.bytes});
+        frame.transfer(name, {.reads = {from}, .writes = {into}}, [&](VkCommandBuffer commands) {
+            const VkBufferCopy region{.size = from.bytes};
+            vkCmdCopyBuffer(commands, from.handle, into.handle, 1, &region);
         });
     };
     copy(scene.instances, instances_, "instances before");

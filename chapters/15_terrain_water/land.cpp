@@ -63,8 +63,9 @@ void Land::cull(Frame& frame, const View& view, PerView& kept) {
         kept.list = Buffer(frame.gpu.device, {.name = "chunk list", .bytes = bytes});
     constexpr uint32_t none[] = {3 * chunk_triangles, 0, 0, 0, 0};
     if (!kept.draws) kept.draws = Buffer(frame.gpu.device, {.name = "chunk draws", .bytes = sizeof none});
-    frame.transfer("chunk draws", {.reads = {}, .writes = {kept.draws}},
-                   [&](Commands& commands) { commands.update_buffer(kept.draws.handle, none); });
+    frame.transfer("chunk draws", {.reads = {}, .writes = {kept.draws}}, [&](VkCommandBuffer commands) {
+        vkCmdUpdateBuffer(commands, kept.draws.handle, 0, sizeof none, none);
+    });
     frame.compute(
         "chunk levels", {.reads = {kept.list, kept.draws}, .writes = {kept.list, kept.draws}, .with = {ground_}},
         [&](Compute& pass) {

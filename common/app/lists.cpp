@@ -6,7 +6,6 @@
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
-#include "common/gpu/device_features.h"
 
 namespace lightwalk {
 namespace {
@@ -41,13 +40,8 @@ json exercises_json(const Chapter& chapter) {
 
 json devices_json() {
     json list = json::array();
-    const auto features = list_optional_features();
-    for (const DeviceInfo& d : list_devices()) {
-        json has = json::object();
-        for (const auto& [name, present] : features[list.size()]) has[name] = present;
-        list.push_back(
-            {{"name", d.name}, {"driver", d.driver}, {"type", d.type}, {"lacks", d.lacks}, {"features", has}});
-    }
+    for (const DeviceInfo& d : list_devices())
+        list.push_back({{"name", d.name}, {"driver", d.driver}, {"type", d.type}, {"lacks", d.lacks}});
     return list;
 }
 

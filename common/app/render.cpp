@@ -46,7 +46,6 @@ void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s,
         frame.end();
         throw;
     }
-    frame.close();
     frame.recording_ms = processor_ms() - started_ms;
     frame.end();
 }

@@ -11,7 +11,6 @@ inline DeviceOptions trial_device(std::string& first) {
     return {.name = "",
             .validate = true,
             .surface_extensions = {},
-            .max_push_descriptors = {},
             .on_message = [&first](const char* message) {
                 if (first.empty()) first = message;
             }};

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
-
-#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 namespace {
@@ -68,58 +65,15 @@ VkDescriptorSet DescriptorSets::allocate(const BuiltPipeline& pipeline) {
     }
 }
 
-namespace {
-
-template <class Handle>
-uint64_t number(Handle handle) {
-    return reinterpret_cast<uint64_t>(handle);
-}
-
-std::vector<uint64_t> contents_of(std::span<const VkWriteDescriptorSet> writes) {
-    std::vector<uint64_t> all;
-    for (const VkWriteDescriptorSet& write : writes) {
-        all.push_back(write.dstBinding);
-        const bool buffer = write.descriptorType == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER ||
-                            write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        for (uint32_t i = 0; i < write.descriptorCount; ++i)
-            if (buffer) {
-                const VkDescriptorBufferInfo& one = write.pBufferInfo[i];
-                all.insert(all.end(), {number(one.buffer), one.offset, one.range});
-            } else {
-                const VkDescriptorImageInfo& one = write.pImageInfo[i];
-                all.insert(all.end(), {number(one.sampler), number(one.imageView), uint64_t(one.imageLayout)});
-            }
-    }
-    return all;
-}
-
-}  // namespace
-
 VkDescriptorSet DescriptorSets::make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
-    if (count == made_.size()) made_.emplace_back();
-    Made& one = made_[count++];
-    std::vector<uint64_t> contents = contents_of(writes);
-    const uint64_t destroyed = device_.destroyed();
-    const bool fits = one.layout == pipeline.set_layout && one.destroyed == destroyed;
-    if (fits && one.contents == contents) return one.set;
-    reordered_ |= one.layout && !fits;
-    if (!fits) one.set = allocate(pipeline);
-    one.layout = pipeline.set_layout;
-    one.contents = std::move(contents);
-    one.destroyed = destroyed;
-    for (VkWriteDescriptorSet& write : writes) write.dstSet = one.set;
+    const VkDescriptorSet set = allocate(pipeline);
+    for (VkWriteDescriptorSet& write : writes) write.dstSet = set;
     vkUpdateDescriptorSets(device_.handle, static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
-    ++gpu_work.sets;
-    ++written;
-    return one.set;
+    return set;
 }
 
-// Sets of another order have been left behind in the pools: all begin anew.
 void DescriptorSets::reset() {
-    count = 0;
-    if (!std::exchange(reordered_, false)) return;
     for (const Pool& pool : pools_) vkResetDescriptorPool(device_.handle, pool, 0);
-    made_.clear();
     current_ = 0;
 }
 

@@ -26,8 +26,7 @@ class Arena {
     VkDeviceSize used_ = 0;
 };
 
-/// Sets for pipelines that have more bindings than can be pushed. Frames mostly ask for the same ones in the same order:
-/// those are written once.
+/// Descriptor sets, allocated from pools and written once, for one draw or dispatch and those after it that bind the same.
 class DescriptorSets {
   public:
     explicit DescriptorSets(Device& device) : device_(device) {}
@@ -35,24 +34,14 @@ class DescriptorSets {
     /// A set that holds `writes`, until the next reset().
     VkDescriptorSet make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes);
     void reset();
-    size_t count = 0;      ///< made since then
-    uint64_t written = 0;  ///< in all
 
   private:
     using Pool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
-    struct Made {
-        VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-        VkDescriptorSet set = VK_NULL_HANDLE;
-        std::vector<uint64_t> contents;
-        uint64_t destroyed = 0;  ///< Device::destroyed(), when it was written
-    };
     Pool make_pool(const BuiltPipeline& pipeline) const;
     VkDescriptorSet allocate(const BuiltPipeline& pipeline);
     Device& device_;
     std::vector<Pool> pools_;
-    std::vector<Made> made_;  ///< in the order in which frames ask for them
     size_t current_ = 0;
-    bool reordered_ = false;
 };
 
 }  // namespace lightwalk

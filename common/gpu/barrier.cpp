@@ -116,13 +116,6 @@ void Barriers::add(const Buffer& buffer, const Access& next) {
                        .size = VK_WHOLE_SIZE});
 }
 
-void Barriers::record(Commands& commands) {
-    if (images.empty() && buffers.empty()) return;
-    commands.pipeline_barrier(images, buffers);
-    images.clear();
-    buffers.clear();
-}
-
 void Barriers::record(VkCommandBuffer commands) {
     if (images.empty() && buffers.empty()) return;
     const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
@@ -133,6 +126,12 @@ void Barriers::record(VkCommandBuffer commands) {
     vkCmdPipelineBarrier2(commands, &info);
     images.clear();
     buffers.clear();
+}
+
+void barrier(VkCommandBuffer commands, const VkMemoryBarrier2& memory) {
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
+    vkCmdPipelineBarrier2(commands, &info);
 }
 
 }  // namespace lightwalk

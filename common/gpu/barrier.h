@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "common/gpu/buffer.h"
-#include "common/gpu/commands.h"
 #include "common/gpu/image.h"
 
 namespace lightwalk {
@@ -16,7 +15,6 @@ class Barriers {
     void add(const Buffer& buffer, const Access& next);
 
     /// One command for all that was added, or none; forgets them.
-    void record(Commands& commands);
     void record(VkCommandBuffer commands);
 
     std::vector<VkImageMemoryBarrier2> images;
@@ -24,11 +22,14 @@ class Barriers {
 };
 
 /// One alone.
-template <class Into, class T>
-void barrier(Into&& commands, const T& resource, const Access& next) {
+template <class T>
+void barrier(VkCommandBuffer commands, const T& resource, const Access& next) {
     Barriers one;
     one.add(resource, next);
     one.record(commands);
 }
+
+/// A barrier between stages alone, for all memory.
+void barrier(VkCommandBuffer commands, const VkMemoryBarrier2& memory);
 
 }  // namespace lightwalk

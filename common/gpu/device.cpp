@@ -125,34 +125,17 @@ void load(VkInstance instance, F& function, const char* name) {
 
 }  // namespace
 
-namespace {
-
-// Results of `ask` for each device, in order of preference.
-template <class Ask>
-auto of_all_devices(Ask ask) {
+std::vector<DeviceInfo> list_devices() {
     const VkInstance instance = make_instance({}, false);
-    std::vector<decltype(ask(VkPhysicalDevice()))> result;
+    std::vector<DeviceInfo> result;
     try {
-        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(ask(physical));
+        for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(describe_device(physical));
     } catch (...) {
         vkDestroyInstance(instance, nullptr);
         throw;
     }
     vkDestroyInstance(instance, nullptr);
     return result;
-}
-
-}  // namespace
-
-std::vector<DeviceInfo> list_devices() { return of_all_devices(describe_device); }
-
-std::vector<std::vector<std::pair<std::string, bool>>> list_optional_features() {
-    return of_all_devices([](VkPhysicalDevice physical) {
-        VkPhysicalDeviceProperties properties;
-        vkGetPhysicalDeviceProperties(physical, &properties);
-        return properties.apiVersion < VK_API_VERSION_1_3 ? std::vector<std::pair<std::string, bool>>()
-                                                          : optional_features(physical);
-    });
 }
 
 Device::Device(const DeviceOptions& options) : Device() {
@@ -183,7 +166,6 @@ Device::Device(const DeviceOptions& options) : Device() {
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
     max_buffer_bytes = limits.core13.maxBufferSize;
-    max_push_descriptors = std::min(options.max_push_descriptors.value_or(UINT32_MAX), limits.push_descriptors);
     info = describe_device(physical);
     queue_family = *graphics_family(physical);
 
@@ -196,7 +178,6 @@ Device::Device(const DeviceOptions& options) : Device() {
     has = features.core.features;
     hides_blocks = limits.driver == VK_DRIVER_ID_MESA_LLVMPIPE && has.shaderUniformBufferArrayDynamicIndexing;
     std::vector<const char*> extensions;
-    if (limits.push_descriptors > 0) extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     if (!options.surface_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const VkDeviceCreateInfo create{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                     .pNext = &features.core,
@@ -208,8 +189,6 @@ Device::Device(const DeviceOptions& options) : Device() {
     set_name(VK_OBJECT_TYPE_DEVICE, reinterpret_cast<uint64_t>(handle), info.name);
     vkGetDeviceQueue(handle, queue_family, 0, &queue);
     set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue), "graphics and compute");
-    push_descriptors =
-        reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(handle, "vkCmdPushDescriptorSetKHR"));
 }
 
 Device::~Device() {

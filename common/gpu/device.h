@@ -2,11 +2,9 @@
 #pragma once
 #include <vulkan/vulkan.h>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -37,9 +35,6 @@ struct DeviceOptions {
     bool validate = false;  ///< core and synchronisation validation; every message is kept
     std::vector<const char*> surface_extensions;  ///< required by GLFW; empty: headless, no surface at all
 
-    /// For tests: most descriptors of a pipeline that are pushed, at most the device's limit; 0: none. Empty: the
-    /// device's limit.
-    std::optional<uint32_t> max_push_descriptors;
     std::function<void(const char*)> on_message;  ///< also receives validation messages, until destruction ends
 };
 
@@ -69,9 +64,7 @@ class Device {
     VkPhysicalDeviceFeatures has{};  ///< optional features that the device has, all enabled
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
-    PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;
-    uint32_t max_push_descriptors = 0;  ///< 0: the device has none
-    bool hides_blocks = false;          ///< uniform blocks are elements of arrays (hidden_blocks.h)
+    bool hides_blocks = false;  ///< uniform blocks are elements of arrays (hidden_blocks.h)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
@@ -79,7 +72,6 @@ class Device {
     void set_name(VkObjectType type, uint64_t object, const std::string& name) const;
     void begin_label(VkCommandBuffer commands, const char* name) const;
     void end_label(VkCommandBuffer commands) const;
-    bool has_labels() const { return begin_label_; }
 
     /// Throws Failure with the first of validation's messages after `heard` of them, where there are any.
     void check_validation(size_t heard = 0) const;
@@ -101,9 +93,6 @@ class Device {
     void end_recording(uint64_t use);
     void destroy(Doomed objects);
     size_t doomed_count() const { return doomed_.size(); }
-    /// So many resources and pipelines so far, by all threads: a later handle may equal one of theirs.
-    uint64_t destroyed() const { return destroyed_; }
-    void count_destroyed() { ++destroyed_; }
 
   private:
     Device() = default;  // the other constructor goes on from it, so that the destructor runs where that throws
@@ -111,7 +100,6 @@ class Device {
     std::vector<uint64_t> uses_;
     std::vector<std::pair<uint64_t, std::thread::id>> recording_;
     uint64_t last_use_ = 0;
-    std::atomic<uint64_t> destroyed_ = 0;
     std::vector<std::pair<uint64_t, Doomed>> doomed_;  ///< with the last frame that had begun
 
     friend VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,

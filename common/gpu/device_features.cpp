@@ -2,48 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cstring>
-
 namespace lightwalk {
 namespace {
 
-// Features that some chapter uses; it reports their absence itself.
 #define FEATURE(name) \
     { #name, &VkPhysicalDeviceFeatures::name }
-constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> optional_core[] = {
-    FEATURE(geometryShader),
-    FEATURE(samplerAnisotropy),
-    FEATURE(fragmentStoresAndAtomics),
-    FEATURE(vertexPipelineStoresAndAtomics),
-    FEATURE(depthClamp),
-    FEATURE(depthBiasClamp),
-    FEATURE(independentBlend),
-    FEATURE(imageCubeArray),
-    FEATURE(multiDrawIndirect),
-    FEATURE(drawIndirectFirstInstance),
-    FEATURE(shaderUniformBufferArrayDynamicIndexing),
-    FEATURE(shaderSampledImageArrayDynamicIndexing),
-    FEATURE(shaderStorageBufferArrayDynamicIndexing),
-    FEATURE(shaderStorageImageArrayDynamicIndexing),
-    FEATURE(shaderFloat64),
-    FEATURE(sampleRateShading),
-    FEATURE(fillModeNonSolid),
-    FEATURE(shaderStorageImageWriteWithoutFormat),
+constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> needed_core[] = {
+    FEATURE(samplerAnisotropy), FEATURE(fragmentStoresAndAtomics),  FEATURE(depthClamp),
+    FEATURE(depthBiasClamp),    FEATURE(independentBlend),          FEATURE(imageCubeArray),
+    FEATURE(multiDrawIndirect), FEATURE(drawIndirectFirstInstance), FEATURE(shaderStorageImageWriteWithoutFormat),
 };
 #undef FEATURE
 
 }  // namespace
-
-std::vector<std::pair<std::string, bool>> optional_features(VkPhysicalDevice physical) {
-    const DeviceFeatures features(physical);
-    std::vector<std::pair<std::string, bool>> found;
-    for (const auto& [name, member] : optional_core) found.emplace_back(name, features.core.features.*member);
-    found.emplace_back("shaderDemoteToHelperInvocation", features.v13.shaderDemoteToHelperInvocation);
-    found.emplace_back("shaderTerminateInvocation", features.v13.shaderTerminateInvocation);
-    found.emplace_back("push descriptors", Limits(physical).push_descriptors > 0);
-    return found;
-}
 
 DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     VkPhysicalDeviceVulkan13Features has13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
@@ -64,24 +35,14 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     need(has13.dynamicRendering, v13.dynamicRendering, "dynamicRendering");
     need(has13.synchronization2, v13.synchronization2, "synchronization2");
     need(has13.maintenance4, v13.maintenance4, "maintenance4");
-    // Optional: a chapter that uses one says so where it is missing.
-    for (const auto& [name, member] : optional_core) core.features.*member = has.features.*member;
-    v13.shaderDemoteToHelperInvocation = has13.shaderDemoteToHelperInvocation;
-    v13.shaderTerminateInvocation = has13.shaderTerminateInvocation;
+    for (const auto& [name, member] : needed_core) need(has.features.*member, core.features.*member, name);
+    core.features.geometryShader = has.features.geometryShader;  // chapter 06's `cull` says where it is missing
+    core.features.shaderUniformBufferArrayDynamicIndexing =      // for hidden_blocks.h
+        has.features.shaderUniformBufferArrayDynamicIndexing;
 }
 
 Limits::Limits(VkPhysicalDevice physical) {
-    uint32_t count = 0;
-    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> extensions(count);
-    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
-    const bool pushes = std::any_of(extensions.begin(), extensions.end(), [](const auto& e) {
-        return !std::strcmp(e.extensionName, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
-    });
-    VkPhysicalDevicePushDescriptorPropertiesKHR push{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};
-    VkPhysicalDeviceSubgroupProperties subgroup{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES,
-                                                .pNext = pushes ? &push : nullptr};
+    VkPhysicalDeviceSubgroupProperties subgroup{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
     VkPhysicalDeviceDriverProperties made_by{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
                                              .pNext = &subgroup};
     core13.pNext = &made_by;
@@ -89,7 +50,6 @@ Limits::Limits(VkPhysicalDevice physical) {
     vkGetPhysicalDeviceProperties2(physical, &properties);
     core13.pNext = nullptr;
     driver = made_by.driverID;
-    push_descriptors = push.maxPushDescriptors;
     if ((subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
         (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT))
         shuffling_lanes = core13.minSubgroupSize;

@@ -14,7 +14,7 @@ namespace lightwalk {
 constexpr const char* no_driver_message =
     "no Vulkan driver is installed; a graphics card's own, or for software rendering: apt install mesa-vulkan-drivers";
 
-/// The features to enable: those every chapter needs, and a few optional ones where `physical` has them.
+/// The features to enable.
 struct DeviceFeatures {
     explicit DeviceFeatures(VkPhysicalDevice physical);
     DeviceFeatures(const DeviceFeatures&) = delete;
@@ -30,15 +30,8 @@ struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     VkDriverId driver{};
-    uint32_t push_descriptors = 0;  ///< 0: it cannot push them
     uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
 };
-
-/// Optional features of a Vulkan 1.3 device, by Vulkan's names, and whether it has them.
-std::vector<std::pair<std::string, bool>> optional_features(VkPhysicalDevice physical);
-
-/// The same of all devices, in the order of list_devices(); empty for one without Vulkan 1.3.
-std::vector<std::vector<std::pair<std::string, bool>>> list_optional_features();
 
 DeviceInfo describe_device(VkPhysicalDevice physical);
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical);

@@ -70,7 +70,6 @@ void Device::destroy(Doomed objects) {
 }
 
 void Device::destroy_now(const Doomed& objects) {
-    count_destroyed();
     for (const VkImageView view : objects.views) vkDestroyImageView(handle, view, nullptr);
     vkDestroyImage(handle, objects.image, nullptr);
     vkDestroyBuffer(handle, objects.buffer, nullptr);

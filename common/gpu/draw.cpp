@@ -7,12 +7,12 @@ namespace lightwalk {
 Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
     bind(pipeline, variant, formats(), VK_PIPELINE_BIND_POINT_GRAPHICS);
     two_sided_ = false;
-    commands.set_cull_mode(cull_ = pipeline.graphics.cull);
+    vkCmdSetCullMode(commands, cull_ = pipeline.graphics.cull);
     return mirrored(false);
 }
 
 Raster& Raster::two_sided(bool both) {
-    if (both != two_sided_) commands.set_cull_mode(both ? VkCullModeFlags{VK_CULL_MODE_NONE} : cull_);
+    if (both != two_sided_) vkCmdSetCullMode(commands, both ? VkCullModeFlags{VK_CULL_MODE_NONE} : cull_);
     two_sided_ = both;
     return *this;
 }
@@ -20,14 +20,14 @@ Raster& Raster::two_sided(bool both) {
 Raster& Raster::mirrored(bool mirrors) {
     if (mirrors && listener()) listener()->does_more("mirrored(true)");
     if (mirrors != mirrored_)
-        commands.set_front_face(mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        vkCmdSetFrontFace(commands, mirrors ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     mirrored_ = mirrors;
     return *this;
 }
 
 Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
     if (listener()) listener()->draws(vertices, instances, first_instance);
-    if (flush()) commands.draw(vertices, instances, first_instance);
+    if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
     return *this;
 }
 
@@ -35,7 +35,7 @@ void Raster::bind_indices(const Buffer& indices) {
     if (listener()) listener()->does_more("the indices '" + indices.name + "'");
     if (indices.handle == indices_) return;
     check_indirect(indices);
-    commands.bind_index_buffer(indices.handle);
+    vkCmdBindIndexBuffer(commands, indices.handle, 0, VK_INDEX_TYPE_UINT32);
     indices_ = indices.handle;
 }
 
@@ -43,35 +43,31 @@ Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32
                              uint32_t first_instance) {
     if (!flush()) return *this;
     bind_indices(indices);
-    commands.draw_indexed(count, instances, first_index, first_instance);
+    vkCmdDrawIndexed(commands, count, instances, first_index, 0, first_instance);
     return *this;
 }
 
-template <class Draw>
-void Raster::indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw) {
+void Raster::check_draws(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride) const {
     if (listener()) listener()->does_more("the indirect draw '" + draws.name + "'");
     check_indirect(draws);
     if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
         throw Failure("pass '{}': {} indirect draws from byte {} on are not in '{}'", name, count, offset, draws.name);
-    if (frame.gpu.device.has.multiDrawIndirect) {
-        draw(draws.handle, offset, count, stride);
-        return;
-    }
-    for (uint32_t i = 0; i < count; ++i) draw(draws.handle, offset + VkDeviceSize(i) * stride, 1, stride);
 }
 
 Raster& Raster::draw_indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset) {
     if (!flush()) return *this;
-    indirect(draws, count, offset, sizeof(VkDrawIndirectCommand),
-             [&](auto... arguments) { commands.draw_indirect(arguments...); });
+    constexpr uint32_t stride = sizeof(VkDrawIndirectCommand);
+    check_draws(draws, count, offset, stride);
+    vkCmdDrawIndirect(commands, draws.handle, offset, count, stride);
     return *this;
 }
 
 Raster& Raster::draw_indexed_indirect(const Buffer& indices, const Buffer& draws, uint32_t count, VkDeviceSize offset) {
     if (!flush()) return *this;
     bind_indices(indices);
-    indirect(draws, count, offset, sizeof(VkDrawIndexedIndirectCommand),
-             [&](auto... arguments) { commands.draw_indexed_indirect(arguments...); });
+    constexpr uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
+    check_draws(draws, count, offset, stride);
+    vkCmdDrawIndexedIndirect(commands, draws.handle, offset, count, stride);
     return *this;
 }
 
@@ -91,7 +87,7 @@ Compute& Compute::dispatch_threads(glm::uvec3 threads) {
 
 Compute& Compute::dispatch(glm::uvec3 groups) {
     if (listener()) listener()->dispatches(groups);
-    if (flush() && groups.x && groups.y && groups.z) commands.dispatch(groups);
+    if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
     return *this;
 }
 
@@ -101,18 +97,17 @@ Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
     check_indirect(groups);
     if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
         throw Failure("pass '{}': no dispatch at byte {} of '{}'", name, offset, groups.name);
-    commands.dispatch_indirect(groups.handle, offset);
+    vkCmdDispatchIndirect(commands, groups.handle, offset);
     return *this;
 }
 
 Compute& Compute::wait() {
     if (listener()) listener()->waits();
-    const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                  .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                  .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
-                                  .dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                  .dstAccessMask = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
-    commands.pipeline_barrier(memory);
+    barrier(commands, {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                       .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                       .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
+                       .dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                       .dstAccessMask = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT});
     return *this;
 }
 

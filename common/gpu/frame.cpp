@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/gpu/fill.h"
 
 namespace lightwalk {
 
@@ -65,7 +64,7 @@ void Frame::make_room() {
     recording().restart();
 }
 
-Commands& Frame::begin_pass(const std::string& name, const char* stage) {
+VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
     make_room();
     if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, recording().passes.back().name);
     in_pass_ = true;
@@ -146,21 +145,12 @@ void Frame::need_light(const std::string& who, const Image& image) const {
 void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record) {
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
-    const auto set_rendering = [&](const RasterTargets& as) {
-        rendering.set(name, as, size, watch_.shows_discarded);
-        // After a pipeline without colour targets, Mesa 25's rasteriser blends every target as the first one, until the
-        // frame ends (handle_graphics_pipeline in lvp_execute.c). One that is absent avoids this.
-        if (gpu.device.software() && rendering.formats.color.empty()) rendering.formats.color = {VK_FORMAT_UNDEFINED};
-    };
-    set_rendering(targets);
+    rendering.set(name, targets, size, watch_.shows_discarded);
     all_given(lists_.given, name, targets.with, root);
     with_given(lists_.reads, targets.reads, lists_.given);
     state(lists_.stated, name, lists_.reads, targets.writes, &targets);
     check_reads(name, lists_.stated, &rendering);
-    const auto filled = [&](const Attachment& target) { return can_fill(gpu.device, target, targets.layers); };
-    const bool fills = fills_targets(gpu) && (filled(targets.depth) || std::ranges::any_of(targets.color, filled));
-    Commands& commands = begin_pass(name, "raster");
-    if (fills) set_rendering(fill_targets(*this, commands, targets));
+    const VkCommandBuffer commands = begin_pass(name, "raster");
     add_barriers(lists_.barriers, false, lists_.stated);
     rendering.add_barriers(lists_.barriers);
     lists_.barriers.record(commands);
@@ -173,7 +163,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     if (watch_.listener) watch_.listener->begins(name, targets);
     record_and_end([&] { record(pass); },
                    [&] {
-                       commands.end_rendering();
+                       vkCmdEndRendering(commands);
                        end_pass();
                    });
     note_writes(lists_.stated, &rendering);
@@ -186,7 +176,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
     with_given(lists_.reads, access.reads, lists_.given);
     state(lists_.stated, name, lists_.reads, access.writes);
     check_reads(name, lists_.stated, nullptr);
-    Commands& commands = begin_pass(name, "compute");
+    const VkCommandBuffer commands = begin_pass(name, "compute");
     add_barriers(lists_.barriers, true, lists_.stated);
     lists_.barriers.record(commands);
     for (const Resource& written : access.writes) add_output(name, written.view);
@@ -197,11 +187,11 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
     run_after_pass(outputs_before);
 }
 
-void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(Commands&)> record) {
+void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record) {
     std::vector<Stated> stated;
     state(stated, name, access.reads, access.writes);  // throws where they overlap
     note_writes(stated, nullptr);
-    Commands& commands = begin_pass(name, "transfer");
+    const VkCommandBuffer commands = begin_pass(name, "transfer");
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;
     const auto add = [&](const Resource& r, const Access& next) {
@@ -219,11 +209,6 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access, Funct
                        barriers.record(commands);
                        end_pass();
                    });
-}
-
-void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record) {
-    transfer(name, access,
-             [&](Commands&) { record_and_end([&] { record(recording().open()); }, [&] { recording().shut(); }); });
 }
 
 }  // namespace lightwalk

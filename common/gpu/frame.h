@@ -80,8 +80,6 @@ class Frame {
     /// contents (Image::Desc::kept): it would show an earlier frame, or undefined memory.
     void raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record);
     void compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record);
-    void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(Commands&)> record);
-    /// The same with commands that go into a command buffer at once, in every frame anew.
     void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record);
 
     /// A transfer pass that fills the buffer, which is made, or made larger, where it is too small; every later pass
@@ -110,9 +108,6 @@ class Frame {
     void read_back(const Buffer& buffer, ReadBack& into);
     void read_back(const ImageView& view, ReadBack& into);
 
-    /// Makes the command buffer from the passes, or finds it among earlier frames' ones; end() does it otherwise.
-    void close() { recording().close(); }
-
     /// Submits. With one frame in flight it waits for it, else begin() waits for the oldest one. Where no pass ends within
     /// Device::timeout_ns, the process ends with the running one's name. Fills `times` and the read-backs of frames that
     /// have ended.
@@ -127,7 +122,7 @@ class Frame {
 
     std::vector<PassTime> times;                                 ///< of the last frame that ended, in order
     std::function<void(const std::vector<PassTime>&)> on_ended;  ///< called with the times of each frame, in order
-    double recording_ms = 0;  ///< processor time that the chapter and close() took for the last one
+    double recording_ms = 0;                                     ///< processor time that recording the last frame took
 
     /// Outputs of this frame's passes, in order, for viewing: 2-D images with one sample.
     std::vector<std::pair<std::string, ImageView>> outputs;
@@ -143,13 +138,12 @@ class Frame {
     VkDescriptorSet descriptor_set(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes) {
         return recording().sets.make(pipeline, writes);
     }
-    size_t descriptor_sets() const { return recording().sets.count; }  ///< for pipelines without push descriptors
 
   private:
     friend class Pass;
     const FrameWatch watch_;
     Recording& recording() const { return *recordings_[current_]; }
-    Commands& begin_pass(const std::string& name, const char* stage);
+    VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
     void check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const;
     void note_writes(const std::vector<Stated>& stated, const Rendering* targets) const;

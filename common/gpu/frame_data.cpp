@@ -21,9 +21,9 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
     make_room();
     const VkDescriptorBufferInfo from = recording().uploads.copy(bytes, 16);
     gpu.uploaded_bytes += bytes.size();
-    transfer(name, {.reads = {}, .writes = {buffer}}, [&](Commands& commands) {
+    transfer(name, {.reads = {}, .writes = {buffer}}, [&](VkCommandBuffer commands) {
         const VkBufferCopy region{.srcOffset = from.offset, .size = bytes.size()};
-        if (!bytes.empty()) commands.copy_buffer(from.buffer, buffer.handle, region);
+        if (!bytes.empty()) vkCmdCopyBuffer(commands, from.buffer, buffer.handle, 1, &region);
     });
 }
 
@@ -32,10 +32,10 @@ void Frame::upload(const std::string& name, const Buffer& buffer, std::span<cons
     make_room();
     const VkDescriptorBufferInfo from = recording().uploads.copy(bytes, 16);
     gpu.uploaded_bytes += bytes.size();
-    transfer(name, {.reads = {}, .writes = {buffer}}, [&](Commands& commands) {
+    transfer(name, {.reads = {}, .writes = {buffer}}, [&](VkCommandBuffer commands) {
         for (VkBufferCopy part : parts) {
             part.srcOffset += from.offset;
-            commands.copy_buffer(from.buffer, buffer.handle, part);
+            vkCmdCopyBuffer(commands, from.buffer, buffer.handle, 1, &part);
         }
     });
 }
@@ -46,8 +46,9 @@ void Frame::upload(const std::string& name, const ImageView& view, std::span<con
     make_room();
     const VkDescriptorBufferInfo from = recording().uploads.copy(texels, 4 * texel_bytes(view.image->desc.format));
     gpu.uploaded_bytes += texels.size();
-    transfer(name, {.reads = {}, .writes = {view.mip(0)}}, [&](Commands& commands) {
-        commands.copy_buffer_to_image(from.buffer, view.image->handle, region_of(from.offset, view));
+    transfer(name, {.reads = {}, .writes = {view.mip(0)}}, [&](VkCommandBuffer commands) {
+        const VkBufferImageCopy region = region_of(from.offset, view);
+        vkCmdCopyBufferToImage(commands, from.buffer, view.image->handle, transfer_write.layout, 1, &region);
     });
 }
 
@@ -60,22 +61,25 @@ void Frame::copy_images(const std::string& name, const std::vector<std::pair<Ima
         access.reads.push_back(from);
         access.writes.push_back(into);
     }
-    transfer(name, access, [&](Commands& commands) {
+    transfer(name, access, [&](VkCommandBuffer commands) {
         for (const auto& [from, into] : views) {
             for (uint32_t mip = 0; mip < from.mips; ++mip) {
                 const glm::uvec3 texels = from.mip(mip).size();
-                commands.copy_image(from.image->handle, into.image->handle,
-                                    {.srcSubresource = from.mip(mip).first_mip_layers(),
-                                     .dstSubresource = into.mip(mip).first_mip_layers(),
-                                     .extent = {texels.x, texels.y, texels.z}});
+                const VkImageCopy region{.srcSubresource = from.mip(mip).first_mip_layers(),
+                                         .dstSubresource = into.mip(mip).first_mip_layers(),
+                                         .extent = {texels.x, texels.y, texels.z}};
+                vkCmdCopyImage(commands, from.image->handle, transfer_read.layout, into.image->handle,
+                               transfer_write.layout, 1, &region);
             }
         }
     });
 }
 
 void Frame::fill(const std::string& name, const Image& image, glm::vec4 value) {
-    transfer(name, {.reads = {}, .writes = {image}}, [&](Commands& commands) {
-        commands.clear_color_image(image.handle, {.float32 = {value.r, value.g, value.b, value.a}});
+    transfer(name, {.reads = {}, .writes = {image}}, [&](VkCommandBuffer commands) {
+        const VkClearColorValue color{.float32 = {value.r, value.g, value.b, value.a}};
+        const VkImageSubresourceRange whole = ImageView(image).range();
+        vkCmdClearColorImage(commands, image.handle, transfer_write.layout, &color, 1, &whole);
     });
 }
 
@@ -91,9 +95,9 @@ const Buffer& Frame::staging_for(ReadBack& into, const std::string& name, VkDevi
 
 void Frame::read_back(const Buffer& buffer, ReadBack& into) {
     const Buffer& staging = staging_for(into, buffer.name, buffer.bytes);
-    transfer("read back " + buffer.name, {.reads = {buffer}, .writes = {staging}}, [&](Commands& commands) {
+    transfer("read back " + buffer.name, {.reads = {buffer}, .writes = {staging}}, [&](VkCommandBuffer commands) {
         const VkBufferCopy region{.size = buffer.bytes};
-        commands.copy_buffer(buffer.handle, staging.handle, region);
+        vkCmdCopyBuffer(commands, buffer.handle, staging.handle, 1, &region);
         barrier(commands, staging, host_read);
     });
 }
@@ -101,8 +105,9 @@ void Frame::read_back(const Buffer& buffer, ReadBack& into) {
 void Frame::read_back(const ImageView& view, ReadBack& into) {
     if (view.image->desc.samples > 1) throw Failure("{} has several samples: resolve it, then read back", view.name());
     const Buffer& staging = staging_for(into, view.name(), byte_count(view));
-    transfer("read back " + view.name(), {.reads = {view.mip(0)}, .writes = {staging}}, [&](Commands& commands) {
-        commands.copy_image_to_buffer(view.image->handle, staging.handle, region_of(0, view));
+    transfer("read back " + view.name(), {.reads = {view.mip(0)}, .writes = {staging}}, [&](VkCommandBuffer commands) {
+        const VkBufferImageCopy region = region_of(0, view);
+        vkCmdCopyImageToBuffer(commands, view.image->handle, transfer_read.layout, staging.handle, 1, &region);
         barrier(commands, staging, host_read);
     });
 }

@@ -39,7 +39,7 @@ void Frame::fly(size_t in_flight) {
     current_ = std::min(current_, recordings_.size() - 1);
 }
 
-// One submission: all passes of the frame in one command buffer, or in several around commands that go in at once.
+// One submission: all passes of the frame, in one command buffer.
 void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
     const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
@@ -47,15 +47,15 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
                                      .value = value,
                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     };
-    recording().close();
-    const std::vector<VkCommandBufferSubmitInfo>& commands = recording().buffers;
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = recording().close()};
     const VkSemaphoreSubmitInfo waits = semaphore_info(wait, 0),
                                 signals[] = {semaphore_info(timeline_, submitted_ + 1), semaphore_info(signal, 0)};
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                                .waitSemaphoreInfoCount = wait ? 1u : 0u,
                                .pWaitSemaphoreInfos = &waits,
-                               .commandBufferInfoCount = static_cast<uint32_t>(commands.size()),
-                               .pCommandBufferInfos = commands.data(),
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &commands,
                                .signalSemaphoreInfoCount = signal ? 2u : 1u,
                                .pSignalSemaphoreInfos = signals};
     const VkResult submitted = vkQueueSubmit2(gpu.device.queue, 1, &submit, VK_NULL_HANDLE);

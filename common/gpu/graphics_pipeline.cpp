@@ -126,15 +126,8 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                             .pDynamicState = &dynamic,
                                             .layout = layout};
     // Checked here, since a driver may ignore a missing feature, or crash.
-    const VkPhysicalDeviceFeatures& has = device.has;
-    const auto need = [&](bool wanted, VkBool32 present, const char* what) {
-        if (wanted && !present) throw Failure("{} + {}: the device has no {}", desc.vertex, desc.fragment, what);
-    };
-    need(desc.depth_clamp, has.depthClamp, "depth clamp");
-    need(desc.depth_bias.clamp != 0, has.depthBiasClamp, "clamp of the depth bias");
-    need(by_target.values().size() > 1 || desc.color_write.values().size() > 1, has.independentBlend,
-         "blend for each target");
-    need(!desc.geometry.empty(), has.geometryShader, "geometry shaders");
+    if (!desc.geometry.empty() && !device.has.geometryShader)
+        throw Failure("{} + {}: the device has no geometry shaders", desc.vertex, desc.fragment);
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
           fmt::format("{} + {}", desc.vertex, desc.fragment).c_str());

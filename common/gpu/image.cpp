@@ -14,8 +14,10 @@ VkImageUsageFlags usage_of(const Device& device, const Image& image) {
     const VkFormatFeatureFlags has = supported.optimalTilingFeatures;
     VkImageUsageFlags usage =
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    // Writing samples one by one in a shader takes a feature of its own.
-    if (has & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT && image.desc.samples == 1) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+    // Single-sample colour only: storing individual samples takes another feature, and an NVIDIA H200 (driver 580) rejects
+    // fragments by block depths that writes to a depth image from compute leave stale.
+    if (has & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT && image.desc.samples == 1 && !image.is_depth())
+        usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     // Through codes(): every device has 8-bit storage images.
     if (image.desc.format == VK_FORMAT_R8G8B8A8_SRGB && image.desc.samples == 1) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (has & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;

@@ -42,7 +42,7 @@ bool turn_into(ImageView& view, VkImageViewType wanted) {
 
 }  // namespace
 
-Pass::Pass(Frame& owner, const std::string& pass_name, Commands& frame_commands, PassLists& lists)
+Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_commands, PassLists& lists)
     : commands(frame_commands), frame(owner), name(pass_name), lists_(lists) {
     lists_.macros.clear();
     lists_.scopes.clear();
@@ -98,11 +98,11 @@ void Pass::check_indirect(const Buffer& buffer) const {
         if (s.resource.buffer != &buffer || !s.read) continue;
         constexpr Access commands_read{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
         if (s.writable) {  // by an earlier dispatch
-            commands.pipeline_barrier({.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                       .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                       .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
-                                       .dstStageMask = commands_read.stages,
-                                       .dstAccessMask = commands_read.access});
+            barrier(commands, {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                               .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                               .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
+                               .dstStageMask = commands_read.stages,
+                               .dstAccessMask = commands_read.access});
             buffer.history.readers |= commands_read.stages;
         } else if (point_ == VK_PIPELINE_BIND_POINT_COMPUTE) {
             barrier(commands, buffer, commands_read);
@@ -123,8 +123,11 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) return;
-    commands.bind_pipeline(point, pipeline->handle);
-    if (frame.gpu.device.hides_blocks) commands.push_constant(pipeline->layout, hidden_index.stageFlags, 0);
+    vkCmdBindPipeline(commands, point, pipeline->handle);
+    if (frame.gpu.device.hides_blocks) {
+        const uint32_t index = 0;
+        vkCmdPushConstants(commands, pipeline->layout, hidden_index.stageFlags, 0, sizeof index, &index);
+    }
     lists_.bound.assign(pipeline->bindings.size(), {});
     size_t bytes_in_all = 0;
     for (const Binding& binding : pipeline->bindings) {
@@ -133,7 +136,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     }
     lists_.bytes.resize(bytes_in_all);
     missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
-    lists_.dirty.clear();
+    dirty_ = true;
     lists_.image_infos.assign(pipeline->descriptors, {});
     lists_.buffer_infos.assign(pipeline->descriptors, {});
     if (listener()) listener()->uses(wanted, variant);
@@ -153,19 +156,12 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
 
 PassListener* Pass::listener() const { return modules_bind_ ? nullptr : frame.watch_.listener; }
 
-void Pass::mark(const Binding& binding) {
-    PassLists::Bound& bound = lists_.bound[binding.number];
-    if (bound.dirty) return;
-    bound.dirty = true;
-    lists_.dirty.push_back(binding.number);
-}
-
 template <class Info>
 void Pass::store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info) {
     Info& known = infos[binding.first + element];
     if (equal(known, info)) return;
     known = info;
-    mark(binding);
+    dirty_ = true;
 }
 
 VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, const Sampler& sampler) const {
@@ -244,27 +240,19 @@ bool Pass::flush() {
         for (const Binding& binding : pipeline_->bindings)
             if (binding.used && !lists_.bound[binding.number].set)
                 throw Failure("pass '{}' draws or dispatches without '{}' being set", name, binding.name);
-    if (lists_.dirty.empty()) return true;
+    if (!dirty_) return true;
+    dirty_ = false;
     lists_.writes.clear();
-    const auto write = [&](const Binding& binding) {
-        lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                                 .dstBinding = binding.number,
-                                 .descriptorCount = binding.count,
-                                 .descriptorType = binding.type,
-                                 .pImageInfo = &lists_.image_infos[binding.first],
-                                 .pBufferInfo = &lists_.buffer_infos[binding.first]});
-    };
-    for (const uint32_t number : lists_.dirty) lists_.bound[number].dirty = false;
-    if (pipeline_->pushes) {
-        for (const uint32_t number : lists_.dirty) write(pipeline_->bindings[number]);
-        commands.push_descriptors(point_, pipeline_->layout, lists_.writes);
-    } else {
-        for (const Binding& binding : pipeline_->bindings)
-            if (binding.used) write(binding);
-        const VkDescriptorSet set = frame.descriptor_set(*pipeline_, lists_.writes);
-        commands.bind_descriptor_set(point_, pipeline_->layout, set);
-    }
-    lists_.dirty.clear();
+    for (const Binding& binding : pipeline_->bindings)
+        if (binding.used)
+            lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                     .dstBinding = binding.number,
+                                     .descriptorCount = binding.count,
+                                     .descriptorType = binding.type,
+                                     .pImageInfo = &lists_.image_infos[binding.first],
+                                     .pBufferInfo = &lists_.buffer_infos[binding.first]});
+    const VkDescriptorSet set = frame.descriptor_set(*pipeline_, lists_.writes);
+    vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
     return true;
 }
 

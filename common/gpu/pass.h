@@ -16,7 +16,7 @@ class Raster;
 /// What a pass lists while it is recorded. A frame keeps it from pass to pass, so that few of them take memory.
 struct PassLists {
     struct Bound {
-        bool set = false, dirty = false;
+        bool set = false;
         uint32_t at = 0;  ///< of a uniform block's bytes
     };
     std::vector<const Given*> given;
@@ -31,7 +31,6 @@ struct PassLists {
     std::vector<std::byte> bytes;                    ///< of all uniform blocks
     std::vector<VkDescriptorImageInfo> image_infos;  ///< by element
     std::vector<VkDescriptorBufferInfo> buffer_infos;
-    std::vector<uint32_t> dirty;  ///< numbers of bindings
     std::vector<VkWriteDescriptorSet> writes;
 };
 
@@ -46,10 +45,10 @@ struct Drawable {
 /// nothing is missing.
 class Pass {
   public:
-    Pass(Frame& frame, const std::string& name, Commands& commands, PassLists& lists);
+    Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists);
     Pass(const Pass&) = delete;
 
-    Commands& commands;
+    VkCommandBuffer commands;
     Frame& frame;
     const std::string& name;
 
@@ -118,10 +117,10 @@ class Pass {
     VkDescriptorImageInfo image_info(const Binding& binding, ImageView view, const Sampler& sampler) const;
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
-    void mark(const Binding& binding);
     void set_block(const Binding& binding, std::span<const std::byte> bytes);
     PassLists& lists_;
     size_t missing_ = 0;  ///< bindings that were not set since use()
+    bool dirty_ = true;   ///< bindings have changed since the last draw or dispatch
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
 };
 
@@ -182,8 +181,7 @@ class Raster : public PassSetters<Raster> {
 
   private:
     void bind_indices(const Buffer& indices);
-    template <class Draw>
-    void indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride, Draw draw);
+    void check_draws(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride) const;
     bool mirrored_ = false, two_sided_ = false;
     VkCullModeFlags cull_ = VK_CULL_MODE_NONE;  ///< of the pipeline in use
     VkBuffer indices_ = VK_NULL_HANDLE;

@@ -78,7 +78,6 @@ uint64_t TargetFormats::hash() const {
 }
 
 BuiltPipeline::~BuiltPipeline() {
-    device_.count_destroyed();
     vkDestroyPipeline(device_.handle, handle, nullptr);
     vkDestroyPipelineLayout(device_.handle, layout, nullptr);
     vkDestroyDescriptorSetLayout(device_.handle, set_layout, nullptr);
@@ -259,13 +258,9 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
         built->descriptors += binding.count;
     }
     built->index_names();
-    built->pushes = built->descriptors <= device_.max_push_descriptors;
-    const VkDescriptorSetLayoutCreateInfo set_info{
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VkDescriptorSetLayoutCreateFlags(
-            built->pushes ? VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR : 0),
-        .bindingCount = static_cast<uint32_t>(entries.size()),
-        .pBindings = entries.data()};
+    const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                   .bindingCount = static_cast<uint32_t>(entries.size()),
+                                                   .pBindings = entries.data()};
     check(vkCreateDescriptorSetLayout(device_.handle, &set_info, nullptr, &built->set_layout), "set layout");
     const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                  .setLayoutCount = 1,

@@ -84,7 +84,6 @@ struct BuiltPipeline {
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     std::vector<Binding> bindings;  ///< by number; those in use come first; then index_names()
     uint32_t descriptors = 0;       ///< all elements of those in use
-    bool pushes = true;             ///< push descriptors; else the set of a pool
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
 

@@ -1,6 +1,5 @@
 #include "common/gpu/recording.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/gpu/gpu_work.h"
@@ -15,14 +14,19 @@ constexpr uint32_t max_passes = 2048;  // of one submission: forty lights with b
 Recording::Recording(Device& device)
     : uniforms(device, "uniforms"), uploads(device, "uploads"), sets(device), device_(device) {
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                            .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
                                             .queueFamilyIndex = device.queue_family};
     check(vkCreateCommandPool(device.handle, &pool_info, nullptr, pool_.put(device.handle)), "vkCreateCommandPool");
+    const VkCommandBufferAllocateInfo allocate{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                               .commandPool = pool_,
+                                               .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                               .commandBufferCount = 1};
+    check(vkAllocateCommandBuffers(device.handle, &allocate, &commands_), "vkAllocateCommandBuffers");
     const VkQueryPoolCreateInfo query_info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                            .queryCount = 2 * max_passes};
     check(vkCreateQueryPool(device.handle, &query_info, nullptr, queries_.put(device.handle)), "vkCreateQueryPool");
     device.set_name(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<uint64_t>(VkCommandPool(pool_)), "passes");
+    device.set_name(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<uint64_t>(commands_), "frame");
     device.set_name(VK_OBJECT_TYPE_QUERY_POOL, reinterpret_cast<uint64_t>(VkQueryPool(queries_)), "pass times");
     vkResetQueryPool(device.handle, queries_, 0, 2 * max_passes);
 }
@@ -31,117 +35,62 @@ void Recording::restart() {
     uniforms.reset();
     uploads.reset();
     sets.reset();
-    commands_.clear();
-    buffers.clear();
-    ++frames_;
-    if (passes.empty()) return;
-    vkResetQueryPool(device_.handle, queries_, 0, 2 * static_cast<uint32_t>(passes.size()));
-    for (size_t i = 0; i < passes.size() && i < ended_.size(); ++i) vkResetEvent(device_.handle, ended_[i]);
-    passes.clear();
+    if (!passes.empty()) {
+        vkResetQueryPool(device_.handle, queries_, 0, 2 * static_cast<uint32_t>(passes.size()));
+        for (size_t i = 0; i < passes.size(); ++i) vkResetEvent(device_.handle, ended_[i]);
+        passes.clear();
+    }
+    check(vkResetCommandPool(device_.handle, pool_, 0), "vkResetCommandPool");
+    const VkCommandBufferBeginInfo begin_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                              .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    check(vkBeginCommandBuffer(commands_, &begin_info), "vkBeginCommandBuffer");
 }
 
 bool Recording::has_room() const { return passes.size() < max_passes; }
 
-Commands& Recording::begin_pass(const std::string& name, const char* stage) {
+VkCommandBuffer Recording::begin_pass(const std::string& name, const char* stage) {
     passes.push_back({name, stage});
-    commands_.begin_label(device_, name);
-    commands_.write_timestamp(queries_, 2 * static_cast<uint32_t>(passes.size() - 1));
-    // Once it has drawn, that one writes a time when it draws next, but computes at once. At a barrier without resources it
-    // waits for all it was given.
-    if (device_.software()) commands_.wait_for_all();
+    device_.begin_label(commands_, name.c_str());
+    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
+                         2 * static_cast<uint32_t>(passes.size() - 1));
+    // lavapipe draws at a wait: without one, a pass's first timestamp would follow its draws.
+    wait_for_all();
     return commands_;
 }
 
 void Recording::end_pass() {
-    commands_.write_timestamp(queries_, 2 * static_cast<uint32_t>(passes.size() - 1) + 1);
-    commands_.end_label(device_);
-    if (!device_.software()) return;
-    // Asked for its times, Mesa's rasteriser waits for all commands.
+    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
+                         2 * static_cast<uint32_t>(passes.size() - 1) + 1);
+    device_.end_label(commands_);
+    // Events tell which pass is running: lavapipe answers a timestamp's query only after all commands.
     if (ended_.size() < passes.size()) {
         const VkEventCreateInfo info{.sType = VK_STRUCTURE_TYPE_EVENT_CREATE_INFO};
         check(vkCreateEvent(device_.handle, &info, nullptr, ended_.emplace_back().put(device_.handle)),
               "vkCreateEvent");
     }
-    // Mesa 25 sets an event once the commands before it are prepared, though not drawn.
-    commands_.wait_for_all();
-    commands_.set_event(ended_[passes.size() - 1]);
+    wait_for_all();  // Mesa 25 sets an event once the commands before it are prepared, not when they are drawn
+    const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                                  .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                  .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkDependencyInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &memory};
+    vkCmdSetEvent2(commands_, ended_[passes.size() - 1], &info);
 }
 
-std::array<Recording::Kept, 2>& Recording::next() {
-    if (kept_.size() == buffers.size()) kept_.emplace_back();
-    return kept_[buffers.size()];
+// A barrier without resources, at which lavapipe ends what it was given; hardware ignores it.
+void Recording::wait_for_all() const {
+    const VkDependencyInfo none{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    vkCmdPipelineBarrier2(commands_, &none);
 }
 
-// In place of the one that was not used for longer.
-Recording::Kept& Recording::begin_next() {
-    std::array<Kept, 2>& two = next();
-    Kept& kept = two[0].used <= two[1].used ? two[0] : two[1];
-    kept.commands.clear();
-    if (!kept.handle) {
-        const VkCommandBufferAllocateInfo allocate{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                                   .commandPool = pool_,
-                                                   .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                                   .commandBufferCount = 1};
-        check(vkAllocateCommandBuffers(device_.handle, &allocate, &kept.handle), "vkAllocateCommandBuffers");
-        device_.set_name(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<uint64_t>(kept.handle), "frame");
-    }
-    const VkCommandBufferBeginInfo begin_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    check(vkBeginCommandBuffer(kept.handle, &begin_info), "vkBeginCommandBuffer");
-    ++gpu_work.command_buffers;
-    return kept;
-}
-
-void Recording::add(Kept& kept) {
-    kept.used = frames_;
-    buffers.push_back({.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = kept.handle});
-}
-
-void Recording::close() {
-    if (commands_.empty()) return;
-    // A handle may have become another object's, and no buffer outlives what it uses, or a later write to its sets.
-    const uint64_t changes = device_.destroyed() + sets.written;
-    std::array<Kept, 2>& two = next();
-    const auto same = std::ranges::find_if(
-        two, [&](const Kept& kept) { return kept.changes == changes && kept.commands == commands_; });
-    if (same != two.end()) {
-        add(*same);
-    } else {
-        Kept& kept = begin_next();
-        commands_.record(device_, kept.handle);
-        check(vkEndCommandBuffer(kept.handle), "vkEndCommandBuffer");
-        kept.changes = changes;
-        std::swap(kept.commands, commands_);
-        add(kept);
-    }
-    commands_.clear();
-}
-
-// A label ends in the buffer in which it began: validation layers keep them by buffer.
-VkCommandBuffer Recording::open() {
-    commands_.end_label(device_);
-    close();
-    Kept& kept = begin_next();
-    add(kept);
-    device_.begin_label(kept.handle, passes.back().name.c_str());
-    return kept.handle;
-}
-
-void Recording::shut() {
-    const VkCommandBuffer commands = buffers.back().commandBuffer;
-    device_.end_label(commands);
-    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    commands_.begin_label(device_, passes.back().name);
+VkCommandBuffer Recording::close() {
+    check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
+    return commands_;
 }
 
 size_t Recording::ended_passes() const {
     size_t count = 0;
-    const auto has_ended = [&](size_t pass) {
-        if (device_.software()) return vkGetEventStatus(device_.handle, ended_[pass]) == VK_EVENT_SET;
-        uint64_t stamp = 0;
-        return vkGetQueryPoolResults(device_.handle, queries_, 2 * static_cast<uint32_t>(pass) + 1, 1, sizeof stamp,
-                                     &stamp, sizeof stamp, VK_QUERY_RESULT_64_BIT) == VK_SUCCESS;
-    };
-    while (count < passes.size() && has_ended(count)) ++count;
+    while (count < passes.size() && vkGetEventStatus(device_.handle, ended_[count]) == VK_EVENT_SET) ++count;
     return count;
 }
 

@@ -1,12 +1,10 @@
-// What one frame in flight needs for itself, from its recording until its passes have ended.
+// One frame in flight: its command buffer, its pass times, and the memory that its passes read.
 #pragma once
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "common/gpu/arena.h"
-#include "common/gpu/commands.h"
 #include "common/gpu/read_back.h"
 
 namespace lightwalk {
@@ -18,9 +16,8 @@ struct PassTime {
 };
 
 // [recording]
-/// A frame's passes: their commands, their times, and memory that they read. A Frame has as many as it may have in flight,
-/// and takes them in turn.
-/// Large (14 functions, 14 members): Vulkan's pools.
+/// A frame's passes, recorded into one command buffer as they are stated. A Frame has one Recording for each frame it may
+/// have in flight, and takes them in turn.
 class Recording {
   public:
     explicit Recording(Device& device);
@@ -45,47 +42,31 @@ class Recording {
     };
     std::vector<Arriving> read_backs;
 
-    /// Forgets all that was recorded; nothing of it may be running.
+    /// Drops the recorded commands and begins the command buffer again. Nothing recorded before may be running.
     void restart();
 
-    /// Room for one pass more.
+    /// False at the most passes that one submission can time.
     bool has_room() const;
-    Commands& begin_pass(const std::string& name, const char* stage);
+    VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
 
-    /// Within a pass: a command buffer for commands that are not listed, until shut().
-    VkCommandBuffer open();
-    void shut();
+    /// Ends the command buffer and returns it, ready to submit.
+    VkCommandBuffer close();
 
-    /// Makes a command buffer from the list, unless one of the same commands was made for an earlier frame.
-    void close();
-    std::vector<VkCommandBufferSubmitInfo> buffers;  ///< made so far, in order
-
-    /// Of a recording that was submitted: how many passes have ended by now.
+    /// Number of submitted passes that have ended by now.
     size_t ended_passes() const;
 
-    /// Of one that has ended.
+    /// Both need an ended submission.
     void read_times();
     void deliver();
 
   private:
-    /// A command buffer and the commands in it.
-    struct Kept {
-        VkCommandBuffer handle = VK_NULL_HANDLE;
-        Commands commands;
-        uint64_t changes = 0;  ///< when it was recorded: objects may have gone since
-        uint64_t used = 0;     ///< by which frame
-    };
-    std::array<Kept, 2>& next();
-    Kept& begin_next();
-    void add(Kept& kept);
+    void wait_for_all() const;
     Device& device_;
-    Commands commands_;
-    std::vector<std::array<Kept, 2>> kept_;  ///< by position: two, since images may take turns from frame to frame
-    uint64_t frames_ = 0;
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
     Owned<VkQueryPool, vkDestroyQueryPool> queries_;
-    std::vector<Owned<VkEvent, vkDestroyEvent>> ended_;  ///< a software device's, by pass
+    std::vector<Owned<VkEvent, vkDestroyEvent>> ended_;  ///< by pass
 };
 // [/recording]
 

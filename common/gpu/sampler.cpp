@@ -40,7 +40,7 @@ VkBorderColor vk(Border border) {
 VkSampler Samplers::operator[](const Sampler& sampler) {
     for (const auto& [known, made] : made_)
         if (known == sampler) return made;
-    const float most = device_.has.samplerAnisotropy ? device_.properties.limits.maxSamplerAnisotropy : 1.0f;
+    const float most = device_.properties.limits.maxSamplerAnisotropy;
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = vk(sampler.filter),
                                    .minFilter = vk(sampler.filter),
@@ -50,7 +50,7 @@ VkSampler Samplers::operator[](const Sampler& sampler) {
                                    .addressModeV = vk(sampler.wrap_v.value_or(sampler.wrap)),
                                    .addressModeW = vk(sampler.wrap),
                                    .mipLodBias = sampler.lod_bias,
-                                   .anisotropyEnable = sampler.anisotropy > 1.0f && most > 1.0f,
+                                   .anisotropyEnable = sampler.anisotropy > 1.0f,
                                    .maxAnisotropy = std::clamp(sampler.anisotropy, 1.0f, most),
                                    .compareEnable = sampler.compare != Compare::off,
                                    .compareOp = compare_op(sampler.compare),

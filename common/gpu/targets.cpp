@@ -103,6 +103,12 @@ void Rendering::set(const std::string& pass, const RasterTargets& targets, glm::
     formats.mixing = targets.mixing;
     for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
     if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
+    // Without colour, one absent target: after a pipeline that has none, Mesa 25's rasteriser blends every later target as
+    // the first one (handle_graphics_pipeline in lvp_execute.c).
+    if (color_.empty()) {
+        formats.color = {VK_FORMAT_UNDEFINED};
+        color_ = {{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO}};
+    }
     if (size == glm::uvec2(0)) size = targets.size == glm::uvec2(0) ? frame_size : targets.size;
 }
 
@@ -166,19 +172,19 @@ void Rendering::add_barriers(Barriers& barriers) const {
     }
 }
 
-void Rendering::begin(Commands& commands) {
+void Rendering::begin(VkCommandBuffer commands) const {
     const VkRect2D area{.extent = {size.x, size.y}};
-    // A format without an image is an absent target's.
-    color_.resize(formats.color.size(), {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = layers,
                                .colorAttachmentCount = static_cast<uint32_t>(color_.size()),
                                .pColorAttachments = color_.data(),
                                .pDepthAttachment = depth_.imageView ? &depth_ : nullptr};
-    commands.begin_rendering(info);
-    commands.set_viewport(size.x, size.y);
-    commands.set_front_face(VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    const VkViewport viewport{.width = float(size.x), .height = float(size.y), .maxDepth = 1.0f};
+    vkCmdBeginRendering(commands, &info);
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &area);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
 }
 
 void state(std::vector<Stated>& result, const std::string& pass, const std::vector<Resource>& reads,

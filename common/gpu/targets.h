@@ -82,7 +82,7 @@ struct Rendering {
     /// `shows_discarded`: fills discarded targets with bright magenta, or the nearest depth.
     void set(const std::string& pass, const RasterTargets& targets, glm::uvec2 frame_size,
              bool shows_discarded = false);
-    void begin(Commands& commands);
+    void begin(VkCommandBuffer commands) const;
     void add_barriers(Barriers& barriers) const;
 
     TargetFormats formats;

@@ -65,9 +65,9 @@ void deform_model(Frame& frame, GpuModel& gpu_model, float time_s) {
                       });
         // Every pass may read the vertices, as if they had been uploaded.
         frame.transfer("deformed", {.reads = {buffers.moved}, .writes = {gpu_model.vertices[i]}},
-                       [&](Commands& commands) {
-                           commands.copy_buffer(buffers.moved.handle, gpu_model.vertices[i].handle,
-                                                {.size = how.rest.size() * sizeof(Vertex)});
+                       [&](VkCommandBuffer commands) {
+                           const VkBufferCopy region{.size = how.rest.size() * sizeof(Vertex)};
+                           vkCmdCopyBuffer(commands, buffers.moved.handle, gpu_model.vertices[i].handle, 1, &region);
                        });
     }
 }

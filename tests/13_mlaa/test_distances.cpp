@@ -170,22 +170,6 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like drops an edge less than half as strong as on
     }
 }
 
-TEST_CASE_METHOD(OnMlaa, "hidden edges are the same where edges are found as after them", "[13.smaa_weak]") {
-    const auto noise = [](int x, int y) {  // three grey levels in blocks of all sizes, over borders of workgroups
-        const uint32_t n = uint32_t(x * x / 5) * 73856093u ^ uint32_t(y * y / 7) * 19349663u;
-        return std::array{0.0f, 0.3f, 0.9f}[(n ^ n >> 13) % 3];
-    };
-    std::vector<uint32_t> rows[2];
-    for (const bool at_once : {false, true}) {
-        antialias.drops_at_once = at_once;
-        filter("smaa_like", {75, 53}, noise);
-        rows[at_once] = numbers<uint32_t>(gpu.read_back(antialias.edge_rows()));
-    }
-    CHECK(rows[0] == rows[1]);
-    filter("mlaa", {75, 53}, noise);
-    CHECK(rows[0] != numbers<uint32_t>(gpu.read_back(antialias.edge_rows())));  // some are hidden
-}
-
 TEST_CASE_METHOD(OnMlaa, "a picture turned or mirrored is mixed as the picture was", "[figures]") {
     constexpr int side = 48;
     // A triangle and a disc: their outlines are lines and staircases with many kinds of ends.

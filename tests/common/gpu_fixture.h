@@ -9,12 +9,11 @@
 
 namespace lightwalk {
 
-inline DeviceOptions validated(std::optional<uint32_t> max_push_descriptors = {}) {
+inline DeviceOptions validated() {
     const char* name = std::getenv("LIGHTWALK_DEVICE");
     return {.name = name ? name : "",
             .validate = true,
             .surface_extensions = {},
-            .max_push_descriptors = max_push_descriptors,
             .on_message = {}};
 }
 
