@@ -1,18 +1,34 @@
 #include "07_mipmaps/levelled_maps.h"
 
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <map>
 
 #include "07_mipmaps/exercises.h"
+#include "common/image/image.h"
 
 namespace lightwalk {
 namespace {
 
 // 8-bit RGBA only.
-bool has_holes(const Image& image, const std::vector<std::byte>& texels) {
-    if (texel_bytes(image.desc.format) != 4) return false;
+bool has_holes(VkFormat format, const std::vector<std::byte>& texels) {
+    if (texel_bytes(format) != 4) return false;
     for (size_t i = 3; i < texels.size(); i += 4)
         if (texels[i] != std::byte(255)) return true;
     return false;
+}
+
+// Linear halves of a colour texture as the 8-bit sRGB codes that its file has: their levels are this chapter's subject.
+std::vector<std::byte> srgb_codes(std::span<const std::byte> halves) {
+    std::vector<std::byte> codes;
+    for (size_t at = 0; at < halves.size(); at += 2) {
+        uint16_t half = 0;
+        std::memcpy(&half, &halves[at], 2);
+        const float value = glm::unpackHalf1x16(half);
+        codes.push_back(std::byte(std::lround(255.0f * (at % 8 == 6 ? value : linear_to_srgb(value)))));
+    }
+    return codes;
 }
 
 // [content]
@@ -47,11 +63,15 @@ void LevelledMaps::prepare(Gpu& gpu, Scene& scene) {
             std::shared_ptr<Entry>& entry = made[{image.get(), slot}];
             if (!entry) {
                 std::vector<std::byte> texels = gpu.read_back(image->mip(0));
-                const Content content = content_of_slot(MapSlot(slot), has_holes(*image, texels));
-                if (content == Content::normal && texel_bytes(image->desc.format) == 4)
-                    for (size_t t = 3; t < texels.size(); t += 4) texels[t] = std::byte(0);  // nothing lacks in length
                 Image::Desc desc = image->desc;
                 desc.mips = 1;
+                if (desc.format == VK_FORMAT_R16G16B16A16_SFLOAT && !is_hdr_name(desc.name)) {
+                    texels = srgb_codes(texels);
+                    desc.format = VK_FORMAT_R8G8B8A8_SRGB;
+                }
+                const Content content = content_of_slot(MapSlot(slot), has_holes(desc.format, texels));
+                if (content == Content::normal && texel_bytes(desc.format) == 4)
+                    for (size_t t = 3; t < texels.size(); t += 4) texels[t] = std::byte(0);  // nothing lacks in length
                 Image plain(gpu.device, desc);
                 desc.mips = static_cast<uint32_t>(level_sizes(desc.size).size());
                 desc.kept = true;

@@ -6,6 +6,7 @@
 #include "common/base/turn.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
+#include "common/image/mip_levels.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -201,7 +202,7 @@ void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
                                    .size = glm::uvec2(side),
                                    .mips = full_mip_count(glm::uvec2(side)),
                                    .layers = 4});
-        gpu.upload(image, std::as_bytes(std::span(from)));
+        gpu.upload(image, mip_levels(image.desc.format, glm::uvec2(side), std::as_bytes(std::span(from)), 4));
     };
     upload(materials, "ground materials", texels);
     upload(bumps, "ground bumps", slopes);

@@ -11,6 +11,7 @@
 #include "common/base/patience.h"
 #include "common/base/turn.h"
 #include "common/image/image.h"
+#include "common/image/mip_levels.h"
 
 namespace lightwalk {
 namespace {
@@ -45,7 +46,7 @@ void put(Texels& texels, size_t texel, glm::vec3 color, const Code& to_code) {
 std::shared_ptr<Image> image_of(Gpu& gpu, const char* name, VkFormat format, glm::uvec2 size, const Texels& texels) {
     auto image = std::make_shared<Image>(
         gpu.device, Image::Desc{.name = name, .format = format, .size = size, .mips = full_mip_count(size)});
-    gpu.upload(*image, texels);
+    gpu.upload(*image, mip_levels(format, size, texels));
     return image;
 }
 
@@ -95,9 +96,9 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     Texels occluded(4 * seen.size());
     for (size_t i = 0; i < seen.size(); ++i)
         put(occluded, i, glm::vec3(float(std::to_integer<int>(seen[i])) / 255), code);
-    return {.diffuse = image_of(gpu, "albedo", VK_FORMAT_R8G8B8A8_SRGB, size, diffuse),
+    return {.diffuse = image_of(gpu, "albedo", VK_FORMAT_R16G16B16A16_SFLOAT, size, linear_halves(diffuse)),
             .specular = image_of(gpu, "specular", VK_FORMAT_R8G8B8A8_UNORM, size, specular),
-            .emissive = image_of(gpu, "exemption", VK_FORMAT_R8G8B8A8_SRGB, size, emissive),
+            .emissive = image_of(gpu, "exemption", VK_FORMAT_R16G16B16A16_SFLOAT, size, linear_halves(emissive)),
             .gloss = image_of(gpu, "gloss", VK_FORMAT_R8G8B8A8_UNORM, size, gloss),
             .occlusion = image_of(gpu, "baked occlusion", VK_FORMAT_R8G8B8A8_UNORM, size / 2u, occluded)};
 }

@@ -11,6 +11,7 @@
 #include "common/base/turn.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
+#include "common/image/mip_levels.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -52,7 +53,7 @@ std::shared_ptr<Image> slope_image(Gpu& gpu, const Slopes& slopes) {
                                                                  .format = VK_FORMAT_R8G8B8A8_UNORM,
                                                                  .size = slopes.size,
                                                                  .mips = full_mip_count(slopes.size)});
-    gpu.upload(*image, std::as_bytes(std::span(slopes.texels)));
+    gpu.upload(*image, mip_levels(image->desc.format, slopes.size, std::as_bytes(std::span(slopes.texels))));
     return image;
 }
 
@@ -68,7 +69,7 @@ std::shared_ptr<Image> ring_image(Gpu& gpu, BodyId body) {
                                                                  .size = size,
                                                                  .mips = full_mip_count(size),
                                                                  .layers = 4});
-    gpu.upload(*image, std::as_bytes(std::span(texels)));
+    gpu.upload(*image, mip_levels(image->desc.format, size, std::as_bytes(std::span(texels)), 4));
     return image;
 }
 
@@ -84,10 +85,10 @@ std::shared_ptr<Image> made_map(Gpu& gpu) {
     const int height = slope_rows * 2;
     const std::vector<uint8_t> texels = aside([&] { return kept_pluto_map(2 * height, height); });
     const glm::uvec2 size(2 * height, height);
+    constexpr VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
     auto image = std::make_shared<Image>(
-        gpu.device,
-        Image::Desc{.name = "pluto", .format = VK_FORMAT_R8G8B8A8_SRGB, .size = size, .mips = full_mip_count(size)});
-    gpu.upload(*image, std::as_bytes(std::span(texels)));
+        gpu.device, Image::Desc{.name = "pluto", .format = format, .size = size, .mips = full_mip_count(size)});
+    gpu.upload(*image, mip_levels(format, size, linear_halves(std::as_bytes(std::span(texels)))));
     return image;
 }
 

@@ -37,11 +37,6 @@ Arrival::Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read)
     }
 }
 
-void Arrival::rehearse(Gpu& gpu) {
-    Image image(gpu.device, {.name = "rehearsal", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {2, 2}, .mips = 2});
-    gpu.upload(image, std::vector<std::byte>(16));
-}
-
 void Arrival::give(Scene& scene) const {
     scene.models().put(file_, model_);
     ImagePool& images = scene.images(gpu_);

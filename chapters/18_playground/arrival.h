@@ -13,9 +13,6 @@ class Arrival {
     Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read);
     Arrival(const Arrival&) = delete;  // the slices know where everything is
 
-    /// Before the first one: the driver compiles the shaders for halving textures, 50 ms that no frame can spare.
-    static void rehearse(Gpu& gpu);
-
     bool step(double budget_ms) { return slices_.step(gpu_, budget_ms); }  ///< true: all of it is there
     float share() const { return slices_.share(); }
     void give(Scene& scene) const;

@@ -179,7 +179,6 @@ void EditorWindow::frame_selected() {
 
 void EditorWindow::bring_up_to_date(Gpu& gpu) {
     if (!std::exchange(view_.gpu, &gpu)) {
-        Arrival::rehearse(gpu);
         // In a window, and where no other scene was asked for, the tour has one of its own.
         const std::filesystem::path& shown = editor.store.path;
         if (automatic && tour_.shown() && !shown.empty() && find_asset(shown) == find_asset(default_scene()))

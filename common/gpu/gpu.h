@@ -30,11 +30,11 @@ class Gpu {
         return upload(name, std::as_bytes(std::span(items)));
     }
 
-    /// Fills level 0 of every layer from tightly packed texels and makes the other mips by repeated halving. Throws
-    /// Failure if the number of bytes is another.
+    /// Fills an image of one mip level, layer by layer, from tightly packed texels. Throws Failure for another number of
+    /// bytes.
     void upload(Image& image, std::span<const std::byte> texels);
 
-    /// Fills every level of an image with one layer: `levels` has as many as the image, tightly packed, from level 0.
+    /// Fills every mip level: `levels` has as many as the image, each all layers, tightly packed (common/image/mip_levels.h).
     void upload(Image& image, const std::vector<std::vector<std::byte>>& levels);
 
     /// The texels of the view's first mip, layer by layer, tightly packed. Waits; in a frame, Frame::read_back. Throws
@@ -59,13 +59,6 @@ VkBufferImageCopy region_of(VkDeviceSize offset, const ImageView& view);
 /// for transfers.
 void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to);
 void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to);
-
-/// Makes the levels from `first` (1 at least) on, each by halving the one before it, in layouts for transfers.
-void make_levels(VkCommandBuffer commands, Image& image, uint32_t first);
-
-/// As make_levels(), `rows` of one level from row `first` on. The same texels, where they are some of the rows, only if the
-/// level before has an even height.
-void make_rows(VkCommandBuffer commands, Image& image, uint32_t level, uint32_t first, uint32_t rows);
 
 /// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
 /// ends, so that destroying anything would wait for ever.

@@ -57,17 +57,6 @@ void Slices::add(Image& to, const std::vector<std::vector<std::byte>>& levels) {
             });
         }
     }
-    // So does halving it.
-    for (auto m = static_cast<uint32_t>(levels.size()); m < to.desc.mips; ++m) {
-        const glm::uvec3 from = whole.mip(m - 1).size(), size = whole.mip(m).size();
-        const size_t row_bytes = byte_count(whole.mip(m - 1)) / from.y;
-        const auto most =
-            from.y % 2 ? size.y : static_cast<uint32_t>(std::max<size_t>(slice_bytes / (2 * row_bytes), 1));
-        for (uint32_t y = 0; y < size.y; y += most)
-            add([&to, m, y, rows = std::min(most, size.y - y)](Gpu& gpu) {
-                gpu.submit_now([&](VkCommandBuffer commands) { make_rows(commands, to, m, y, rows); });
-            });
-    }
     add([&to](Gpu& gpu) {
         gpu.submit_now([&](VkCommandBuffer commands) { barrier(commands, ImageView(to), any_read); });
         to.constant = true;

@@ -16,8 +16,7 @@ class Slices {
     /// Makes the buffer and fills it. `to` and `bytes` stay where they are until step() has said that nothing is left.
     void add(Buffer& to, const std::string& name, std::span<const std::byte> bytes);
 
-    /// Fills a one-layer image; missing mip levels are each halved from the previous one, as by Gpu::upload(). The
-    /// data must outlive the upload, as above.
+    /// Fills a one-layer image, as Gpu::upload() does. The data must outlive the upload, as above.
     void add(Image& to, const std::vector<std::vector<std::byte>>& levels);
 
     /// In its turn, as a slice of its own: gives back memory that is not needed once those before it are done.

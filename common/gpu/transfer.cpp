@@ -18,11 +18,6 @@ std::vector<std::byte> contents(const Buffer& staging, VkDeviceSize bytes) {
     return aside([&] { return std::vector<std::byte>(staging.mapped, staging.mapped + bytes); });
 }
 
-VkOffset3D corner(const ImageView& view) {
-    const glm::ivec3 size(view.size());
-    return {size.x, size.y, size.z};
-}
-
 void check_size(const ImageView& view, VkDeviceSize bytes) {
     if (bytes != byte_count(view))
         throw Failure("upload of {} bytes into {}, which holds {}", bytes, view.name(), byte_count(view));
@@ -46,29 +41,6 @@ void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
     vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
 }
 
-void make_rows(VkCommandBuffer commands, Image& image, uint32_t level, uint32_t first, uint32_t rows) {
-    const ImageView from = ImageView(image).mip(level - 1), to = ImageView(image).mip(level);
-    barrier(commands, from, transfer_read);
-    barrier(commands, to, transfer_write);
-    VkImageBlit half{.srcSubresource = from.first_mip_layers(),
-                     .srcOffsets = {{}, corner(from)},
-                     .dstSubresource = to.first_mip_layers(),
-                     .dstOffsets = {{}, corner(to)}};
-    const uint32_t in = from.size().y, out = to.size().y;
-    for (int end = 0; end < 2; ++end) {
-        const uint32_t row = end == 0 ? first : first + rows;
-        half.srcOffsets[end].y = static_cast<int32_t>(row * in / out);
-        half.dstOffsets[end].y = static_cast<int32_t>(row);
-    }
-    vkCmdBlitImage(commands, image.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
-}
-
-void make_levels(VkCommandBuffer commands, Image& image, uint32_t first) {
-    for (uint32_t m = first; m < image.desc.mips; ++m)
-        make_rows(commands, image, m, 0, ImageView(image).mip(m).size().y);
-}
-
 // [upload]
 Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     Buffer buffer(device, {.name = name, .bytes = bytes.size()});
@@ -90,14 +62,14 @@ Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
 
 void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     const ImageView whole(image);
-    check_size(whole.mip(0), texels.size());
+    check_size(whole, texels.size());
+    if (image.desc.mips > 1) throw Failure("upload of one level into {}, which has {}", whole.name(), image.desc.mips);
     Buffer staging(device, {.name = image.desc.name + " staging", .bytes = texels.size(), .host_visible = true});
     fill(staging, 0, texels);
     uploaded_bytes += texels.size();
     submit_now([&](VkCommandBuffer commands) {
         barrier(commands, whole, transfer_write);
         copy(commands, staging.handle, 0, whole.mip(0));
-        make_levels(commands, image, 1);
         barrier(commands, whole, any_read);
     });
     image.constant = true;

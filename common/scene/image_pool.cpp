@@ -7,7 +7,7 @@
 #include "common/base/error.h"
 #include "common/base/turn.h"
 #include "common/image/image.h"
-#include "common/scene/color_levels.h"
+#include "common/image/mip_levels.h"
 #include "common/scene/texture_options.h"
 
 namespace lightwalk {
@@ -25,9 +25,10 @@ DecodedTexture linear_texels(const std::filesystem::path& file) {
             not_numbers += std::isnan(value);
         }
     if (not_numbers > 0) throw InputError("{}: {} of its values are NaN, expected numbers", file.string(), not_numbers);
-    const auto bytes = std::as_bytes(std::span(halves));
-    return {.desc = {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .size = {image.width, image.height}},
-            .levels = {{bytes.begin(), bytes.end()}}};
+    const glm::uvec2 size(image.width, image.height);
+    constexpr VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    return {.desc = {.format = format, .size = size},
+            .levels = mip_levels(format, size, std::as_bytes(std::span(halves)))};
 }
 
 TexelImage read_map(const TextureMap& map, bool is_data) {
@@ -42,22 +43,15 @@ std::string key_of_map(const TextureMap& map) {
     return key;
 }
 
-VkFormat format_of(int bits, TextureKind kind) {
-    return bits == 16                   ? VK_FORMAT_R16G16B16A16_UNORM
-           : kind == TextureKind::color ? VK_FORMAT_R8G8B8A8_SRGB
-                                        : VK_FORMAT_R8G8B8A8_UNORM;
-}
-
-DecodedTexture as_texture(TexelImage image, TextureKind kind) {
-    DecodedTexture texture;
-    texture.desc.size = {image.width, image.height};
-    texture.desc.format = format_of(image.bits, kind);
-    texture.channels = image.channels;
-    if (texture.desc.format == VK_FORMAT_R8G8B8A8_SRGB)
-        texture.levels = color_levels(texture.desc.size, image.bytes);
-    else
-        texture.levels.push_back(std::move(image.bytes));
-    return texture;
+DecodedTexture as_texture(const TexelImage& image, TextureKind kind) {
+    const bool is_color = kind == TextureKind::color && image.bits == 8;
+    const VkFormat format = is_color           ? VK_FORMAT_R16G16B16A16_SFLOAT
+                            : image.bits == 16 ? VK_FORMAT_R16G16B16A16_UNORM
+                                               : VK_FORMAT_R8G8B8A8_UNORM;
+    const glm::uvec2 size(image.width, image.height);
+    return {.desc = {.format = format, .size = size},
+            .channels = image.channels,
+            .levels = mip_levels(format, size, is_color ? linear_halves(image.bytes) : image.bytes)};
 }
 
 }  // namespace
@@ -83,7 +77,7 @@ DecodedTexture decode_texture(const TextureUse& use) {
             if (use.metalness) metal = with_options(read_map(use.metalness, is_data), use.metalness);
             image = roughness_and_metalness(image, metal);
         }
-        texture = as_texture(std::move(image), use.kind);
+        texture = as_texture(image, use.kind);
     }
     texture.desc.name = use.file().filename().string();
     texture.desc.mips = full_mip_count(texture.desc.size);
@@ -111,10 +105,7 @@ std::shared_ptr<Image> ImagePool::load(const TextureUse& use) {
         throw InputError("{}: {}x{} is larger than the device's {}", file, size.x, size.y, most);
     enough(texture.channels);
     auto image = std::make_shared<Image>(gpu_.device, texture.desc);
-    if (texture.levels.size() > 1)
-        gpu_.upload(*image, texture.levels);
-    else
-        gpu_.upload(*image, texture.levels.at(0));
+    gpu_.upload(*image, texture.levels);
     channels_[image.get()] = texture.channels;
     return entry = image;
 }

@@ -33,9 +33,8 @@ struct TextureUse {
 /// A texture in memory, as the device takes it.
 struct DecodedTexture {
     Image::Desc desc;
-    int channels = 3;  ///< of the file: 1 grey, 2 grey and alpha, 3 colour, 4 with alpha
-    std::vector<std::vector<std::byte>>
-        levels;  ///< all of a colour texture's; else the first, and the device makes others
+    int channels = 3;                            ///< of the file: 1 grey, 2 grey and alpha, 3 colour, 4 with alpha
+    std::vector<std::vector<std::byte>> levels;  ///< all of them
 };
 
 /// The decoding part of ImagePool::load(), on any thread. Throws InputError: missing, empty, damaged.
@@ -48,7 +47,7 @@ class ImagePool {
   public:
     explicit ImagePool(Gpu& gpu) : gpu_(gpu) {}
 
-    /// 8- and 16-bit PNG, JPEG and the like, and .hdr and .pfm (RGBA16F, clamped to its range), with all mips. Grey
+    /// 8- and 16-bit PNG, JPEG and the like, and .hdr and .pfm (clamped to halves), with all mips; colours become linear. Grey
     /// fills r, g and b; a missing alpha is 1. Throws InputError: missing, empty, damaged, larger than the device
     /// allows, or with fewer than `channels` channels (1 grey, 2 grey and alpha, 3 colour).
     std::shared_ptr<Image> load(const std::filesystem::path& file, TextureKind kind, int channels = 1) {
