@@ -165,13 +165,9 @@ void DeferredScene::draw_kept(Frame& frame, const View& view, Canvas& canvas) {
     draw_lit(frame, view, canvas, "objects kept", surfaces.opaque_batches());
 }
 
-// A little nearer: behind other outputs, or a geometry shader, a device may compute depth otherwise in the last bit.
 SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
-    return SurfacePipelines({.fragment = fragment,
-                             .depth_write = false,
-                             .depth_bias = {.constant = 16},
-                             .blend = Blend::add,
-                             .macros = std::move(macros)});
+    return SurfacePipelines(
+        {.fragment = fragment, .depth_write = false, .blend = Blend::add, .macros = std::move(macros)});
 }
 
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {

@@ -92,9 +92,9 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     precise vec2 p = a.xy - s.shear.xy * a.z, q = b.xy - s.shear.xy * b.z, r = c.xy - s.shear.xy * c.z;
     precise float u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x;
     if (min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0) return false;
-    float sum = u + v + w;
+    precise float sum = u + v + w;
     if (sum == 0.0) return false;  // seen from the side, or of no area
-    float t = s.shear.z * (u * a.z + v * b.z + w * c.z) / sum;
+    precise float t = s.shear.z * (u * a.z + v * b.z + w * c.z) / sum;  // the same in every shader
     if (!(t > ray.least && t < hit.t)) return false;
     vec3 weights = vec3(u, v, w) / sum;
 #ifndef RAYS_SOLID

@@ -35,7 +35,8 @@ float evsm(vec4 moments, float depth, float exponent, float exponent_negative, f
     vec2 w = warp(depth, exponent, exponent_negative);
     // The slope of the warp there: a variance of `least` in depth is as much in it.
     vec2 scale = 2.0 * vec2(min(exponent, exponent_cap()), min(exponent_negative, exponent_cap())) * w;
-    vec2 smallest = max(least * scale * scale, 1e-30);
+    vec2 deviation = sqrt(least) * scale;  // its square is finite; scale * scale, which compilers may form first, is not
+    vec2 smallest = max(deviation * deviation, 1e-30);
     return min(chebyshev(moments.xz, w.x, smallest.x), chebyshev(moments.yw, w.y, smallest.y));
 }
 // [/evsm]

@@ -9,5 +9,5 @@ layout(rgba8) writeonly uniform image2D result;
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    imageStore(result, pixel, vec4(encode_srgb(1.0 - exp(-texelFetch(hdr, pixel, 0).rgb)), 1.0));
+    imageStore(result, pixel, vec4(nearest_code(encode_srgb(1.0 - exp(-texelFetch(hdr, pixel, 0).rgb))), 1.0));
 }

@@ -22,6 +22,7 @@ const glm::vec3 up{0, 1, 0}, right{1, 0, 0}, down{0, -1, 0}, low = glm::normaliz
 // Lights and eyes all around a normal: those a student thinks of first, then random ones.
 Table reflections(std::initializer_list<double> exponents) {
     const glm::vec3 slant = glm::normalize(glm::vec3(1, 1, 0)), mirrored = glm::normalize(glm::vec3(-1, 1, 0));
+    const glm::vec3 steep = glm::normalize(glm::vec3(1, 2, 0));  // cosine -0.6: of 0, rounding would decide
     Table table;
     for (const double n : exponents) {
         table.push_back(directions({up, up, up}, {n}));
@@ -33,7 +34,7 @@ Table reflections(std::initializer_list<double> exponents) {
         table.push_back(directions({up, down, up}, {n}));
         table.push_back(directions({up, -slant, mirrored}, {n}));
         table.push_back(directions({up, up, down}, {n}));
-        table.push_back(directions({up, slant, -slant}, {n}));  // no half vector, and the light in front
+        table.push_back(directions({up, steep, -steep}, {n}));  // no half vector, and the light in front
     }
     Random random;
     while (table.size() < 4000)
