@@ -2,7 +2,6 @@
 #include <chrono>
 
 #include "common/check/check.h"
-#include "common/gpu/gpu_work.h"
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
@@ -32,43 +31,23 @@ TEST_CASE("five thousand draws with two changed bindings each are recorded withi
     CHECK(ms < 1000);
 }
 
-TEST_CASE("what cannot be pushed comes from a pool and draws the same") {
-    std::vector<uint32_t> sums, sets;
-    std::vector<uint64_t> written;
-    for (const std::optional<uint32_t> most : {std::optional<uint32_t>{}, std::optional<uint32_t>{2}, {0u}}) {
-        Gpu gpu(validated(most));
-        const Pipeline sum = quad_pipeline({}, "sum.frag");
-        const Image target(gpu.device, {.name = "target", .format = four_floats, .size = {1, 1}});
-        const Buffer a = gpu.upload("a", std::vector<float>(4, 3)), b = gpu.upload("b", std::vector<float>(4, 4));
-        Frame frame(gpu);
-        const auto draw = [&] {
-            const uint64_t before = gpu_work.sets;
-            frame.begin({1, 1}, 0);
-            frame.raster("sum", {.color = {target}}, [&](Raster& pass) {
-                pass.use(sum).set("quad", Quad{}).set("first", a);
-                for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6).set("first", a).draw(6);
-            });
-            frame.end();
-            return gpu_work.sets - before;
-        };
-        for (int repeat = 0; repeat < 2; ++repeat) {
-            draw();
-            float texel = 0;
-            std::memcpy(&texel, gpu.read_back(target).data(), 4);
-            sums.push_back(static_cast<uint32_t>(texel));
-        }
-        written.push_back(draw());
-        written.push_back(draw());
-        sets.push_back(static_cast<uint32_t>(frame.descriptor_sets()));
-        CHECK_NOTHROW(gpu.device.check_validation());
+TEST_CASE_METHOD(DeviceTest, "more draws than a pool has sets, with other buffers each, draw with their own") {
+    const Pipeline sum = quad_pipeline({.cull = VK_CULL_MODE_NONE, .blend = Blend::add}, "sum.frag");
+    const Image target = image({.format = four_floats, .size = {1, 1}});
+    const Buffer a = gpu.upload("a", std::vector<float>(4, 3)), b = gpu.upload("b", std::vector<float>(4, 4));
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        frame.begin({1, 1}, 0);
+        frame.raster("sum", {.color = {clear(target, glm::vec4(0))}}, [&](Raster& pass) {
+            pass.use(sum).set("quad", Quad{}).set("first", a);
+            for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6);
+        });
+        frame.end();
+        CHECK(read<float>(target).at(0) == 300 * (3 + 3) + 300 * (3 + 4));
     }
-    CHECK(sums == std::vector<uint32_t>(6, 7));
-    CHECK(sets == std::vector<uint32_t>{0, 600, 600});
-    CHECK(written == std::vector<uint64_t>{0, 0, 600, 0, 600, 0});  // the first after a staging buffer was destroyed
 }
 
-TEST_CASE("sets of a pool follow other buffers, other pipelines, and what has the handle of something destroyed") {
-    Gpu gpu(validated(0u));
+TEST_CASE("sets follow other buffers, other pipelines, and what has the handle of something destroyed") {
+    Gpu gpu(validated());
     const Pipeline sum = quad_pipeline({}, "sum.frag"), paint = quad_pipeline({});
     const Image target(gpu.device, {.name = "target", .format = four_floats, .size = {1, 1}});
     Frame frame(gpu);
