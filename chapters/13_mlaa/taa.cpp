@@ -6,7 +6,7 @@ namespace lightwalk {
 namespace {
 
 // As 13_mlaa/taa.comp has it.
-struct Step {
+struct TaaPush {
     glm::mat4 to_before;  ///< clip space now to clip space of the frame before
     glm::vec2 shift;      ///< of this frame, pixels
     float inverse_near, inverse_far;
@@ -68,14 +68,14 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
         valid && motion && seen.scene && moving_.record(frame, *seen.scene, now, *before_, seen.depth, seen.drawings);
 
     // 2. History at each pixel's former position, clipped to the pixel's new neighbourhood, mixed with the new light.
-    Step step{.to_before = valid ? glm::mat4(to_before(now, *before_)) : glm::mat4(1.0f),
-              .shift = now.crop.shift,
-              .inverse_near = 1.0f / now.camera.near_m,
-              .inverse_far = 1.0f / now.camera.far_m,
-              .at_rest = at_rest,
-              .in_motion = in_motion,
-              .gamma = gamma,
-              .valid = valid};
+    TaaPush step{.to_before = valid ? glm::mat4(to_before(now, *before_)) : glm::mat4(1.0f),
+                 .shift = now.crop.shift,
+                 .inverse_near = 1.0f / now.camera.near_m,
+                 .inverse_far = 1.0f / now.camera.far_m,
+                 .at_rest = at_rest,
+                 .in_motion = in_motion,
+                 .gamma = gamma,
+                 .valid = valid};
     ComputeAccess access{.reads = {picture, seen.depth}, .writes = {light, behind}, .with = {*this}};
     for (const Image* image : {&light_before, &behind_before})
         if (valid) access.reads.emplace_back(*image);

@@ -12,7 +12,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr int side = 512;
+constexpr int tile_side = 512;
 
 /// 0 to 1, the same for the same cell of a tile of `period` cells. Cells lie at most one beside the tile.
 float random_at(int x, int y, int period, uint32_t seed) {
@@ -145,8 +145,8 @@ struct Rock {
     ImageRgb bark = read_image_linear(find_asset("textures/bark_albedo.jpg"));
     void to_row(float v) { stains.to_row(v); }
     glm::vec4 at(glm::vec2 uv) const {
-        const glm::ivec2 texel(uv * static_cast<float>(side));
-        const glm::vec3 photo = bark.at(texel.y * bark.width / side, texel.x * bark.height / side);
+        const glm::ivec2 texel(uv * static_cast<float>(tile_side));
+        const glm::vec3 photo = bark.at(texel.y * bark.width / tile_side, texel.x * bark.height / tile_side);
         const float light = luminance(photo);
         const glm::vec3 color = glm::mix(glm::vec3(light), photo, 0.45f) * (0.55f + 0.6f * stains.at(uv.x));
         return {color, glm::clamp(light * 2.2f, 0.0f, 1.0f)};
@@ -166,21 +166,21 @@ struct Snow {
 template <class Material>
 void add_layer(Material material, std::vector<glm::u8vec4>& texels, std::vector<glm::u8vec4>& slopes) {
     std::vector<glm::vec4> surface;
-    surface.reserve(size_t(side) * side);
-    for (int y = 0; y < side; ++y) {
-        material.to_row((static_cast<float>(y) + 0.5f) / static_cast<float>(side));
-        for (int x = 0; x < side; ++x)
-            surface.push_back(material.at((glm::vec2(x, y) + 0.5f) / static_cast<float>(side)));
+    surface.reserve(size_t(tile_side) * tile_side);
+    for (int y = 0; y < tile_side; ++y) {
+        material.to_row((static_cast<float>(y) + 0.5f) / static_cast<float>(tile_side));
+        for (int x = 0; x < tile_side; ++x)
+            surface.push_back(material.at((glm::vec2(x, y) + 0.5f) / static_cast<float>(tile_side)));
     }
     const auto height = [&](int x, int y) {
-        return surface[size_t((y + side) % side) * side + size_t((x + side) % side)].a;
+        return surface[size_t((y + tile_side) % tile_side) * tile_side + size_t((x + tile_side) % tile_side)].a;
     };
     const auto code = [](float v) { return static_cast<uint8_t>(std::lround(255 * glm::clamp(v, 0.0f, 1.0f))); };
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const glm::vec4 s = surface[size_t(y) * side + size_t(x)];
+    for (int y = 0; y < tile_side; ++y)
+        for (int x = 0; x < tile_side; ++x) {
+            const glm::vec4 s = surface[size_t(y) * tile_side + size_t(x)];
             texels.emplace_back(code(std::sqrt(s.r)), code(std::sqrt(s.g)), code(std::sqrt(s.b)), code(s.a));
-            const float scale = side / 2.0f / 32.0f / 2.0f;
+            const float scale = tile_side / 2.0f / 32.0f / 2.0f;
             slopes.emplace_back(code(0.5f + scale * (height(x + 1, y) - height(x - 1, y))),
                                 code(0.5f + scale * (height(x, y + 1) - height(x, y - 1))), 0, 255);
         }
@@ -199,8 +199,8 @@ void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
     const auto upload = [&](Image& image, const char* name, const std::vector<glm::u8vec4>& from) {
         image = Image(gpu.device, {.name = name,
                                    .format = VK_FORMAT_R8G8B8A8_UNORM,
-                                   .size = glm::uvec2(side),
-                                   .mips = full_mip_count(glm::uvec2(side)),
+                                   .size = glm::uvec2(tile_side),
+                                   .mips = full_mip_count(glm::uvec2(tile_side)),
                                    .layers = 4});
         gpu.upload(image, mip_levels(image.desc.format, glm::uvec2(side), std::as_bytes(std::span(from)), 4));
     };

@@ -10,7 +10,6 @@
 namespace lightwalk {
 namespace {
 
-constexpr double gravity = 9.81;
 constexpr int texels = static_cast<int>(OCEAN_TEXELS);
 constexpr uint32_t levels = OCEAN_LEVELS, layers = 6;  // of both images together
 

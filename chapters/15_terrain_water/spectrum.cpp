@@ -6,7 +6,6 @@ namespace lightwalk {
 
 // [jonswap]
 double jonswap(double omega, double wind_m_s, double fetch_m) {
-    constexpr double gravity = 9.81;
     if (omega <= 0) return 0;
     const double alpha = 0.076 * std::pow(wind_m_s * wind_m_s / (fetch_m * gravity), 0.22);
     const double peak = 22 * std::cbrt(gravity * gravity / (wind_m_s * fetch_m));

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "15_terrain_water/spectrum.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
 namespace {
-
-constexpr double gravity = 9.81;
 
 // The sector of the rings that a view shows, as an angle and a width; all of it where the view looks down or up steeply.
 glm::vec2 sector_of(const View& view) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "15_terrain_water/spectrum.h"
+
 namespace lightwalk {
 namespace {
 
-constexpr double gravity = 9.81, tension = 7.4e-5;  // m/s², and of water over its density, m³/s²
+constexpr double tension = 7.4e-5;  // of water over its density, m³/s²
 
 // Capillary waves and waves under gravity in one: omega^2 = g k + (sigma / rho) k^3 (H. Lamb, Hydrodynamics, 1932, art. 267).
 double phase_at(double time_s, double length_m) {

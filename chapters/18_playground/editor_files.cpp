@@ -2,7 +2,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <chrono>
 
 #include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
@@ -14,8 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double autosave_every_s = 30.0;
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 

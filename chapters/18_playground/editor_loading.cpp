@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "18_playground/file_browser.h"
 #include "18_playground/landing.h"
@@ -15,8 +14,6 @@
 namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 constexpr double upload_ms = 8.0;  // of each frame
 

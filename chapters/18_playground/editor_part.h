@@ -1,5 +1,6 @@
 // Shared state of the parts of the editor's window.
 #pragma once
+#include <chrono>
 #include <functional>
 
 #include "15_terrain_water/ground_heights.h"
@@ -21,6 +22,10 @@ struct EditorView {
     /// Lets the person choose an image file for `what`.
     std::function<void(const std::string& what, const std::function<void(const std::filesystem::path&)>& take)> pick;
 };
+
+inline double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Through what the pointer shows, or the middle of the picture.
 inline PickRay placing_ray(const EditorView& view) {

@@ -10,14 +10,14 @@ namespace lightwalk {
 namespace {
 
 // A part of the whole film, and its time in the cut.
-struct Part {
+struct CutPart {
     double from_s, to_s, begins_s;
 
     double in_cut(double time_s) const { return begins_s + std::clamp(time_s, from_s, to_s) - from_s; }
     bool shows(double a_s, double b_s) const { return a_s < to_s && b_s > from_s; }
 };
 
-void add_scenes(const Timeline& film, const Part& part, Timeline& cut) {
+void add_scenes(const Timeline& film, const CutPart& part, Timeline& cut) {
     for (FilmScene scene : film.scenes) {
         if (!part.shows(scene.from_s, scene.to_s)) continue;
         scene.clock_s = scene.clock_at(std::max(scene.from_s, part.from_s));
@@ -32,7 +32,7 @@ void add_scenes(const Timeline& film, const Part& part, Timeline& cut) {
 }
 
 // The fade at the part's beginning, then the fades within it.
-void add_fades(const Timeline& film, const Part& part, Timeline& cut) {
+void add_fades(const Timeline& film, const CutPart& part, Timeline& cut) {
     const Timeline::Faded at_first = film.faded(part.from_s);
     const auto rests = [&](float value, bool white) {
         return Fade{part.begins_s, part.begins_s, double(value), double(value), white};
@@ -50,7 +50,7 @@ void add_fades(const Timeline& film, const Part& part, Timeline& cut) {
     }
 }
 
-void add_titles(const Timeline& film, const Part& part, Timeline& cut) {
+void add_titles(const Timeline& film, const CutPart& part, Timeline& cut) {
     constexpr double least_s = 1.5;  // less cannot be read
     for (Title title : film.titles) {
         const double first_s = std::max(title.from_s, part.from_s), end_s = std::min(title.to_s, part.to_s);
@@ -68,7 +68,7 @@ void add_titles(const Timeline& film, const Part& part, Timeline& cut) {
 }
 
 // The track's values between the cut's joints, which stay sharp.
-void add_entries(const Track& track, const Part& part, Track& cut) {
+void add_entries(const Track& track, const CutPart& part, Track& cut) {
     constexpr double joint_s = 1e-5;
     const auto add = [&](double time_s, double in_cut_s) {
         cut.times_s.push_back(in_cut_s);
@@ -90,21 +90,21 @@ Timeline cut_of(const Timeline& film, const std::string& name) {
     cut.file = film.file;
     cut.music = film.music;
     cut.music.from_s = found->second.music_from_s;
-    std::vector<Part> parts;
+    std::vector<CutPart> parts;
     double begins_s = 0;
     for (const glm::dvec2 times : found->second.parts) {
         parts.push_back({times.x, times.y, begins_s});
         begins_s += times.y - times.x;
     }
     cut.duration_s = begins_s;
-    for (const Part& part : parts) {
+    for (const CutPart& part : parts) {
         add_scenes(film, part, cut);
         add_fades(film, part, cut);
         add_titles(film, part, cut);
     }
     for (const Track& track : film.knobs) {
         Track shorter{.name = track.name, .steps = track.steps, .times_s = {}, .values = {}, .where = track.where};
-        for (const Part& part : parts) add_entries(track, part, shorter);
+        for (const CutPart& part : parts) add_entries(track, part, shorter);
         cut.knobs.push_back(std::move(shorter));
     }
     return cut;

@@ -10,7 +10,7 @@
 namespace lightwalk {
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 // The shortest decimal that is this float, as a double: 0.1f is written as 0.1, not as 0.10000000149011612.
 double number(float value) {
@@ -30,10 +30,10 @@ double degrees(float rad) {
     return number(near);
 }
 
-json list(glm::vec3 v) { return {number(v.x), number(v.y), number(v.z)}; }
+Json list(glm::vec3 v) { return {number(v.x), number(v.y), number(v.z)}; }
 
-json motion_json(const Motion& motion) {
-    json j = json::object();
+Json motion_json(const Motion& motion) {
+    Json j = Json::object();
     if (motion.spin_deg_per_s != 0.0f) {
         j["spin_deg_per_s"] = number(motion.spin_deg_per_s);
         j["axis"] = list(motion.axis);
@@ -47,8 +47,8 @@ json motion_json(const Motion& motion) {
     return j;
 }
 
-json object_json(const SceneObject& o) {
-    json j = json::object();
+Json object_json(const SceneObject& o) {
+    Json j = Json::object();
     if (!o.name.empty()) j["name"] = o.name;
     if (!o.parent.empty()) j["parent"] = o.parent;
     if (o.role.object != Role::plain) j["role"] = name_of(o.role.object);
@@ -59,7 +59,7 @@ json object_json(const SceneObject& o) {
     if (o.position != glm::vec3(0.0f)) j["position"] = list(o.position);
     if (o.rotation_deg != glm::vec3(0.0f)) j["rotation_deg"] = list(o.rotation_deg);
     if (o.scale != glm::vec3(1.0f)) j["scale"] = list(o.scale);
-    json material = json::object();
+    Json material = Json::object();
     const MaterialOverride& m = o.material;
     if (m.diffuse) material["diffuse"] = list(*m.diffuse);
     if (m.specular) material["specular"] = list(*m.specular);
@@ -78,9 +78,9 @@ json object_json(const SceneObject& o) {
     return j;
 }
 
-json light_json(const Light& light) {
+Json light_json(const Light& light) {
     static constexpr const char* kinds[] = {"directional", "point", "spot"};
-    json j = json::object();
+    Json j = Json::object();
     if (!light.name.empty()) j["name"] = light.name;
     j.update({{"type", kinds[static_cast<int>(light.kind)]},
               {"color", list(light.color)},
@@ -103,26 +103,26 @@ json light_json(const Light& light) {
     return j;
 }
 
-json camera_json(const Camera& c) {
+Json camera_json(const Camera& c) {
     return {{"position", list(c.position)},    {"target", list(c.target)},   {"up", list(c.up)},
             {"fov_deg", degrees(c.fov_y_rad)}, {"near_m", number(c.near_m)}, {"far_m", number(c.far_m)}};
 }
 
-json knobs_json(const SceneFile& scene) {
-    json j = json::object();
+Json knobs_json(const SceneFile& scene) {
+    Json j = Json::object();
     for (const auto& [name, value] : scene.knobs) j[name] = value;
     return j;
 }
 
-std::string text_of(const json& j) {
+std::string text_of(const Json& j) {
     try {
         return j.dump(1, '\t') + "\n";
-    } catch (const json::type_error&) {
+    } catch (const Json::type_error&) {
         throw InputError("a name in the scene is not UTF-8, and JSON holds nothing else");
     }
 }
 
-void write(const json& j, const std::filesystem::path& path) {
+void write(const Json& j, const std::filesystem::path& path) {
     std::string text;
     try {
         text = text_of(j);
@@ -130,8 +130,8 @@ void write(const json& j, const std::filesystem::path& path) {
     write_file(path, text);
 }
 
-json lights_json(const SceneFile& scene) {
-    json all = json::array();
+Json lights_json(const SceneFile& scene) {
+    Json all = Json::array();
     auto hidden = scene.hidden_lights.begin();
     for (size_t i = 0; i <= scene.lights.size(); ++i) {
         for (; hidden != scene.hidden_lights.end() && (hidden->before <= i || i == scene.lights.size()); ++hidden) {
@@ -143,8 +143,8 @@ json lights_json(const SceneFile& scene) {
     return all;
 }
 
-json scene_json(const SceneFile& scene, const std::vector<std::string>& includes) {
-    json j;
+Json scene_json(const SceneFile& scene, const std::vector<std::string>& includes) {
+    Json j;
     if (!includes.empty()) j["include"] = includes;
     j["camera"] = camera_json(scene.camera);
     j["ambient"] = list(scene.ambient);
@@ -154,7 +154,7 @@ json scene_json(const SceneFile& scene, const std::vector<std::string>& includes
                             {"intensity", number(e.intensity)},
                             {"rotation_deg", number(e.rotation_deg)}};
     if (scene.music) j["music"] = scene.music.file.generic_string();
-    j["objects"] = json::array();
+    j["objects"] = Json::array();
     for (const SceneObject& o : scene.objects) j["objects"].push_back(object_json(o));
     j["lights"] = lights_json(scene);
     if (scene.bare) j["bare"] = true;
@@ -175,7 +175,7 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) { wr
 void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
     const std::string text = read_file(path);
     parse_json(text, path.string());  // throws and says where
-    json j = json::parse(text);
+    Json j = Json::parse(text);
     j["camera"] = camera_json(scene.camera);
     j["knobs"] = knobs_json(scene);
     write(j, path);
