@@ -17,7 +17,6 @@ namespace lightwalk {
 /// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
 /// if the pixel's ray meets it, else the background beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
-/// Large (20 functions, 17 members): one member for each target and table that its passes share.
 struct Atmosphere : Drawing {
     Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]

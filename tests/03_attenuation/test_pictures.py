@@ -51,7 +51,7 @@ class PicturesTest(ChapterPictures):
         if not root.exists():
             (root / "chapters" / "03_attenuation").mkdir(parents=True)
             (root / "assets").symlink_to(ROOT / "assets")
-            shutil.copytree(ROOT / "shaders", root / "shaders")  # not a link: mutate.py's changes go by the path
+            shutil.copytree(ROOT / "shaders", root / "shaders")
         (root / "chapters" / "03_attenuation" / "study.json").write_text(json.dumps({
             "title": "equality", "error_metric": "max", "stage": "fragment", "rounds": 1,
             "truth": {"set": {"method": "every_light"}, "exact": True},

@@ -34,22 +34,6 @@ class Music(BadInput):
         scene = self.write("silent.json", (ROOT / "assets/scenes/beat.json").read_text().replace('"music": "audio/beat.ogg",', ""))
         self.assertEqual(silent, self.draw("without", "--time", "9.25", scene=scene))
 
-    def refuse_music(self, name, content, says):
-        music = self.write(name, content)
-        scene = self.write("scene.json", f'{{\n"music": "{music}",\n"knobs": {{"sphere.shown": true}}}}')
-        self.refuse(CHAPTER, "--scene", scene, "--screenshot", self.picture, says=r"scene\.json:2.*" + says)
-
-    def test_refused(self):
-        whole = MUSIC.read_bytes()
-        self.refuse_music("text.ogg", "no sound", r"text\.ogg: is not sound; expected Ogg Vorbis")
-        self.refuse_music("cut.ogg", whole[: len(whole) // 2], r"cut\.ogg: ends in the middle, after 1[0-9]\.\d+ s")
-        self.refuse_music("head.ogg", whole[:200], r"head\.ogg: ends before its sound begins")
-        damaged = bytearray(whole)
-        damaged[len(whole) // 2 : len(whole) // 2 + 64] = bytes(64)
-        self.refuse_music("damaged.ogg", bytes(damaged), r"damaged\.ogg: is damaged at \d+\.\d+ s")
-        scene = self.write("scene.json", '{"music": "none.ogg"}')
-        self.refuse(CHAPTER, "--scene", scene, "--screenshot", self.picture, says=r"scene\.json:1.*music.*no file none\.ogg")
-
     @unittest.skipUnless(shutil.which("ldd"), "ldd is missing")
     def test_programs_do_not_load_sound_libraries(self):
         """They take 12 ms to load; only a window with music does."""

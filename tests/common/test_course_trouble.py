@@ -1,6 +1,5 @@
 """Tests of ./course where the machine is against it: folders that cannot be written, another user, signals, two at once."""
 
-import os
 import random
 import shutil
 import signal

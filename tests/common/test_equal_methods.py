@@ -6,7 +6,6 @@ import unittest
 from dataclasses import dataclass
 from pathlib import Path
 
-from part_in_ci import in_part, part
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Drawer, cheap, knobs_of, pixels_beyond, sets, steps
 
 
@@ -85,14 +84,11 @@ OTHER_SCENE_ALONE = ("18", "19")
 
 
 def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
-    """The scenes in which a chapter's values are compared. In a CI, values compared in an earlier chapter are compared in
-    one scene, that of many lights where the chapter draws it, and in a sixth of the chapters; the others follow with
-    other commits."""
+    """The scenes in which a chapter's values are compared. Values compared in an earlier chapter are compared in one scene,
+    that of many lights where the chapter draws it."""
     scenes = [scene for scene in equal.scenes
               if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
-    if not known or not in_part():
-        return scenes
-    return scenes[-1:] if chapter in part(CHAPTERS[EQUAL.index(equal) % 6:], 6) else []
+    return scenes[-1:] if known else scenes
 
 
 def usable(equal: Equal, knobs: dict) -> tuple | None:
@@ -184,24 +180,6 @@ class EqualMethods(unittest.TestCase):
             before = self.picture(drawer, *options[:-1], "0", *sets("dof.method=off"))
             self.assertGreater(pixels_beyond(pinhole, before, 8), LENS_SHARE)  # so that it matters where things stand
             self.assertLess(pixels_beyond(pinhole, self.picture(drawer, *options, *lens), 8), LENS_SHARE)
-
-    def test_what_a_scene_is_loaded_with_follows_an_exercise(self):
-        """A tangent frame is computed while a scene is loaded: toggling its exercise loads the scene again. Two pictures
-        of one process show one scene where nothing that loading depends on has changed."""
-        changed, tried = [], part((chapter for chapter in CHAPTERS if "maps.method" in knobs_of(chapter)), 6)
-        for chapter in tried:
-            own = chapter.startswith(OWN_SCENE_ALONE)
-            options = ["--size", "127x71", *cheap(chapter), *([] if own else ["--scene", self.scene]), *sets(MESH)]
-            student, reference = ["--use", "solution,04.tangent_frame=exercise"], ["--use", "solution"]
-            with self.subTest(chapter=chapter), Drawer(chapter, self.folder) as drawer:
-                right = self.picture(drawer, *options, *reference)
-                after = self.picture(drawer, *options, *student)
-                with Drawer(chapter, self.folder / "cold") as cold:
-                    cold.folder.mkdir(exist_ok=True)
-                    self.assertEqual(steps(self.picture(cold, *options, *student), after), 0)
-                if steps(right, after) > 0:
-                    changed.append(chapter[:2])
-        self.assertEqual(changed, [chapter[:2] for chapter in tried])
 
 
 LENS_SHARE = 0.004  # of the pixels: measured 0.015 for 1.5 s of motion
