@@ -42,6 +42,8 @@ EQUAL = [
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("show=wrong",), scenes=("default",)),
     # docs/14: rays for the environment.
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("objects.occlusion=rays",), scenes=("default",)),
+    Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("world=terrain",), scenes=("default",)),
+    Equal("skin.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("default",)),
     # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
     Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,)),
     Equal("gbuffer.method", ("fat", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
