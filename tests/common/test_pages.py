@@ -1,6 +1,5 @@
 """Tests of the lessons' pages as they are: their links, what a browser shows of them, and the search."""
 
-import functools
 import json
 import re
 import sys
@@ -10,10 +9,10 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from browser import CHROMIUM, Browser
+from live_page import has_pages
 from small_course import REAL
 
 sys.path.insert(0, str(REAL / "common/course"))
-from pages import docs  # noqa: E402
 from tree import BUILD, chapters, exercises, lesson_pages, lessons  # noqa: E402
 
 # Text that ought to be a formula, outside of code: its TeX, or Markdown's sign for it.
@@ -70,14 +69,9 @@ class TheCourse(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        made()
+        has_pages()
         cls.pages = sorted(cls.folder.rglob("*.html"))
         cls.lessons = [cls.folder / page.with_suffix(".html").name for page in lessons()]
-
-
-@functools.cache
-def made():
-    docs.make(TheCourse.folder)
 
 
 class Pages(TheCourse):
