@@ -90,17 +90,6 @@ class Trouble(Course):
         self.assertFalse(elsewhere.exists() or (self.root / "build").is_symlink())
         self.course("clean")
 
-    def test_names_that_are_too_long(self):
-        long = "x" * 300
-        for words in (["grade", long], ["handout", f"/tmp/{long}"], ["study", "--out", f"/tmp/{long}"]):
-            printed = self.course(*words, code=2)
-            self.assertRegex(printed, r"\Acourse: .*[Ff]ile name too long\n\Z")
-
-    def test_a_study_asks_first_whether_it_can_be_kept(self):
-        for folder in ("/dev/null/x", "/proc/x"):
-            printed = self.course("study", "--out", folder, code=2)
-            self.assertRegex(printed, rf"\Acourse: {folder} cannot be written: .*\n\Z")
-
     def slow_build(self) -> subprocess.Popen:
         """Starts a check with a sleeping build, and waits for the build."""
         self.course("check", "01", code=None)
