@@ -20,8 +20,8 @@ from build.format_tree import unformatted  # noqa: E402
 from tree import BUILD, files  # noqa: E402
 
 PYFLAKES, TIDY, DATABASE = shutil.which("pyflakes3"), shutil.which("clang-tidy"), BUILD / "compile_commands.json"
-# Options that GCC alone has.
-OF_GCC = re.compile(r"-Winvalid-pch|-munroll-only-small-loops|-mvzeroupper|-Wno-(restrict|stringop-overflow|array-bounds)|ggc-.*|--param")
+# Options that GCC alone has, and the one that makes errors of clang's own warnings.
+OF_GCC = re.compile(r"-Werror|-Winvalid-pch|-munroll-only-small-loops|-mvzeroupper|-Wno-(restrict|stringop-overflow|array-bounds)|ggc-.*|--param")
 
 
 def changed() -> set[str]:
