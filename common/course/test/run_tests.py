@@ -39,7 +39,7 @@ RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 STUDIES = ["-LE", "study"]
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
 PART = "LIGHTWALK_TESTS"  # "part": the pictures that goldens reject are not drawn
-LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox|autograder_container)$"
+LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|page_firefox|autograder_container)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
 TURNS = ("equal_methods|live_rest|course_shards|window_passes|window_tour|random_scenes",
