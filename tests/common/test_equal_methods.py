@@ -42,7 +42,7 @@ EQUAL = [
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("show=wrong",), scenes=("default",)),
     # docs/14: rays for the environment.
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("objects.occlusion=rays",), scenes=("default",)),
-    Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("world=terrain",), scenes=("default",)),
+    Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("terrain",)),
     Equal("skin.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("default",)),
     # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
     Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,)),
@@ -78,7 +78,7 @@ EQUAL = [
 ]
 # (options, the picture's size); every chapter's own scene, and one with many lights and transparent surfaces, at a
 # size that no tile divides. Where things move, the time is one at which they have.
-SCENES = {"default": ["--size", "240x135"], "everything": ["--size", "127x71", "--time", "0.5"]}
+SCENES = {"default": ["--size", "240x135"], "terrain": ["--scene", "scenes/terrain_noon.json", "--size", "192x108"], "everything": ["--size", "127x71", "--time", "0.5"]}
 # Of these the other scene is nothing: they draw no objects, or those alone that are skin.
 OWN_SCENE_ALONE = ("01", "02", "10", "11", "12")
 # And of these the own scene is nothing new: all of these methods are borrowed, and a workbench or a film takes seconds to load.
@@ -89,7 +89,7 @@ def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
     """The scenes in which a chapter's values are compared. Values compared in an earlier chapter are compared in one scene,
     that of many lights where the chapter draws it."""
     scenes = [scene for scene in equal.scenes
-              if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
+              if not chapter.startswith(OWN_SCENE_ALONE if scene == "everything" else OTHER_SCENE_ALONE)]
     return scenes[-1:] if known else scenes
 
 
