@@ -209,6 +209,10 @@ SILENT = {
 }
 
 
+# Settings that are not tried in a program that goes on, and why.
+COLD_ALONE = {"select=0": "what is selected stays so", "environment.levels.method=none": "levels are left unwritten: those of before stay"}
+
+
 def scene_of(chapter: str, name: str) -> list[str]:
     scene = own_or_longest(SCENES, chapter, name, "")
     return [f"scene={scene}"] if scene else []
@@ -258,10 +262,12 @@ class KnobsTest(unittest.TestCase):
                     options, given = options_of(settings, Path(folder))
                     words = [*cheap(chapter), *options]
                     picture, wrong = drawer.draw(*words, *sets(*given), "--size", "32x24")
-                    changed, also_wrong = live.draw(words, (32, 24), set=dict(one.split("=", 1) for one in given))
                     with self.subTest(set=settings):
-                        self.assertEqual((wrong, also_wrong), ("", ""))
-                        self.assertEqual(steps(picture, changed), 0, "changed while it runs, it is not the picture of a cold start")
+                        self.assertEqual(wrong, "")
+                        if not COLD_ALONE.keys() & set(given):
+                            changed, wrong = live.draw(words, (32, 24), set=dict(one.split("=", 1) for one in given))
+                            self.assertEqual(wrong, "")
+                            self.assertEqual(steps(picture, changed), 0, "changed while it runs, it is not the picture of a cold start")
                     drawn[settings] = picture.read_bytes() if picture.exists() else b""
                 return drawn[settings]
 
