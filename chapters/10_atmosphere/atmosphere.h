@@ -151,8 +151,8 @@ struct Atmosphere : Drawing {
     Made<Air, float> sun_made_;  ///< and the sun's height
     glm::vec3 sunlight_{0.0f};
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    Made<Air, bool, unsigned> lasting_made_;         ///< of the two lasting ones: all orders, toggles
-    Made<Air, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
+    Made<Air, std::string, bool, unsigned> lasting_made_;  ///< of the two lasting ones: phase, all orders, toggles
+    Made<Air, std::string, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});
