@@ -1,4 +1,4 @@
-"""Pictures with music: functions of time alone, silent or not, and files that are no music refused in one line."""
+"""Pictures with music: functions of time alone, silent or not."""
 import pathlib
 import shutil
 import subprocess
@@ -9,7 +9,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 from bad_input import BUILD, ROOT, BadInput  # noqa: E402
 
 CHAPTER = BUILD / "chapters" / "14_environment"
-MUSIC = ROOT / "assets" / "audio" / "beat.ogg"
 SMALL = ("--size", "96x54", "--environment.prefilter.samples", "4")
 
 
