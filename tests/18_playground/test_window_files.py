@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files of the editor in its window: autosaves after a crash, thumbnails, typed paths, dropped files, loading that fails
+"""Files of the editor in its window: autosaves after a crash, thumbnails, typed paths, dropped files.
 Under Xvfb, validated."""
 import json
 import os

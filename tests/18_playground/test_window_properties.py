@@ -53,6 +53,23 @@ class Properties(EditorTest):
         self.undo()
         self.assertEqual(self.saved(), self.before)
 
+    def test_4_switches_and_types_of_several_are_set_by_one_click(self):
+        session = self.session
+        self.select("second", "first")
+        session.tap("check.shadow")  # of one only: then of both
+        self.assertEqual([light.get("shadow") for light in self.saved()["lights"]], [True, True])
+        session.tap("choice.type")
+        session.tap("option.directional")
+        self.assertEqual([light.get("type", "directional") for light in self.saved()["lights"]], ["directional"] * 2)
+        self.undo_step("type of 2 entries")
+        self.undo_step("shadow of first")
+        self.select("one", "first", "two")  # objects and a light
+        session.tap("check.hidden")
+        scene = self.saved()
+        self.assertEqual([one.get("hidden") for one in [*scene["objects"], scene["lights"][0]]], [True] * 3)
+        self.undo_step("hide 3 entries")
+        self.assertEqual(self.saved(), self.before)
+
     def filter(self, text: str):
         """Only the knobs with this in their names are shown."""
         session = self.session
