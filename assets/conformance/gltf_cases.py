@@ -4,7 +4,7 @@ import base64
 import math
 import struct
 
-from parts import BLUE, GREEN, HERE, RED, YELLOW, Gltf, case, corners, png
+from parts import BLUE, GREEN, RED, YELLOW, Gltf, case, corners, png
 
 UNLIT = {"KHR_materials_unlit": {}}
 CAMERA = ["--camera-of-file", "1"]

@@ -15,7 +15,6 @@
 namespace lightwalk {
 
 /// Threads that wait for jobs, for work in several steps.
-/// Large (6 functions, 11 members): a lock, and all that it guards.
 class Team {
   public:
     using Job = FunctionRef<void(unsigned, size_t)>;

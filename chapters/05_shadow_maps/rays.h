@@ -11,7 +11,6 @@ namespace lightwalk {
 /// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame that needs it, which
 /// builds the hierarchy for a new scene; then passes may state it in `.with`. Every opaque surface stops a ray, from
 /// both sides, except in its cut-outs.
-/// Large (10 functions, 11 members): one member for each target and table that its passes share.
 struct SceneRays : Module {
     SceneRays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
 

@@ -19,7 +19,6 @@ namespace lightwalk {
 /// light: include it where a chapter without shadows includes 03_attenuation/unshadowed.glsl. A light casts a shadow
 /// where the scene says "shadow": true. After Lights::update(), record() for a view; then passes that draw this view may
 /// state it in `.with`, beside the lights.
-/// Large (21 functions, 13 members): one member for each target and table that its passes share.
 struct Shadow : Module {
     Shadow(Module& owner, std::string name);
 

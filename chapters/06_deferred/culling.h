@@ -19,7 +19,6 @@ std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float mar
 // [culling]
 /// For a view: begin(), then passes() for each pass over its objects, which states the module in `.with` and draws
 /// batches by draw(). Culling changes no picture.
-/// Large (16 functions, 18 members): one member for each list that its dispatches share.
 struct Culling : Module {
     Culling(Module& owner, std::string name) : Module(owner, std::move(name), "culling") {}
 

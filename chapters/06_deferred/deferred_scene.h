@@ -11,7 +11,6 @@ namespace lightwalk {
 // [deferred_scene]
 /// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
 /// room for (unlit ones, and microfacets unless all are) and transparent ones are drawn as LitScene draws them.
-/// Large (18 functions, 11 members): a pipeline for each pass.
 struct DeferredScene : Drawing, ItemCaster {
     DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 

@@ -11,7 +11,6 @@ namespace lightwalk {
 std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape);
 
 // [light_volumes]
-/// Large (3 functions, 9 members): one member for each target and table that its passes share.
 class LightVolumes {
   public:
     /// Transfers of this frame where the lights, how far they reach, or the exercise's toggle have changed.

@@ -104,7 +104,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 1. Tables of the air alone: remade after a change of its knobs.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
-    if (lasting_made_.from(now, often, Exercises::version()) || refresh.is("always")) {
+    if (lasting_made_.from(now, phase.text(), often, Exercises::version()) || refresh.is("always")) {
         ++tables_made;
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
@@ -122,7 +122,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     const float height = height_of(view.eye);
     const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
     const glm::vec2 eye(height, glm::dot(up, to_sun()));
-    if (sky_made_.from(now, often, eye, Exercises::version()) || refresh.is("always")) {
+    if (sky_made_.from(now, phase.text(), often, eye, Exercises::version()) || refresh.is("always")) {
         ++skies_made;
         frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
                       [&](Compute& pass) {

@@ -17,7 +17,6 @@ namespace lightwalk {
 /// The planet's middle lies `radius_m` below the world's origin. Where depth is 0 the image holds the planet's ground,
 /// if the pixel's ray meets it, else the background beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
-/// Large (20 functions, 17 members): one member for each target and table that its passes share.
 struct Atmosphere : Drawing {
     Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
     // [/atmosphere]
@@ -152,8 +151,8 @@ struct Atmosphere : Drawing {
     Made<Air, float> sun_made_;  ///< and the sun's height
     glm::vec3 sunlight_{0.0f};
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    Made<Air, bool, unsigned> lasting_made_;         ///< of the two lasting ones: all orders, toggles
-    Made<Air, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
+    Made<Air, std::string, bool, unsigned> lasting_made_;  ///< of the two lasting ones: phase, all orders, toggles
+    Made<Air, std::string, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});

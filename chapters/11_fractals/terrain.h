@@ -33,7 +33,6 @@ struct TerrainLook : Module {
 // [terrain]
 /// A drawing under the scene's sun: the ground, a sky of its own where nothing else is drawn, and fog over both. The
 /// view's x and z count from where the flight has come to, and its y from the ground there, as four octaves have it.
-/// Large (13 functions, 10 members): one member for each target and table that its passes share.
 struct Terrain : Drawing {
     Terrain(Module& owner, std::string name) : Drawing(owner, std::move(name), "terrain") {}
 

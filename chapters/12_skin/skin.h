@@ -11,7 +11,6 @@ namespace lightwalk {
 // [skin]
 /// Draws the items of a scene: those with the role of skin, an eye or a cornea as such, others as matt.
 /// In each frame record(), then draw() into a canvas, then finish(). Without any skin the first item is it.
-/// Large (27 functions, 18 members): one member for each target and table that its passes share.
 struct Skin : Module {
     Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
 

@@ -11,7 +11,6 @@ namespace lightwalk {
 // [unwrapped]
 /// Position and contents of each texel of a square map over one item of a scene. Charts, the connected pieces of the
 /// layout, are numbered and grow by two texels. Unused texels have a position with w = 0.
-/// Large (3 functions, 11 members): one member for each target and table that its passes share.
 class Unwrapped {
   public:
     Image position;   ///< metres, world space; w: the chart, from 1

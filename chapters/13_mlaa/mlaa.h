@@ -16,7 +16,6 @@ namespace lightwalk {
 /// fxaa_like the image has another handle, since it was written anew. The method taa changes every pixel, by what it saw
 /// in the frames before (taa.h). The methods from msaa_4x on are about how a picture is drawn: record() then does nothing
 /// (see drawing.h). Once per frame and module.
-/// Large (19 functions, 15 members): one member for each target and table that its passes share.
 struct Mlaa : Module {
     Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
         taa.in_use = [this] { return method.is("taa"); };

@@ -52,7 +52,6 @@ struct LightCubes : Module {
 /// or, for surroundings that were drawn into the first level of light.drawn.radiance:
 ///
 ///     light.record_drawn(frame, box);
-/// Large (11 functions, 9 members): one member for each target and table that its passes share.
 struct ImageLight : Module {
     ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {
         levels.method.change_default("box");

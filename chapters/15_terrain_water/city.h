@@ -32,7 +32,6 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
 
 // [city]
 /// Comes after the ground. Buildings in water, below a height of 1 m, are omitted.
-/// Large (13 functions, 9 members): one member for each target and table that its passes share.
 struct City : Drawing, Caster, SunReceiver {
     City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}

@@ -12,7 +12,6 @@ namespace lightwalk {
 // [ground]
 /// Made from the scene's object with a height map as model. A pass that states it in `.with` includes
 /// 15_terrain_water/ground.glsl and queries heights and normals. Level 0 is sea level or a lake's level: datum_m.
-/// Large (18 functions, 10 members): one member for each target and table that its passes share.
 struct Ground : Module {
     Ground(Module& owner, std::string name) : Module(owner, std::move(name), "ground") {}
 

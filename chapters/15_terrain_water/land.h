@@ -13,7 +13,6 @@ namespace lightwalk {
 // [land]
 /// Drawn before objects on it or behind it. All methods find the same result, the distance to the ground in each
 /// pixel; one pass shades it.
-/// Large (14 functions, 12 members): one member for each target and table that its passes share.
 struct Land : Drawing, SunReceiver {
     Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
         : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}

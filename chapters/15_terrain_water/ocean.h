@@ -11,7 +11,6 @@ namespace lightwalk {
 // [ocean]
 /// record() in each frame; then water_surface.glsl reads moved() and sloped(): three layers, each of a part of the
 /// spectrum, on a tile of tile_m() metres that repeats. All repeats after `repeat_s`.
-/// Large (11 functions, 10 members): one member for each target and table that its passes share.
 struct Ocean : Module {
     Ocean(Module& owner, std::string name) : Module(owner, std::move(name), "ocean") {}
 

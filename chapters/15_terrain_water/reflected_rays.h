@@ -13,7 +13,6 @@ namespace lightwalk {
 /// them in the picture; objects by their diffuse colour alone, and transparent ones are not met. Give it to a Water:
 ///
 ///     water.tracer = &reflected;
-/// Large (4 functions, 11 members): one member for each target and table that its passes share.
 struct ReflectedRays : Module, WaterRays {
     ReflectedRays(Module& owner, std::string name, const Ground& ground, const Land& land, City& city,
                   const Atmosphere& atmosphere)

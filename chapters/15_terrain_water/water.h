@@ -25,7 +25,6 @@ struct WaterRays {
 ///     draw(frame, view, canvas, drawings);
 ///
 /// `light`: the surroundings, for rays that leave the picture; the owner records it before.
-/// Large (15 functions, 13 members): one member for each target and table that its passes share.
 struct Water : Drawing, MovingSurface {
     Water(Module& owner, std::string name, const ImageLight& light)
         : Drawing(owner, std::move(name), "water"), light_(light) {}

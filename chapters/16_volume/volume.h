@@ -11,7 +11,6 @@ namespace lightwalk {
 // [volume]
 /// Drawn after all solid objects; their depth ends its rays. Transparent: it writes no depth. The box of its field
 /// stands around the world's origin, its longest edge 2 m long.
-/// Large (15 functions, 13 members): one member for each target and table that its passes share.
 struct Volume : Drawing {
     Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}
 

@@ -22,7 +22,6 @@ struct BodyAir : Module {
 // [planets]
 /// Draws over the background (the stars), where no depth was drawn. Scenes place the camera in metres from the centre
 /// of the body `at`; +z points from it to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
-/// Large (13 functions, 13 members): one member for each target and table that its passes share.
 struct Planets : Drawing {
     Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
 

@@ -56,7 +56,6 @@ inline bool is_sun(const Entry& entry) { return entry.light() && entry.light()->
 ///
 /// An id stands for one entry for as long as the document lives: an entry that was deleted and brought back by undo()
 /// has the id it had.
-/// Large (39 functions, 13 members): the edits of a document: each is a step that can be undone.
 class Document {
   public:
     Document();

@@ -10,7 +10,6 @@ namespace lightwalk {
 /// As a scene file names it: relative to the course's assets, as any clone finds it, or whole.
 std::filesystem::path asset_name(const std::filesystem::path& file);
 
-/// Large (27 functions, 20 members): a document and what it means for a chapter.
 class Editor {
   public:
     Document document;

@@ -10,7 +10,6 @@
 namespace lightwalk {
 
 /// It places its panels, each of which owns its state, and gives them the keys: one member for each of them.
-/// Large (28 functions, 16 members): it places panels: one member each.
 struct EditorWindow : Playground, WindowTool {
     EditorWindow();
     bool on_mouse(const Input& input, glm::vec2 cursor_px, bool over_picture) override;

@@ -32,7 +32,6 @@ bool can_be_opened(const std::filesystem::path& file);
 std::vector<std::filesystem::path> recent_files();
 void remember_file(const std::filesystem::path& file);
 
-/// Large (8 functions, 12 members): a list, its filter and its marks.
 class FileBrowser {
   public:
     bool shown = false;

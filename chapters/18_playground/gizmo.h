@@ -51,7 +51,6 @@ PickRay ray_through(const View& view, glm::vec2 cursor_px);
 // [gizmo_drag]
 /// A drag from the press of the button to its release: one step of the document. Each move starts from where things
 /// were at the beginning, so that nothing adds up, and a mouse that comes back brings everything back, to the bit.
-/// Large (12 functions, 13 members): where a drag began, and where it is.
 class GizmoDrag {
   public:
     GizmoDrag(Document& document, const std::vector<EntryId>& ids, const GizmoPlace& place, const Handle& handle,

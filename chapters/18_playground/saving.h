@@ -18,7 +18,6 @@ Said cannot_be_saved(const Entry& entry, const std::filesystem::path& file);
 
 // [scene_store]
 /// A document's file. The text is the same for equal documents, to the byte.
-/// Large (17 functions, 9 members): what is saved of a document, and beside it.
 class SceneStore {
   public:
     std::filesystem::path path;    ///< empty: never saved

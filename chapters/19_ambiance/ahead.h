@@ -16,7 +16,6 @@ namespace lightwalk {
 // [ahead]
 /// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
 /// That thread alone calls these functions.
-/// Large (11 functions, 11 members): the state of two threads.
 class Ahead {
   public:
     using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;

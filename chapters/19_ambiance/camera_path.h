@@ -23,7 +23,6 @@ struct PathKind {
 /// Position and target on a spline each, and an up that neither rolls where the view passes it nor vanishes between
 /// keys with opposite ups. Everything is a function of time: the rotation of up, which depends on the path so far, is
 /// tabulated from the first key on.
-/// Large (11 functions, 9 members): a spline and its lengths.
 class CameraPath {
   public:
     CameraPath() = default;

@@ -5,7 +5,6 @@
 
 namespace lightwalk {
 
-/// Large (28 functions, 9 members): each key of a film's window.
 struct FilmWindow : Ambiance, WindowTool {
     bool on_mouse(const Input&, glm::vec2, bool) override { return false; }
     bool on_key(const KeyPress& key) override;

@@ -16,7 +16,6 @@ bool is_film_file(const std::filesystem::path& file);
 
 // [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
-/// Large (30 functions, 23 members): the film, its scenes, and what is kept for them.
 struct Reel : Module {
     Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
 

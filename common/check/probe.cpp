@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <regex>
 
 #include "common/base/error.h"
@@ -135,10 +134,6 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::string source = shader_text(s, text_of(probe), "", "    probe_outputs[i].value = CALL;\n");
     const std::vector<uint32_t> words = run(gpu, probe, s, source, outputs * probe.inputs.size());
-    // For tests/mutate.py: records whether a probe's results changed at all.
-    if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
-        std::ofstream(log, std::ios::app)
-            << s.function << " " << hash_bytes({reinterpret_cast<const char*>(words.data()), 4 * words.size()}) << "\n";
     Table table(probe.inputs.size(), Row(outputs));
     for (size_t i = 0; i < words.size(); ++i) table[i / outputs][i % outputs] = number_of(s, words[i]);
     return table;

@@ -15,7 +15,7 @@ from build.programs import Programs
 from many import shards, slurm
 from progress import Progress
 from shots.rendering import Drawing
-from tree import (BUILD, ROOT, Failure, UsageError, best_first, chapter_program, chapter_title, chapters, cores, has_display,
+from tree import (BUILD, ROOT, UsageError, best_first, chapter_program, chapters, cores, has_display,
                   relative, say, warn, write_atomically)
 
 SAMPLES = "4"  # of a finished picture; the first one of a chapter has one sample

@@ -20,7 +20,6 @@ inline bool crops_are_cheaper(size_t crops, DrawTimes truth, DrawTimes candidate
 }
 
 /// Draws each thing once, however often it is asked for, apart from times. Afterwards all knobs are put back.
-/// Large (12 functions, 21 members): what one measurement has drawn.
 class NeedPictures {
   public:
     /// Takes the plan's candidates that agree with the chapter's pinned knobs and their own `where`. Throws

@@ -29,8 +29,13 @@ void LiveChapter::load(const Loading& loading) {
 void LiveChapter::reload() {
     loaded_with_ = chapter.load_state();
     const Camera camera = chapter.camera;
+    const KnobList knobs = chapter.all_knobs();
     std::vector<std::string> settings;
-    for (const KnobBase* knob : chapter.all_knobs()) settings.push_back(knob->text());
+    std::vector<bool> pinned;  // modules load what knobs say now, not what the scene says
+    for (KnobBase* knob : knobs) {
+        settings.push_back(knob->text());
+        pinned.push_back(std::exchange(knob->pinned, true));
+    }
     Scene kept = std::exchange(chapter.scene, Scene());
     try {
         load_scene(chapter, gpu_, scene_);
@@ -41,8 +46,10 @@ void LiveChapter::reload() {
         chapter.prepare_all(gpu_, chapter.scene);
     }
     chapter.camera = camera;
-    const KnobList knobs = chapter.all_knobs();
-    for (size_t i = 0; i < settings.size(); ++i) knobs[i]->set(settings[i]);
+    for (size_t i = 0; i < settings.size(); ++i) {
+        knobs[i]->pinned = pinned[i];
+        if (knobs[i]->text() != settings[i]) knobs[i]->set(settings[i]);
+    }
 }
 
 void LiveChapter::draw(Frame& frame, const Picture& picture) {

@@ -14,7 +14,6 @@ struct PictureDifference {
     int shrink = 1;
 };
 
-/// Large (11 functions, 11 members): the second chapter and its picture.
 class SplitView {
   public:
     /// `make` makes the second chapter; it lives while the split view is on.

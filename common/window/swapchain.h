@@ -9,7 +9,6 @@
 namespace lightwalk {
 
 /// Recreated when the window's size has changed; no frame may be in flight then.
-/// Large (13 functions, 14 members): Vulkan's handles.
 class Swapchain {
   public:
     Swapchain(Gpu& gpu, Display& display);

@@ -19,7 +19,6 @@ namespace lightwalk {
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
                const Loading& loading);
 
-/// Large (25 functions, 30 members): the loop of a window: the chapter's clock, its picture, its files.
 class Window {
   public:
     /// `scene` is loaded already.

@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-/// Large (10 functions, 14 members): frames and images, what they show, and for which size and time.
 class WindowPicture {
   public:
     static constexpr int most_samples = 16;  ///< of a picture at rest

@@ -3,7 +3,7 @@
 python3 docs/figures/01_depth_floats.py writes docs/images/01_depth_floats.svg.
 """
 
-from drawing import EYE, GREEN, GREY, RED, SMALL, THIN, Drawing
+from drawing import GREEN, GREY, RED, SMALL, THIN, Drawing
 
 NEAR, FAR = 1.0, 8.0  # metres
 

@@ -3,7 +3,7 @@
 python3 docs/figures/05_bias.py writes docs/images/05_bias.svg.
 """
 
-from math import cos, radians, sin, tan
+from math import radians, tan
 
 from drawing import FAINT, GREEN, GREY, INK, LIGHT, ORANGE, PALE_GREY, RED, SMALL, THIN, Drawing
 

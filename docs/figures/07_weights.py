@@ -3,7 +3,7 @@
 python3 docs/figures/07_weights.py writes docs/images/07_weights.svg.
 """
 
-from drawing import BLUE, GREY, INK, PALE_BLUE, PALE_GREEN, PALE_ORANGE, PALE_RED, RED, SMALL, Drawing
+from drawing import BLUE, GREY, INK, PALE_BLUE, PALE_GREEN, PALE_ORANGE, RED, SMALL, Drawing
 
 FILLS = (PALE_BLUE, PALE_GREEN, PALE_ORANGE)
 

@@ -6,14 +6,13 @@ import subprocess
 import sys
 import unittest
 
-from PIL import Image, ImageChops
+from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import BUILD, LINEAR, ROOT, ChapterPictures  # noqa: E402
+from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
 
 SCENES = ROOT / "assets" / "scenes"
 TEXTURES = ROOT / "assets" / "textures"
-WHITE_TEXELS = 32  # SHOW draws white
 
 
 class PicturesTest(ChapterPictures):
@@ -33,11 +32,6 @@ class PicturesTest(ChapterPictures):
     def flip(self, expected, actual) -> float:
         done = subprocess.run([BUILD / "compare", expected, actual, "--json"], capture_output=True, text=True, check=True)
         return json.loads(done.stdout)["flip"]["mean"]
-
-    def texels(self, picture) -> float:
-        """The mean of a picture of hit errors, or of swimming."""
-        codes = Image.open(picture).convert("L").tobytes()
-        return WHITE_TEXELS * sum(LINEAR[code] for code in codes) / len(codes)
 
     def wall(self, maps, **material) -> dict:
         """One texture's width of wall that fills the picture."""
@@ -106,23 +100,6 @@ class PicturesTest(ChapterPictures):
         self.assertGreater(both / either, 0.85)
         self.assertLess(both / either, 0.97)
 
-    def test_a_picture_swims_less_the_more_layers_and_not_at_all_with_exact_hits(self):
-        """When the eye comes 5 cm closer at 85 degrees, the texture slides over the surface: by so many texels."""
-        def swim(method, steps=1):
-            return self.texels(self.draw("stone_tiles_85", "--show", "swim", "--method", method, "--steps", str(steps)))
-
-        flat, steep, few, many, exact = (swim("flat"), swim("steep", 16), swim("occlusion", 16),
-                                         swim("occlusion", 128), swim("exact"))
-        self.assertEqual(exact, 0)
-        self.assertGreater(few, 3 * many)
-        self.assertGreater(steep, few)
-        self.assertGreater(flat, 0.3)
-
-    def test_depth_0_is_no_parallax(self):
-        for method in ("offset", "offset_limited", "steep", "occlusion", "relief", "exact"):
-            self.assertEqual(self.flip(self.draw("stone_tiles_45", "--method", "normal", name="normal"),
-                                       self.draw("stone_tiles_45", "--method", method, "--height_m", "0")), 0)
-
     # --- maps
 
     def test_a_switch_that_is_off_is_a_map_that_is_missing(self):
@@ -153,27 +130,6 @@ class PicturesTest(ChapterPictures):
         self.assertLess(self.flip(right, flipped), 0.015)  # the device's filter rounds down
         self.assertGreater(self.flip(right, wrong), 0.1)
 
-    def test_16_bits_and_grey_are_what_8_bits_and_colour_are(self):
-        grey = Image.open(TEXTURES / "castle_wall_height.png").convert("L").resize((64, 64))
-        grey.save(self.folder / "grey.png")
-        grey.convert("RGB").save(self.folder / "rgb.png")
-        wide = Image.new("I;16", grey.size)
-        wide.putdata([257 * code for code in grey.getdata()])
-        wide.save(self.folder / "wide.png")
-        pictures = {name: self.draw(self.wall({"height": str(self.folder / f"{name}.png"),
-                                               "normal": str(TEXTURES / "castle_wall_normal.png")}), name=name)
-                    for name in ("grey", "rgb", "wide")}
-        self.assertEqual(pictures["grey"].read_bytes(), pictures["rgb"].read_bytes())
-        self.assertEqual(pictures["grey"].read_bytes(), pictures["wide"].read_bytes())
-
-    def test_maps_of_one_material_may_differ_in_size(self):
-        Image.open(TEXTURES / "castle_wall_normal.png").resize((100, 37)).save(self.folder / "small.png")
-        small = self.draw(self.wall({"normal": str(self.folder / "small.png"),
-                                     "height": str(TEXTURES / "castle_wall_height.png")}), name="small")
-        whole = self.draw(self.wall({"normal": str(TEXTURES / "castle_wall_normal.png"),
-                                     "height": str(TEXTURES / "castle_wall_height.png")}))
-        self.assertLess(self.flip(whole, small), 0.25)
-
     def test_roughness_and_metalness_of_the_scene_take_the_place_of_the_map_s(self):
         def orm(color):
             Image.new("RGB", (4, 4), color).save(self.folder / "orm.png")
@@ -196,21 +152,6 @@ class PicturesTest(ChapterPictures):
         Image.new("I;16", (4, 4), code).save(self.folder / f"{code}.png")
         return str(self.folder / f"{code}.png")
 
-    def most(self, one, other) -> int:
-        """The largest difference of two pictures, in steps of 1/255."""
-        pictures = [Image.open(picture).convert("RGB") for picture in (one, other)]
-        return max(high for _, high in ImageChops.difference(*pictures).getextrema())
-
-    def leaning(self, height=None, displacement=None, depth=0.05, name="leaning"):
-        """The castle wall at 45 degrees, by offset_limited where there is a height map."""
-        maps = {"diffuse": str(TEXTURES / "castle_wall_albedo.jpg")}
-        maps |= {"height": self.grey(height)} if height is not None else {}
-        maps |= {"displacement": self.grey(displacement)} if displacement is not None else {}
-        wall = self.wall(maps)
-        wall["camera"] |= {"position": [0.7, 0.3, 0.7]}
-        return self.draw(wall, "--method", "offset_limited", "--height_m", str(depth), "--displacement_m", "0.1",
-                         name=name)
-
     def test_a_displacement_map_that_is_off_or_of_strength_0_changes_no_bit(self):
         maps = {"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"), "height": str(TEXTURES / "castle_wall_height.png")}
         swell = self.wall(maps | {"displacement": str(TEXTURES / "swell_displacement.png")})
@@ -223,16 +164,6 @@ class PicturesTest(ChapterPictures):
                         before = self.draw(self.wall(maps), "--method", method, *options, name="mesh").read_bytes()
                     self.assertEqual(self.draw(swell, "--method", method, *options).read_bytes(), before)
             self.assertNotEqual(self.draw(swell, "--method", method).read_bytes(), before)
-
-    def test_a_constant_displacement_map_of_a_half_changes_nothing(self):
-        plain = self.leaning(name="plain")
-        self.assertLessEqual(self.most(plain, self.leaning(displacement=32768)), 1)
-        self.assertGreater(self.most(plain, self.leaning(displacement=65535)), 30)
-
-    def test_shifts_of_both_maps_add(self):
-        """Where both are flat: a height map at the bottom goes down by 5 cm, displacement up or down by half of 10."""
-        self.assertLessEqual(self.most(self.leaning(name="plain"), self.leaning(0, 65535)), 2)
-        self.assertLessEqual(self.most(self.leaning(0, depth=0.1, name="both"), self.leaning(0, 0)), 2)
 
     def test_a_white_displacement_map_shifts_by_half_of_its_range(self):
         """Against a mesh with shifted texture coordinates; from far away, at 45 degrees."""
@@ -283,31 +214,6 @@ class PicturesTest(ChapterPictures):
         kept, averaged = share("--coverage", "kept"), share("--coverage", "averaged")
         self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
         self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
-
-    # --- lights
-
-    def test_lights_that_are_culled_light_as_all_of_them_do(self):
-        """Chapter 03's lights as this chapter uses them: behind holes, and on displaced surfaces."""
-        lamps = [{"type": "point", "position": [0.6 * x, 0.5 * y, 0.3], "range_m": 0.9, "intensity": 0.4}
-                 for x in range(-3, 4) for y in range(-2, 3)]
-        wall = self.wall({"diffuse": str(TEXTURES / "castle_wall_albedo.jpg"),
-                          "height": str(TEXTURES / "castle_wall_height.png")}) | {"lights": lamps}
-        grass = {"model": "models/plane.obj", "rotation_deg": [90, 0, 0], "position": [0, 0, 0.2],
-                 "material": {"maps": {"diffuse": str(TEXTURES / "grass_cutout.png")}}}
-        for name, scene in (("wall", wall), ("holes", wall | {"objects": [grass, *wall["objects"]]})):
-            all_lights = self.draw(scene, "--lights.method", "every_light", name=name).read_bytes()
-            for method in ("per_object", "tiled", "clustered"):
-                with self.subTest(scene=name, method=method):
-                    self.assertEqual(self.draw(scene, "--lights.method", method).read_bytes(), all_lights)
-            self.assertNotEqual(self.draw(scene | {"lights": lamps[:17]}, name="fewer").read_bytes(), all_lights)
-
-    # --- edges
-
-    def test_scenes_without_lights_textures_or_height(self):
-        bare = self.wall({}) | {"lights": []}
-        self.draw(bare)
-        for model in ("teapot", "bunny_low", "cornell_box"):
-            self.draw({"objects": [{"model": f"models/{model}.obj"}]}, "--mesh", "displaced", "--subdivide", "1")
 
 
 if __name__ == "__main__":

@@ -5,8 +5,10 @@ import pathlib
 import sys
 import unittest
 
+from PIL import Image
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ROOT, ChapterPictures, Image  # noqa: E402
+from pictures import ROOT, ChapterPictures  # noqa: E402
 
 SCENE = ROOT / "assets/scenes/colonnade_evening.json"
 SIDES = 5  # pictures of 80 degrees each

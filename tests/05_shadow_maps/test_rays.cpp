@@ -1,12 +1,8 @@
 // Rays on the device: through the hierarchy as without it, against double precision, and none between triangles.
-#include <chrono>
 #include <cmath>
-#include <ctime>
-#include <thread>
 
 #include "05_shadow_maps/ray_fixture.h"
 #include "catch.h"
-#include "common/base/statistics.h"
 
 using namespace lightwalk;
 
@@ -151,49 +147,4 @@ TEST_CASE("rays along a flat surface, within boxes without a height, and through
         CHECK(hits[i].any == expected[i]);
         CHECK(nothing[i].found + nothing[i].any == 0);
     }
-}
-
-TEST_CASE("how long a hierarchy takes, and its rays") {
-    Gpu& gpu = check_device();
-    for (const char* model : {"models/bunny.obj", "models/car.obj", "models/statue.obj"}) {
-        const auto triangles = triangles_of(model);
-        const auto now_ms = [] { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; };
-        const double start = now_ms();
-        Bvh bvh(triangles);
-        const double built = now_ms();
-        bvh.refit(triangles);
-        const double refitted = now_ms();
-        const auto rays = random_rays(bounds_of(triangles), 50000);
-        trace(gpu, bvh, {rays[0]});  // the shader's compilation is not timed
-        double ms = 0;
-        size_t found = 0;
-        for (const TestHit& hit : trace(gpu, bvh, rays, false, &ms)) found += hit.found;
-        CHECK(found > rays.size() / 4);
-        WARN(model << ": " << triangles.size() << " triangles, depth " << bvh.depth() << ", " << bvh.nodes().size()
-                   << " nodes, built in " << built - start << " ms, refitted in " << refitted - built << " ms, "
-                   << 2e-3 * double(rays.size()) / ms << " million rays/s");
-        CHECK(built - start < 2000);
-        CHECK(bvh.depth() <= 2 * std::log2(double(triangles.size())));
-    }
-}
-
-// For `taskset -c 0-7`: the threads are as many as the processors that the process may use.
-TEST_CASE("how long a hierarchy of a million triangles takes", "[.million]") {
-    const auto one = triangles_of("models/bunny.obj");
-    std::vector<RayTriangle> all;
-    for (glm::vec3 away(0.0f); all.size() < 1000000; away.x += 1.0f)
-        for (const RayTriangle& t : one) all.push_back({t.a + away, t.b + away, t.c + away, t.cutout});
-    const auto rays = random_rays(bounds_of(all), 50000);
-    std::vector<double> ms;
-    size_t found = 0;
-    for (int i = 0; i < 5; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        const Bvh bvh(all);
-        ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-        CHECK(bvh.triangles().size() == all.size());
-        if (i > 0) continue;
-        for (const TestHit& hit : trace(check_device(), bvh, rays)) found += hit.found;
-    }
-    WARN(all.size() << " triangles on " << std::thread::hardware_concurrency() << " threads: " << median(ms) << " ms; "
-                    << found << " of " << rays.size() << " rays hit");
 }

@@ -67,16 +67,6 @@ class PicturesTest(ChapterPictures):
 
     # --- methods
 
-    def test_every_method_shows_what_forward_shows(self):
-        """Within the precision of its bits: fat one step, packed colours of 8 bits two."""
-        ggx = ("--set", "surface.model=ggx")
-        for name, scene, model in (("lamps", self.lamps(), ()), ("courtyard", "hundred_lamps", ()), ("microfacets", self.lamps(), ggx)):
-            truth = self.draw(scene, "--method", "forward", "--lights.method", "every_light", *model, name="truth")
-            for method, most in (("fat", 0.004), ("depth", 0.006), ("packed", 0.012), ("tiled", 0.012)):
-                with self.subTest(scene=name, method=method):
-                    picture = self.draw(scene, "--method", method, "--volumes", "off", *model)
-                    self.assertLess(self.flip(truth, picture), most)
-
     def test_lamps_with_a_size_light_as_in_chapter_04(self):
         """Also below their middles, where a lamp that casts no shadow is still partly above the surface."""
         for method in ("representative", "ltc", "sampled"):
@@ -97,15 +87,6 @@ class PicturesTest(ChapterPictures):
                 with self.subTest(model=model, method=method):
                     picture = self.draw(file, "--camera-of-file", "1", "--method", method)
                     self.assertLessEqual(self.steps(truth, picture), (1, 0))  # the ground is in the G-buffer
-
-    def test_forward_shading_in_compute_draws_the_same_picture(self):
-        """Over a visibility buffer, with the chapter's other surface effects; at edges the mip levels differ."""
-        for scene, options in (("hundred_lamps", ("--lights.method", "tiled")), ("control_room", ("--overdraw", "3")),
-                               ("field", ("--prepass", "on"))):
-            with self.subTest(scene=scene):
-                far, mean = self.shaded_otherwise("objects.shaded", scene, "--method", "forward", *options)
-                self.assertLess(far, 0.01)
-                self.assertLess(mean, 0.08)
 
     def test_one_pixel(self):
         """A size that an image has before it is made."""
@@ -139,56 +120,6 @@ class PicturesTest(ChapterPictures):
                 self.assertLessEqual(pixels, 20)
                 most, pixels = self.steps(all_pixels, self.draw(scene, "--method", "tiled"))
                 self.assertLessEqual(most, 1)
-
-    def test_many_lights_tile_by_tile_are_as_all_of_them(self):
-        """More than one group of 1,024, and an edge of the picture that cuts tiles."""
-        options = ["--scene", SCENES / "night.json", "--lights", "1300", "--size", "157x83", "--shadow.method", "none"]
-        pictures = [self.folder / f"{name}.png" for name in ("all", "tiles")]
-        self.run_program(*options, "--volumes", "off", "--screenshot", pictures[0])
-        self.run_program(*options, "--method", "tiled", "--screenshot", pictures[1])
-        self.assertEqual(self.steps(*pictures)[0], 0)
-
-    def test_half_of_the_picture_has_no_surface(self):
-        """Every method leaves the background alone, and nothing reads unwritten texels."""
-        scene = self.lamps(position=[0, 0.3, 4], target=[0, 0.5, 0])
-        for method in ("forward", "fat", "depth", "packed", "tiled"):
-            with self.subTest(method=method):
-                image = Image.open(self.draw(scene, "--method", method)).convert("RGB")
-                self.assertEqual({image.getpixel((x, 2)) for x in range(0, 160, 7)}, {(25, 39, 63)})
-        empty = {"camera": scene["camera"], "objects": [FLOOR | {"position": [0, 0, 400]}], "lights": scene["lights"]}
-        for method in ("packed", "tiled"):
-            self.draw(empty, "--method", method)
-
-    # --- culling
-
-    def test_a_geometry_shader_culls_what_the_device_culls(self):
-        """The same pixels: a floor that begins behind the eye, mirrored instances, triangles without area."""
-        scene = self.lamps(position=[0, 0.4, 1.2])
-        scene["objects"] += [
-            {"model": "models/suzanne.obj", "position": [-1.2, 0.6, -0.4], "scale": [-1, 1, 1]},
-            {"model": "models/suzanne.obj", "position": [1.2, 0.6, -0.4], "scale": [1, 1, 1]},
-            {"model": "models/teapot.obj", "position": [0, 0.5, -1.5], "scale": [1, 1, -1]}]
-        fixed = self.draw(scene, "--cull", "fixed", name="fixed")
-        self.assertLessEqual(self.steps(fixed, self.draw(scene, "--cull", "geometry"))[0], 1)
-        # Emissive objects are drawn once more without that shader, and must match the depth buffer.
-        yard = self.draw("hundred_lamps", "--cull", "fixed", name="yard")
-        self.assertLessEqual(self.steps(yard, self.draw("hundred_lamps", "--cull", "geometry"))[1], 3)
-        # An open mesh shows its inside where nothing is culled: culling does something.
-        inside = scene | {"objects": [{"model": "models/column.obj", "position": [0, 0.4, 1.2], "scale": 3}]}
-        fixed = self.draw(inside, "--cull", "fixed", name="fixed")
-        self.assertLessEqual(self.steps(fixed, self.draw(inside, "--cull", "geometry"))[0], 1)
-        self.assertGreater(self.steps(fixed, self.draw(inside, "--cull", "none"))[1], 1000)
-
-    def test_objects_that_are_not_drawn_change_no_picture(self):
-        """Alone, with a depth pass, with tiles, with emission that is added afterwards."""
-        town = ("--set", "town.objects=900")
-        for scene, options in (("town", (*town, "--method", "forward")), ("town", town), ("town", (*town, "--method", "tiled")),
-                               ("hundred_lamps", ()), ("alley", ("--prepass", "on"))):
-            truth = self.draw(scene, *options, "--set", "culling.method=none", size="97x55", name="truth")
-            for culling, frames in (("frustum_gpu", 1), ("occlusion", 3)):
-                with self.subTest(scene=scene, options=options, culling=culling):
-                    picture = self.draw(scene, *options, "--set", f"culling.method={culling}", "--frames", frames, size="97x55")
-                    self.assertEqual(self.steps(truth, picture)[0], 0)
 
     # --- materials
 
@@ -247,13 +178,6 @@ class PicturesTest(ChapterPictures):
         self.assertEqual(done.returncode, 2)
         self.assertIn("add an object 'camera a'", done.stderr)
         self.assertFalse((self.folder / "no.png").exists())
-
-    def test_what_is_decoded_is_what_was_written(self):
-        """Twelve bytes show the same as forty, within two steps."""
-        for show, most in (("diffuse", 2), ("normal", 2), ("occlusion", 2)):
-            with self.subTest(show=show):
-                fat = self.draw("hundred_lamps", "--show", show, "--method", "fat", name="fat")
-                self.assertLessEqual(self.steps(fat, self.draw("hundred_lamps", "--show", show, "--normal_bits", "16"))[0], most)
 
 
 if __name__ == "__main__":

@@ -138,14 +138,3 @@ TEST_CASE_METHOD(OnEnvironment,
     }
     std::filesystem::remove(file);
 }
-
-TEST_CASE_METHOD(OnEnvironment, "cubes are made once for a picture, and anew for another") {
-    load("environments/studio.hdr");
-    const auto first = found({{0, 1, 0}});
-    owner.begin_frame(gpu, {4, 4});
-    const size_t outputs = frame.outputs.size();
-    environment.record(frame, scene);
-    CHECK(frame.outputs.size() == outputs);
-    load("");
-    CHECK(found({{0, 1, 0}})[1].b == Approx(2 * pi).epsilon(2e-3));
-}

@@ -43,33 +43,6 @@ TEST_CASE_METHOD(OnHead, "in a furnace skin neither gains nor loses light, by an
         }
 }
 
-TEST_CASE_METHOD(OnHead, "what the sky lights is traced once, and again when the head moves") {
-    load(furnace(0.5f));
-    draw({16, 16});
-    CHECK(did("occlusion"));
-    draw({16, 16});
-    CHECK_FALSE(did("occlusion"));
-    CHECK_FALSE(did("unwrap"));
-    scene.placed = next_placement();
-    draw({16, 16});
-    CHECK(did("occlusion"));
-}
-
-TEST_CASE_METHOD(OnHead, "the head's triangles are measured once, and again when it becomes larger", "[12.measured]") {
-    load(portrait());
-    const uint64_t before = skin.measured;
-    draw({16, 16});
-    scene.file.camera.position.x += 0.01f;
-    draw({16, 16});
-    CHECK(skin.measured == before + 1);
-    const DrawItem& head = *skin.skin_of(scene);
-    const uint32_t size = skin.size_for(head, scene.file.camera, 540);
-    DrawItem larger = head;
-    larger.transform *= glm::scale(glm::mat4(1), glm::vec3(4));
-    CHECK(skin.size_for(larger, scene.file.camera, 540) == std::min(4 * size, 2048u));
-    CHECK(skin.measured == before + 2);
-}
-
 TEST_CASE_METHOD(OnHead, "the map follows the head's size on the screen, and a head of 30 pixels needs no blur",
                  "[12.map_size]") {
     load(portrait());

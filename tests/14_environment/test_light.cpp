@@ -155,16 +155,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE_METHOD(OnLight, "a table or a cube is made once, and again after a knob has changed") {
-    load("environments/courtyard_1k.hdr");
-    const size_t outputs = frame.outputs.size();
-    light.record(frame, scene);
-    CHECK(frame.outputs.size() == outputs);
-    light.prefilter.samples.value = 32;
-    light.record(frame, scene);
-    CHECK(frame.outputs.size() > outputs);
-}
-
 TEST_CASE_METHOD(
     OnLight, "the sum over all texels and many samples agree, turned or not, with every roughness in one dispatch") {
     load("environments/courtyard_1k.hdr");

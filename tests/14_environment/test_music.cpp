@@ -125,27 +125,6 @@ TEST_CASE("a file that is no whole piece of music is refused in words", "[14.who
                Contains("long.ogg: lasts 601.0 s; at most 600 s are read"));
 }
 
-TEST_CASE("a scene's music that is none is refused with the scene's file and line") {
-    const Folder folder;
-    folder.write("bad.ogg", "no sound");
-    const std::string scene =
-        folder.write("scene.json", "{\n\"music\": \"" + (folder.path / "bad.ogg").string() + "\"}");
-    Scene loaded;
-    loaded.file = read_scene(scene);
-    struct Owner : Module {
-    } owner;
-    Music music{owner, "music"};
-    std::string said;
-    try {
-        music.load(loaded.file);
-    } catch (const InputError& error) { said = error.what(); }
-    CHECK_THAT(said, Catch::Matchers::Contains("scene.json:2: ") && Catch::Matchers::Contains("'music'") &&
-                         Catch::Matchers::Contains("bad.ogg: is not sound"));
-    CHECK_THROWS_WITH(parse_scene("{\"music\": \"none.ogg\"}", "s.json"),
-                      Catch::Matchers::Contains("s.json:1") && Catch::Matchers::Contains("no file none.ogg"));
-    CHECK_THROWS_WITH(parse_scene("{\"music\": 3}", "s.json"), Catch::Matchers::Contains("must be a text in quotes"));
-}
-
 TEST_CASE("a scene that is written keeps its music") {
     const Folder folder;
     SceneFile scene;

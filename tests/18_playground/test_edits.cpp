@@ -39,35 +39,6 @@ TEST_CASE("after 400 random edits the scene is the one that would be loaded", "[
     }
 }
 
-TEST_CASE("a move places and loads nothing; a copy, a hidden object and other materials go through the pools") {
-    Shown shown;
-    const EntryId a = add_object(shown.document, named("a", ball_file)),
-                  b = add_object(shown.document, named("b", quad_file), a);
-    CHECK(shown.update() == LiveScene::Done::replaced);
-    CHECK(shown.live.loads);
-    place(shown.document, a, {{1, 2, 3}, {}, glm::vec3(1)});
-    CHECK(shown.update() == LiveScene::Done::moved);
-    for (const DrawItem& item : shown.scene.items) CHECK(glm::vec3(item.transform[3]) == glm::vec3(1, 2, 3));
-    duplicate(shown.document, {a});
-    CHECK(shown.update() == LiveScene::Done::replaced);
-    CHECK_FALSE(shown.live.loads);
-    CHECK(shown.scene.items.size() == 4);
-    set_hidden(shown.document, {a}, true);
-    shown.update();
-    CHECK(shown.scene.items.size() == 2);
-    shown.document.undo();
-    shown.update();
-    CHECK(shown.scene.items.size() == 4);
-    CHECK(shown.scene.models().size() == 2);
-    shown.document.begin("break");
-    shown.document.edit(b).object()->model = "models/none.obj";
-    shown.document.commit();
-    const auto before = items_of(shown.scene);
-    CHECK_THROWS_AS(shown.update(), InputError);
-    CHECK(items_of(shown.scene) == before);
-    CHECK(shown.update() == LiveScene::Done::nothing);
-}
-
 TEST_CASE("a drag of 1,000 among 10,000 objects takes less than 4 ms of processor time a frame", "[18.drag_time]") {
     Shown shown;
     shown.document.begin("many");

@@ -127,60 +127,6 @@ TEST_CASE("a scene that is saved from a bare model keeps its ground, and the mod
     CHECK(most_steps(moved, picture_of_scene(again, gpu)) <= 1);
 }
 
-TEST_CASE("what is exported to glTF is read back by Assimp: nodes, places, meshes, materials, lights") {
-    TestFolder folder;
-    Playground chapter;
-    chapter.name = "18_playground";
-    Gpu& gpu = check_device();
-    load_scene(chapter, gpu, "scenes/workbench.json");
-    const auto file = folder.path / "out file.gltf";
-    export_gltf(chapter.editor.document, chapter.scene, file);
-    const Model back = import_model(file);
-    std::set<std::string> names;
-    for (const Node& node : back.nodes) names.insert(node.name);
-    for (const char* name : {"table", "leg 1", "still life", "statue", "camera", "sun", "spot on the statue"})
-        CHECK(names.contains(name));
-    size_t triangles = 0;
-    const std::vector<glm::mat4> worlds = world_transforms(back);
-    Bounds box;
-    for (size_t i = 0; i < back.nodes.size(); ++i)
-        for (const uint32_t mesh : back.nodes[i].meshes) {
-            triangles += back.meshes[mesh].indices.size() / 3;
-            for (const Vertex& v : back.meshes[mesh].vertices) box.add(glm::vec3(worlds[i] * glm::vec4(v.position, 1)));
-        }
-    CHECK(triangles == chapter.scene.triangle_count());
-    Bounds exact;
-    for (const DrawItem& item : chapter.scene.items)
-        for (const Vertex& v : item.model->model.meshes[item.mesh].vertices)
-            exact.add(glm::vec3(item.transform * glm::vec4(v.position, 1)));
-    CHECK(glm::length(box.lower - exact.lower) < 1e-4f);
-    CHECK(glm::length(box.upper - exact.upper) < 1e-4f);
-    CHECK(read_file(file).find("KHR_lights_punctual") != std::string::npos);
-    CHECK_THROWS_AS(export_gltf(chapter.editor.document, chapter.scene, folder.path / "no" / "x.gltf"), InputError);
-}
-
-// By the numbers of the scene, whose emission is 2.
-TEST_CASE("numbers of materials come back from the export") {
-    const TestFolder folder;
-    write_file(folder.path / "scene.json",
-               R"({"emission": 2, "objects": [{"name": "a", "model": "models/cube.obj", "material":
-        {"diffuse": [0.8, 0.2, 0.1], "roughness": 0.05, "metalness": 1, "emissive": [1.5, 0.6, 0], "two_sided": true}},
-        {"name": "b", "model": "models/cube.obj", "material": {"diffuse": [0.2, 0.7, 0.1], "roughness": 0.35,
-        "metalness": 0.25, "opacity": 0.5}}]})");
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
-    const Model back = import_model(folder.path / "out.gltf");
-    REQUIRE(back.materials.size() == 2);
-    const bool in_order = back.materials[0].metalness == 1;
-    const Material &a = back.materials[in_order ? 0 : 1], &b = back.materials[in_order ? 1 : 0];
-    CHECK((a.metalness == 1 && a.roughness == 0.05f && a.sides == Sides::both && !a.blend));
-    CHECK(glm::length(a.emissive - glm::vec3(3, 1.2f, 0)) < 1e-5f);
-    CHECK((b.metalness == 0.25f && b.roughness == 0.35f && b.blend && b.opacity == 0.5f));
-    CHECK((a.diffuse == glm::vec3(0.8f, 0.2f, 0.1f) && b.diffuse == glm::vec3(0.2f, 0.7f, 0.1f)));
-}
-
 // B. Karis, "Specular BRDF reference", 2013: an exponent is 2 / alpha² - 2, alpha the square of roughness.
 TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
     const TestFolder folder;
@@ -191,25 +137,6 @@ TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
     load_scene(chapter, check_device(), folder.path / "scene.json");
     export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
     CHECK(import_model(folder.path / "out.gltf").materials.at(0).roughness == Approx(0.5f));
-}
-
-// Khronos, "glTF 2.0 Specification", 3.8.4.1: v runs from the top. An OBJ's runs from the bottom.
-TEST_CASE("a texture's coordinates are exported from the top") {
-    const TestFolder folder;
-    write_file(folder.path / "one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.125\nf 1/1 2/1 3/1\n");
-    write_file(folder.path / "scene.json",
-               R"({"objects": [{"model": ")" + (folder.path / "one.obj").string() + R"("}]})");
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
-    const nlohmann::json gltf = nlohmann::json::parse(read_file(folder.path / "out.gltf"));
-    const size_t accessor = gltf["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"];
-    const size_t view = gltf["accessors"].at(accessor)["bufferView"];
-    const std::string bytes = read_file(folder.path / std::string(gltf["buffers"][0]["uri"]));
-    glm::vec2 uv(0.0f);
-    std::memcpy(&uv, bytes.data() + gltf["bufferViews"].at(view).value("byteOffset", size_t(0)), sizeof uv);
-    CHECK(uv == glm::vec2(0.25f, 0.875f));
 }
 
 TEST_CASE("what textures cut out is cut out of the export, with the opacity map in the alpha of its colours") {

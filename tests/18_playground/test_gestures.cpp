@@ -205,38 +205,6 @@ TEST_CASE("lights are picked where they are seen, the nearest one; what is hidde
     CHECK(driven.document().at(plane).object()->model == "models/plane.obj");
 }
 
-TEST_CASE("methods and exercises that are switched while it runs draw what they draw from a cold start") {
-    struct State {
-        const char* method;
-        const char* bloom;
-        bool reference;
-    };
-    const auto set = [](EditorWindow& window, const State& state) {
-        window.objects.gbuffer.method.set(state.method);
-        window.bloom.method.set(state.bloom);
-    };
-    const State states[] = {{"forward", "none", true}, {"fat", "none", true},    {"fat", "paired", true},
-                            {"fat", "none", false},    {"packed", "none", true}, {"forward", "none", false},
-                            {"fat", "none", true},     {"forward", "none", true}};
-    Driven running;
-    std::vector<std::vector<std::byte>> pictures;
-    for (const State& state : states) {
-        const ToggleScope toggled(Exercises::ids(), state.reference);
-        set(running.window, state);
-        running.draw();  // the first frame may still show a history
-        pictures.push_back(running.picture());
-        Driven cold;
-        set(cold.window, state);
-        cold.draw();
-        INFO(state.method << " " << state.bloom << " " << state.reference);
-        CHECK(pictures.back() == cold.picture());
-    }
-    CHECK(pictures[7] == pictures[0]);
-    CHECK(pictures[6] == pictures[1]);
-    CHECK(pictures[2] != pictures[1]);
-    CHECK(pictures[3] != pictures[1]);
-}
-
 TEST_CASE("what auto tries while it measures is no step; what it chooses is one") {
     Driven editor;
     Choice& bloom = editor.window.bloom.method;

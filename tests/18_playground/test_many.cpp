@@ -1,35 +1,7 @@
-// Thousands of lights and of steps.
-#include "18_playground/marks.h"
+// Thousands of entries and of steps.
 #include "driven_editor.h"
 
 using namespace lightwalk;
-
-TEST_CASE("10,000 lights are duplicated, deleted and back within a tenth of a second each; they hide nothing") {
-    Driven editor;
-    Document& document = editor.document();
-    Selection selection;
-    selection.set(scatter(document, {{-5, 0, -5}, {5, 2, 5}}, 10000, 1));
-    std::vector<MarkLine> lines;
-    add_lights(lines, document, selection, editor.window.view_now);
-    CHECK(lines.size() > 10000);  // their symbols
-    CHECK(lines.size() < 10000 * 6 + 1000);
-    Selection few;
-    few.set({selection.ids.begin(), selection.ids.begin() + 100});
-    std::vector<MarkLine> shapes;
-    add_lights(shapes, document, few, editor.window.view_now);
-    CHECK(shapes.size() > lines.size() + 50 * 100);  // and, for a few, their range
-    const auto takes_ms = [](const auto& command) {
-        const double start = processor_ms();
-        command();
-        const double ms = processor_ms() - start;
-        fmt::print("10,000 lights: {:.1f} ms\n", ms);
-        return ms;
-    };
-    CHECK(takes_ms([&] { duplicate(document, selection.ids); }) < 100.0 * slower);
-    CHECK(takes_ms([&] { remove(document, selection.ids); }) < 100.0 * slower);
-    CHECK(takes_ms([&] { document.undo(); }) < 100.0 * slower);
-    CHECK(document.size() == 20003);
-}
 
 // By counting first: a list of n that is gone through for each of n entries passes n² children, on any machine.
 namespace {

@@ -1,4 +1,4 @@
-// Temporal anti-aliasing in the editor: no trace of a scene that is gone, and pictures that depend on their time alone.
+// Temporal anti-aliasing in the editor: no trace of a scene that is gone.
 #include <chrono>
 #include <filesystem>
 
@@ -21,12 +21,6 @@ struct WithTaa : Driven {
     /// One frame that goes on from those before it.
     std::vector<glm::vec3> on() {
         live.draw(frame, {.size = {80, 60}, .crop = {}, .gathered = 0});
-        REQUIRE(live.frame_error.empty());
-        return read_linear(gpu, frame.linear()).pixels;
-    }
-    /// Written: from a cold start.
-    std::vector<glm::vec3> written() {
-        live.draw(frame, {.size = {80, 60}, .crop = {}});
         REQUIRE(live.frame_error.empty());
         return read_linear(gpu, frame.linear()).pixels;
     }
@@ -57,17 +51,4 @@ TEST_CASE("a scene that is opened or restored shows nothing of the one before it
         CHECK(after != last);
         CHECK(after == editor.on());
     }
-}
-
-TEST_CASE("a written picture depends on nothing that was shown before", "[18.taa]") {
-    WithTaa editor;
-    editor.window.antialias.taa.warm_up.value = 5;
-    const auto first = editor.written();
-    for (int i = 0; i < 3; ++i) editor.on();
-    CHECK(editor.written() == first);
-    editor.window.antialias.method.set("mlaa");
-    editor.written();
-    editor.window.antialias.method.set("taa");
-    CHECK(editor.written() == first);
-    CHECK(editor.on() != first);
 }

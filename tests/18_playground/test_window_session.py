@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """A scene built from nothing by clicks and keys, saved, and opened by five other chapters. Under Xvfb, validated."""
 import functools
-import json
 import re
 import subprocess
 import unittest

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The editor at its first start: a tour that follows what the person does, can be left, and does not come back; the frame of
-an output of another shape. Under Xvfb, validated."""
+"""The editor at its first start: a tour that follows what the person does, can be left, and does not come back.
+Under Xvfb, validated."""
 import json
 import unittest
 
@@ -54,26 +54,6 @@ class Tour(EditorTest):
         session.wait_for_line("tour 1", since)
         session.tap("tool.leave the tour")
         session.wait_for_line("tour left", since)
-
-    def lines(self) -> tuple[int, int]:
-        """Rows of the picture that are dark at both ends, outside of the frame of the output; all rows."""
-        width, height = self.size
-        picture = self.session.settled(self.left_px, 0, width, height)
-        ends = [[picture[3 * (y * width + x)] for x in (2, width - 3)] for y in range(height)]
-        return sum(max(row) < 110 for row in ends), height
-
-    def test_3_the_frame_of_the_output_has_its_shape(self):
-        session = self.session
-        session.tap("entry.camera")
-        for shape in ("4:3", "16:9"):
-            session.tap("choice.output")
-            session.tap("option." + shape)
-            outside, height = self.lines()
-            across, up = map(int, shape.split(":"))
-            self.assertLess(abs(height - outside - self.size[0] * up / across), 4, shape)
-        session.tap("choice.output")
-        session.tap("option.the window")
-        self.assertEqual(self.lines()[0], 0)
 
     def test_4_later_starts_have_none(self):
         session = self.session

@@ -66,13 +66,7 @@ GAVE_TRUE = "gave true"  # the attack failed, and the rest is wrong
 # name: (answer, words of the verdict)
 ATTACKS = {
     "prints a pass line and exits": (box(PRINT + " _exit(0);"), "ended the program"),
-    "prints a pass line before main": (at_start(PRINT + " _exit(0);"), "ended"),
-    "prints brackets": (box('static int i = 0; for (; i < 100000; ++i) std::putchar(\'[\'); std::puts("");'), GAVE_TRUE),
-    "prints half a character": (box(r'std::puts("{\"exercise\": \"\\ud800\"}\xff\xfe");'), GAVE_TRUE),
     "prints without an end": (box("for (;;) std::puts(\"more and more and more\");"), "did not return within 2 s"),
-    "writes its own answers": (
-        box('for (int fd = 3; fd < 64; ++fd) { char all[4096]; std::memset(all, 1, sizeof all); '
-            'fcntl(fd, F_SETFL, O_NONBLOCK); (void)!write(fd, all, sizeof all); }'), "answer"),
     "writes an answer without an end": (
         box('unsigned long long many = ~0ull; for (int fd = 3; fd < 64; ++fd) (void)!write(fd, &many, 8);'),
         "without an end"),
@@ -98,21 +92,16 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         box("return truth::misses_box_by(light, double(radius_m), box) < 0;",
             "namespace lightwalk::truth { double misses_box_by(const Light&, double, const Bounds&); }\n"),
         "there is no lightwalk::truth::misses_box_by"),
-    "includes the truth": (box("", '#include "03_attenuation/truth.h"\n'), "truth.h: No such file"),
     "includes the reference": (box("", '#include "../solution/light_reaches_box.cpp"\n'), "No such file"),
     "takes the reference's bytes": (
         box("", 'asm(".incbin \\"ROOT/chapters/03_attenuation/solution/light_reaches_box.cpp\\"");\n'),
         "it does not compile"),
-    "includes a device": (box("", '#include "/dev/zero"\n'), "it does not compile"),
-    "includes itself": (box("", "#include __FILE__\n"), "nested too deeply|does not compile"),
-    "includes the users": (box("", '#include "/etc/passwd"\n'), "No such file"),
     "compiles without an end": (
         box("", "template <int n> struct Many { using A = typename Many<n + 1>::A; using B = typename Many<n + 2>::B; };\n"
                 "static_assert(sizeof(Many<0>::A));\n"), "it does not compile"),
     "compiles to gigabytes": (box("", "char all[3000000000] = {1};\n"), "it does not"),
     "has a main": (box("", 'int main() { ' + PRINT + ' }\n'), "it does not link|ended"),
     "is no text": ({"03.light_reaches_box": bytes(range(256)) * 20}, "it does not compile"),
-    "is UTF-16": ({"03.light_reaches_box": box("")["03.light_reaches_box"].encode("utf-16")}, "it does not compile"),
     "rewrites the checks": (
         box('for (const char* name : {"ROOT/tests/03_attenuation/checks_exercises.cpp", "ROOT/build/grade/judge_03_attenuation",'
             ' "BUILD/grade/judge_03_attenuation", "BUILD/liblightwalk.so", "BUILD/liblightwalk_check.so", "BUILD/liblightwalk_app.so", "/grade/judge", "/grade/worker"}) '
@@ -155,7 +144,6 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
             'in.sin_addr.s_addr = htonl(INADDR_LOOPBACK); s = socket(AF_INET, SOCK_STREAM, 0); '
             'if (!connect(s, reinterpret_cast<sockaddr*>(&in), sizeof in)) BROKE_OUT("tcp");'), GAVE_TRUE),
     "kills its parent": (box("kill(getppid(), SIGKILL); kill(1, SIGKILL); kill(-1, SIGKILL);"), "ended|" + GAVE_TRUE),
-    "stops its parent": (box("kill(getppid(), SIGSTOP); kill(1, SIGSTOP);"), GAVE_TRUE),
     "stops itself": (box("raise(SIGSTOP); kill(getpid(), SIGSTOP); pause();"), "did not return within 2 s"),
     "follows its parent": (
         box('if (!ptrace(PTRACE_ATTACH, 1, 0, 0) || !ptrace(PTRACE_ATTACH, getppid(), 0, 0)) BROKE_OUT("ptrace");'
@@ -169,13 +157,6 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
             'for (const char* word : {"NONCE", "SEED", "LIGHTWALK_WORKER"}) '
             'if (text.str().find(word) != std::string::npos || getenv(word)) BROKE_OUT(word);'), GAVE_TRUE),
     "never returns": (box("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
-    "never starts": (at_start("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
-    "never returns, deaf": (
-        box("sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, nullptr); signal(SIGALRM, SIG_IGN); "
-            "for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
-    "never returns, for nobody": (
-        box("prctl(PR_SET_PDEATHSIG, 0); for (;;) pause();", "#include <sys/prctl.h>\n"), "did not return within 2 s"),
-    "never ends": (box("std::atexit([] { for (;;) pause(); }); std::exit(0);"), "did not return within 2 s"),
     "takes all memory": (
         box('for (size_t got = 0;; got += 1 << 24) std::memset(std::malloc(1 << 24), 1, 1 << 24);'),
                          "crashed|ended|did not return"),
@@ -200,30 +181,15 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "puts itself before the harness": (
         box("", "namespace lightwalk { void guard_call(std::string) {}\n"
                 "void guard_calls(std::function<void(const std::string&)>) { _exit(0); } }\n"), "ended"),
-    "answers another exercise": (
-        {"01.parse_face": '#include "01_obj/exercises.h"\nnamespace lightwalk::exercise {\n'
-         "std::vector<glm::uvec3> triangulate(std::span<const glm::vec3>) { return {}; }\n}\n"}, "crashed"),
     "GLSL: includes the reference": (lambert('#include "02_lambert_phong/solution/lambert.glsl"\n'), "no file of that name"),
-    "GLSL: includes another reference": (
-        lambert('#include "02_lambert_phong/solution/phong.glsl"\n' + GLSL % "0.5"), "no file of that name"),
     "GLSL: includes another exercise": (
         lambert('#include "02_lambert_phong/phong.glsl"\n' + GLSL % "0.5"), "an exercise that the starter does not build on"),
     "GLSL: goes round to the reference": (
         lambert('#include "common/../02_lambert_phong/solution/lambert.glsl"\n'), "a path below shaders/"),
-    "GLSL: includes a device": (lambert('#include "/dev/zero"\n'), "a path below shaders/"),
-    "GLSL: includes the users": (lambert('#include "../../../../../../etc/passwd"\n'), "a path below shaders/"),
     "GLSL: includes itself": (lambert('#include "02_lambert_phong/lambert.glsl"\n' + GLSL % "0.5"), "gave 0.5"),
     "GLSL: defines the check": (lambert("#define value what\n" + GLSL % "0.5"), "a name that others use"),
-    "GLSL: defines it in two lines": (lambert("#/* */define \\\n main mine\n" + GLSL % "0.5"), "a name that others"),
-    "GLSL: defines main": (lambert("#define main other\n" + GLSL % "0.5"), "a name that others use"),
-    "GLSL: defines main behind a comment": (
-        lambert("// /*\n#define main other\n// */\n" + GLSL % "0.5"), "a name that others use"),
     "GLSL: defines main behind a comment that goes on": (
         lambert("// \\\n/*\n#define main other\n" + GLSL % "0.5" + "// */\n"), "a name that others use"),
-    "GLSL: defines main behind a lone CR": (
-        lambert("// a\r#define main other\n" + GLSL % "0.5"), "a name that others use"),
-    "GLSL: defines main within a comment's end": (
-        lambert("/* \n */ # /* */ define /* */ main other\n" + GLSL % "0.5"), "a name that others use"),
     "GLSL: makes a name of two": (
         lambert("#define JOIN(a, b) a##b\n" + GLSL % "float(JOIN(probe_in, puts).length())"), "no # within a line"),
     "GLSL: names the check's inputs": (lambert(GLSL % "float(probe_inputs.length())"), "the checks' own"),
@@ -236,11 +202,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         "no exercise needs #extension"),
     "GLSL: shows a file of the host": (
         lambert('#line 1 "/etc/passwd"\n' + GLSL % "syntax error"), "no exercise needs #line"),
-    "GLSL: shows a file of the host, by a comment": (
-        lambert('/* */ #/* */line 1 "../../../../../etc/passwd"\n' + GLSL % "syntax error"), "no exercise needs #line"),
-    "GLSL: is a pragma": (lambert("#pragma use_storage_buffer\n" + GLSL % "0.5"), "no exercise needs #pragma"),
     "GLSL: a comment without an end": (lambert(GLSL % "0.5" + "/* "), "a comment does not end"),
-    "GLSL: has a main": (lambert("void main() {}\n" + GLSL % "0.5"), "function already has a body|redefinition|error"),
     "GLSL: never returns": (
         lambert("float lambert(vec3 normal, vec3 to_light) { float x = 0.0; for (;;) { x += normal.x; "
                 "if (x == 1e30) break; } return x; }\n"), "return|end"),
@@ -253,7 +215,5 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         lambert("float lambert(vec3 n, vec3 l);\nfloat other(vec3 n) { return lambert(n, n); }\n"
                 "float lambert(vec3 n, vec3 l) { return other(n); }\n"), "Recursion|recursi"),
     "GLSL: a name with a newline": (lambert('#error "\\u000a honest 99/99"\n' + GLSL % "0.5"), "error"),
-    "GLSL: is no text": (lambert(bytes(range(256)) * 20), "unexpected token"),
     "GLSL: is empty": (lambert(""), "lambert"),
-    "GLSL: without the last line's end": (lambert("float lambert(vec3 normal, vec3 to_light) { return 0.0"), "error"),
 }

@@ -1,8 +1,9 @@
 """The real course's pages for tests of live lessons in a browser, served from a copy with exercises that may be edited."""
 
+import fcntl
+import functools
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,6 +15,7 @@ from small_course import REAL
 
 sys.path.insert(0, str(REAL / "common/course"))
 from live.serve import is_old  # noqa: E402
+from pages import docs  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
 
@@ -35,11 +37,13 @@ def copy_of_course(root: Path):
         (root / "build" / name).symlink_to(BUILD / name)
 
 
-def has_pages() -> bool:
-    """test_pages leaves them there; those of an older lesson are rewritten."""
-    if is_old(BUILD / "docs"):
-        subprocess.run(["/usr/bin/python3", REAL / "common/course/cli.py", "docs"], check=True, stdout=subprocess.DEVNULL)
-    return True
+@functools.cache
+def has_pages():
+    """The pages in the build folder: the first test that asks writes them, and others wait for it."""
+    with (BUILD / "docs.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if is_old(BUILD / "docs"):
+            docs.make(BUILD / "docs")
 
 
 @unittest.skipUnless(CHROMIUM, "Chromium is not installed")

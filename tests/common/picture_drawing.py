@@ -13,7 +13,7 @@ from PIL import Image, ImageChops
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
-from shots.rendering import Drawing  # noqa: E402
+from shots.rendering import Drawing, surroundings  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
@@ -59,6 +59,34 @@ class Drawer:
         # Progress messages of slow work appear on a busy machine.
         said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
+
+
+class Live:
+    """One program of a chapter that goes on: what it draws may depend on what it has drawn before."""
+
+    def __init__(self, chapter: str, folder: Path):
+        self.chapter, self.folder, self.count = chapter, Path(folder), 0
+        self.program = subprocess.Popen([BUILD / "chapters" / chapter, "--stream", "--validate", "on"], cwd=ROOT,
+                                        env=surroundings({}), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.program.stdin.close()
+        self.program.wait()
+        self.program.stdout.close()
+
+    def draw(self, words: list, size: tuple, **request) -> tuple[Path, str]:
+        """The picture of a request, which changes what `words` have loaded, and the error: empty if there is none."""
+        words = ["--frames", "1", *words]  # without any word it would be the chapter's best shot
+        self.program.stdin.write(json.dumps({"words": words, "size": size, "still": True} | request).encode() + b"\n")
+        self.program.stdin.flush()
+        answer = json.loads(self.program.stdout.readline())
+        self.count += 1
+        picture = self.folder / f"{self.chapter}_live_{self.count}.png"
+        picture.write_bytes(self.program.stdout.read(answer["bytes"]))
+        return picture, "\n".join([answer["error"], *answer.get("errors", [])]).strip()
 
 
 def steps(one: Path, other: Path) -> int:

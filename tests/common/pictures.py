@@ -8,8 +8,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from PIL import Image, ImageChops
-
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
@@ -45,18 +43,6 @@ class ChapterPictures(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
-
-    def shaded_otherwise(self, knob, scene, *options):
-        """A scene shaded as it is drawn and in compute, over a visibility buffer: the share of pixels that are more than
-        one code apart in some channel, and the mean difference in codes."""
-        both = []
-        for way in ("raster", "visibility"):
-            picture = self.folder / f"{way}.png"
-            self.run_program("--scene", ROOT / "assets" / "scenes" / f"{scene}.json", *options, "--set", f"{knob}={way}",
-                             "--size", "192x108", "--screenshot", picture)
-            both.append(Image.open(picture).convert("RGB"))
-        pixels = list(ImageChops.difference(*both).getdata())
-        return sum(max(p) > 1 for p in pixels) / len(pixels), sum(map(sum, pixels)) / (3 * len(pixels))
 
     def run_program(self, *options, silent=True, **environment):
         """Runs the chapter; exit code 0 is expected and, where `silent`, nothing on stderr. One process draws all pictures

@@ -39,7 +39,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 @functools.cache
 def site() -> Path:
-    """The site of the pages that test_pages leaves, once for all tests; one chapter's pictures have their states."""
+    """The site of the course's pages, once for all tests; one chapter's pictures have their states."""
     site.folder = tempfile.TemporaryDirectory()
     made = Path(site.folder.name, "site")
     has_pages()

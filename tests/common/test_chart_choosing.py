@@ -8,7 +8,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 
-from charts import chart  # noqa: E402
 from charts import chart_limits  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
 from charts.study_charts import charts_of  # noqa: E402

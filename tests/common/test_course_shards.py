@@ -4,9 +4,7 @@
 import json
 import re
 import sys
-import unittest
 
-import slurm_cluster
 from small_course import Course
 
 # Measures the study's request: an error by scene, a time, on the device that the file "device" names.
@@ -81,15 +79,6 @@ class Shards(Course):
         for words, said in ((["--shard", "3/2"], "'3/2' is not a shard"), (["--merge"], "expected at least one argument"),
                             (["--out", "x"], "unrecognised argument '--out'"), (["--shrad"], "unrecognised argument '--shrad'")):
             self.assertRegex(self.course("run", "--gallery", *words, code=2), rf"\Acourse: [^\n]*{said}[^\n]*\n\Z")
-
-    @unittest.skipIf(slurm_cluster.why_not(), slurm_cluster.why_not())
-    def test_gallery_by_slurm(self):
-        self.course("run", "--gallery")
-        whole = self.gallery()
-        with slurm_cluster.Cluster():
-            self.course("run", "--gallery", "--slurm", "--shards", "3")
-        self.assertEqual(self.gallery(), whole)
-        self.assertEqual(len(list((self.root / "build/slurm/gallery").glob("gallery.*.zip"))), 3)
 
 
 class Study(Course):

@@ -36,25 +36,6 @@ TEST_CASE("BMP, TGA and PSD are read, and refused where they are cut off") {
     }
 }
 
-TEST_CASE("WebP is read, and refused where it is cut off") {
-    const FileFolder scratch;
-    const Image8 image = pattern(31, 20);
-    uint8_t* encoded = nullptr;
-    const size_t size =
-        WebPEncodeLosslessRGBA(&image.pixels[0].r, image.width, image.height, 4 * image.width, &encoded);
-    const std::string bytes(encoded, encoded + size);
-    WebPFree(encoded);
-    write_file(scratch / "a.webp", bytes);
-    const Image8 back = read_image8(scratch / "a.webp");
-    REQUIRE((back.width == image.width && back.height == image.height));
-    for (size_t i = 0; i < image.pixels.size(); ++i) {
-        CHECK(back.pixels[i].a == image.pixels[i].a);
-        if (image.pixels[i].a > 0) CHECK(back.pixels[i] == image.pixels[i]);
-    }
-    write_file(scratch / "a.webp", std::string_view(bytes).substr(0, bytes.size() / 2));
-    CHECK(message_of(scratch / "a.webp").find("cut off") != std::string::npos);
-}
-
 // Truevision TGA 2.0, image descriptor: bit 4 is the order of columns, bit 5 that of rows.
 TEST_CASE("A TGA's rows run from the right where its descriptor says so") {
     const FileFolder scratch;

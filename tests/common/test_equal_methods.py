@@ -6,7 +6,6 @@ import unittest
 from dataclasses import dataclass
 from pathlib import Path
 
-from part_in_ci import in_part, part
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Drawer, cheap, knobs_of, pixels_beyond, sets, steps
 
 
@@ -43,6 +42,8 @@ EQUAL = [
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("show=wrong",), scenes=("default",)),
     # docs/14: rays for the environment.
     Equal("objects.shaded", ("raster", "visibility"), codes=4, share=0.002, sets=("objects.occlusion=rays",), scenes=("default",)),
+    Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("terrain",)),
+    Equal("skin.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("default",)),
     # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
     Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.0005, sets=(MESH,)),
     Equal("gbuffer.method", ("fat", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
@@ -77,7 +78,7 @@ EQUAL = [
 ]
 # (options, the picture's size); every chapter's own scene, and one with many lights and transparent surfaces, at a
 # size that no tile divides. Where things move, the time is one at which they have.
-SCENES = {"default": ["--size", "240x135"], "everything": ["--size", "127x71", "--time", "0.5"]}
+SCENES = {"default": ["--size", "240x135"], "terrain": ["--scene", "scenes/terrain_noon.json", "--size", "192x108"], "everything": ["--size", "127x71", "--time", "0.5"]}
 # Of these the other scene is nothing: they draw no objects, or those alone that are skin.
 OWN_SCENE_ALONE = ("01", "02", "10", "11", "12")
 # And of these the own scene is nothing new: all of these methods are borrowed, and a workbench or a film takes seconds to load.
@@ -85,14 +86,11 @@ OTHER_SCENE_ALONE = ("18", "19")
 
 
 def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
-    """The scenes in which a chapter's values are compared. In a CI, values compared in an earlier chapter are compared in
-    one scene, that of many lights where the chapter draws it, and in a sixth of the chapters; the others follow with
-    other commits."""
+    """The scenes in which a chapter's values are compared. Values compared in an earlier chapter are compared in one scene,
+    that of many lights where the chapter draws it."""
     scenes = [scene for scene in equal.scenes
-              if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
-    if not known or not in_part():
-        return scenes
-    return scenes[-1:] if chapter in part(CHAPTERS[EQUAL.index(equal) % 6:], 6) else []
+              if not chapter.startswith(OWN_SCENE_ALONE if scene == "everything" else OTHER_SCENE_ALONE)]
+    return scenes[-1:] if known else scenes
 
 
 def usable(equal: Equal, knobs: dict) -> tuple | None:
@@ -184,24 +182,6 @@ class EqualMethods(unittest.TestCase):
             before = self.picture(drawer, *options[:-1], "0", *sets("dof.method=off"))
             self.assertGreater(pixels_beyond(pinhole, before, 8), LENS_SHARE)  # so that it matters where things stand
             self.assertLess(pixels_beyond(pinhole, self.picture(drawer, *options, *lens), 8), LENS_SHARE)
-
-    def test_what_a_scene_is_loaded_with_follows_an_exercise(self):
-        """A tangent frame is computed while a scene is loaded: toggling its exercise loads the scene again. Two pictures
-        of one process show one scene where nothing that loading depends on has changed."""
-        changed, tried = [], part((chapter for chapter in CHAPTERS if "maps.method" in knobs_of(chapter)), 6)
-        for chapter in tried:
-            own = chapter.startswith(OWN_SCENE_ALONE)
-            options = ["--size", "127x71", *cheap(chapter), *([] if own else ["--scene", self.scene]), *sets(MESH)]
-            student, reference = ["--use", "solution,04.tangent_frame=exercise"], ["--use", "solution"]
-            with self.subTest(chapter=chapter), Drawer(chapter, self.folder) as drawer:
-                right = self.picture(drawer, *options, *reference)
-                after = self.picture(drawer, *options, *student)
-                with Drawer(chapter, self.folder / "cold") as cold:
-                    cold.folder.mkdir(exist_ok=True)
-                    self.assertEqual(steps(self.picture(cold, *options, *student), after), 0)
-                if steps(right, after) > 0:
-                    changed.append(chapter[:2])
-        self.assertEqual(changed, [chapter[:2] for chapter in tried])
 
 
 LENS_SHARE = 0.004  # of the pixels: measured 0.015 for 1.5 s of motion

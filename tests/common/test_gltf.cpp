@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/gtc/constants.hpp>
 
 #include "gltf_fixture.h"
 
@@ -112,8 +111,6 @@ TEST_CASE("glTF: a mesh compressed by Draco") {
     CHECK_THROWS_AS(import_model(file.folder / "packed.gltf"), InputError);
 }
 
-// glTF 2.0, 3.7.3.3: the sum of the joints' matrices by their weights, each the joint's transform times its inverse bind
-// matrix; the node's own transform is left out.
 TEST_CASE("glTF: primitives that differ in their material alone", "[common.gltf_same]") {
     const Model model = Gltf().read(R"("name": "red"}, {"name": "green")", R"("nodes": [{"mesh": 0}, {"mesh": 1}],
         "scenes": [{"nodes": [0, 1]}], "meshes": [
@@ -133,57 +130,6 @@ TEST_CASE("glTF: primitives that differ in their material alone", "[common.gltf_
         CHECK(other.vertices[i].normal == glm::vec3(0, 0, 1));
         CHECK(with_normals.vertices[i].normal == (i > 0 ? position : glm::vec3(0, 0, 1)));  // (0, 0, 0) is none
     }
-}
-
-TEST_CASE("glTF: a vertex between two joints") {
-    Model model;
-    model.nodes = {{"skins", -1, glm::mat4(1), {0}}, {"still", -1, glm::mat4(1), {}}, {"moved", -1, glm::mat4(1), {}}};
-    model.nodes[2].local[3] = {4, 0, 0, 1};
-    ModelSkin& skin = model.skins.emplace_back();
-    skin.joints = {1, 2};
-    skin.inverse_bind.assign(2, glm::mat4(1));
-    skin.inverse_bind[1][3] = {-1, 0, 0, 1};  // bound 1 m to the right: since then it has moved by 3 m
-    Mesh& mesh = model.meshes.emplace_back();
-    mesh.vertices = mesh.deformation.rest = {{{0, 0, 0}, {0, 1, 0}, {}}};
-    mesh.deformation.joints = {{0, 1, 0, 0}};
-    mesh.deformation.joint_weights = {{0.75f, 0.25f, 0, 0}};
-    CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 0, 0));
-    mesh.deformation.targets = {{{{0, 2, 0}}, {}}};  // morphs come first
-    mesh.deformation.weights = {0.5f};
-    CHECK(deformed(model, mesh, world_transforms(model), 0)[0].position == glm::vec3(0.75f, 1, 0));
-}
-
-TEST_CASE("glTF: lights in lux and candela, cameras by node") {
-    const Model model = Gltf().read("", R"("nodes": [{"mesh": 0, "children": [1, 2]}, {"camera": 0},
-        {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
-        "cameras": [{"type": "perspective", "perspective": {"yfov": 1.2, "znear": 0.5}}],
-        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 10, "color": [1, 0.5, 0],
-        "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.2}}]}})");
-    REQUIRE((model.cameras.size() == 1 && model.lights.size() == 1));
-    CHECK(model.cameras[0].camera.fov_y_rad == 1.2f);
-    CHECK(model.nodes[model.cameras[0].node].parent == 0);
-    const Light& light = model.lights[0].light;
-    CHECK(light.kind == Light::Kind::spot);
-    CHECK(std::abs(light.intensity - 10 / glm::pi<float>()) < 1e-5f);  // the radiance of white: E / pi
-    CHECK((light.inner_rad == 0.1f && light.outer_rad == 0.2f));
-}
-
-// glTF 2.0, appendix C: at a quarter of the way, with values 0 and 1 at 0 s and 1 s.
-TEST_CASE("glTF: interpolation") {
-    KeyTrack<glm::vec3> track = {{0, glm::vec3(0)}, {1, glm::vec3(1)}};
-    Model model;
-    model.nodes.emplace_back();
-    model.motions_s = 2;
-    const auto at = [&](Between between) {
-        track.between = between;
-        track.slopes = {glm::vec3(0), glm::vec3(2), glm::vec3(0), glm::vec3(0)};
-        model.motions = {{.position = track, .scale = {{0, glm::vec3(1)}}, .rotation = {{0, glm::quat(1, 0, 0, 0)}}}};
-        return world_transforms(model, 0.25f)[0][3].x;
-    };
-    CHECK(at(Between::linear) == 0.25f);
-    CHECK(at(Between::step) == 0);
-    // (-2t³ + 3t²) · 1 + (t³ - 2t² + t) · 2 at t = 1/4: 0.15625 + 0.28125
-    CHECK(std::abs(at(Between::cubic) - 0.4375f) < 1e-6f);
 }
 
 // glTF 2.0, 3.7.3.1: joints need a common root, which may be outside of the scene.

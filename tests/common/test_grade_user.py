@@ -12,10 +12,8 @@ import unittest
 from pathlib import Path
 
 import graded_class
-import hostile_grade
 from build.build import build
 from grading.judge import targets
-from part_in_ci import in_part
 
 # What only whoever owns the build folder may do was done before: building, and drawing the seed. Verdicts and pictures that
 # are kept go elsewhere.
@@ -29,10 +27,7 @@ judge.Judge.draw_seed = lambda self: draws(self) if os.access(self.folder, os.W_
 judge.KEPT = judge_picture.KEPT = pathlib.Path(os.environ["HOME"]) / "kept"
 unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
 """
-LATER = {graded_class.OF[exercise] for exercise in [*hostile_grade.TABLES, *(one[0] for one in hostile_grade.ATTACKS.values())]}
 MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_archives", "test_grade_forged")
-IN_ALL = ("test_grade_meter", "test_grade_words", "test_grade_book", "test_grade_lists", "test_grade_trouble", "test_grade_driver",
-          "test_grade_shards", "test_grade_later", "test_live", "test_live_files", "test_live_programs")  # by ./course test --all
 
 
 def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
@@ -50,13 +45,13 @@ def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
 @unittest.skipIf(graded_class.why_not(), graded_class.why_not())
 class AsUser(unittest.TestCase):
     def test_each_attack_ends_as_it_does_for_root(self):
-        build([*targets(sorted({*graded_class.CHAPTERS, *(() if in_part() else LATER)})), *graded_class.CHAPTERS, "compare"])
+        build([*targets(sorted(graded_class.CHAPTERS)), *graded_class.CHAPTERS, "compare"])
         with tempfile.TemporaryDirectory() as home:
             Path(home).chmod(0o777)
             said = as_nobody(["-c", "import graded_class; print(graded_class.why_not())"], home)
             if said.returncode or said.stdout.strip():
                 self.skipTest(f"nobody cannot read the course or contain anything here: {(said.stdout or said.stderr).strip()[-200:]}")
-            for module in MODULES if in_part() else MODULES + IN_ALL:
+            for module in MODULES:
                 with self.subTest(module):
                     done = as_nobody(["-c", AS_USER, module], home)
                     self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-6000:])

@@ -65,21 +65,6 @@ TEST_CASE("import: nested nodes, and one mesh under two of them") {
     }
 }
 
-TEST_CASE("import: materials and texture paths") {
-    const Model model = import_model(data("nested.gltf"));
-    const Material& material = model.materials[model.meshes[0].parts[0].material];
-    CHECK(material.name == "red");
-    CHECK(material.diffuse == glm::vec3(1, 0, 0));
-    CHECK(material.metalness == 0.25f);
-    CHECK(material.roughness == 0.75f);
-    CHECK(material.diffuse_map.file == data("wood grain.png"));
-}
-
-TEST_CASE("import: other formats") {
-    CHECK(import_model(data("square.ply")).meshes[0].indices.size() == 6);
-    CHECK(import_model(data("triangle.stl")).meshes[0].indices.size() == 3);
-}
-
 TEST_CASE("import: files on which Assimp 5.2.5 dies cost no more than an error") {
     for (const char* name : {"assimp_aborts.ply", "assimp_crashes.ply"}) {
         CAPTURE(name);
@@ -161,43 +146,4 @@ TEST_CASE("import: nodes that form a lattice") {
         CHECK(std::string(error.what()).starts_with(file.string() + ": node "));
     }
     fs::remove(file);
-}
-
-TEST_CASE("import: bad files are refused in one line") {
-    const auto refuse = [](const fs::path& path) {
-        CAPTURE(path);
-        try {
-            import_model(path);
-            FAIL_CHECK("it found nothing wrong");
-        } catch (const InputError& error) {
-            CHECK(std::string(error.what()).starts_with(path.string()));
-            CHECK(std::string(error.what()).find('\n') == std::string::npos);
-        }
-    };
-    refuse("/no/such/model.gltf");
-    refuse(fs::temp_directory_path());
-    refuse(course_root() / "LICENSE");
-    const std::string gltf = read_file(data("nested.gltf")), ply = read_file(data("square.ply"));
-    const auto refuse_bytes = [&](const char* name, const std::string& bytes) {
-        refuse(TemporaryFile(name, bytes).path);
-    };
-    const auto changed = [](std::string text, std::string_view from, std::string_view to) {
-        const size_t at = text.find(from);
-        REQUIRE(at != std::string::npos);
-        return text.replace(at, from.size(), to);
-    };
-    for (const char* name : {"lightwalk.gltf", "lightwalk.glb", "lightwalk.ply", "lightwalk.stl", "lightwalk.dae",
-                             "lightwalk.fbx", "lightwalk.3ds", "lightwalk.off"}) {
-        refuse_bytes(name, "");
-        refuse_bytes(name, "no model at all\n");
-        refuse_bytes(name, read_file(course_root() / "assets/models/smart_car_albedo.png"));
-    }
-    refuse_bytes("lightwalk.gltf", gltf.substr(0, gltf.size() / 2));
-    refuse_bytes("lightwalk.gltf", changed(gltf, "\"count\": 3", "\"count\": 1000000000"));
-    refuse_bytes("lightwalk.gltf", changed(gltf, "\"bufferView\": 1", "\"bufferView\": 9"));
-    refuse_bytes("lightwalk.ply", changed(ply, "vertex 4", "vertex 1000000000"));
-    refuse_bytes("lightwalk.ply", changed(ply, "face 1", "face 4000000000"));
-    refuse_bytes("lightwalk.ply", changed(ply, "4 0 1 2 3", "4 0 1 2 9"));
-    refuse_bytes("lightwalk.off", "OFF\n1000000000 1 0\n0 0 0\n");
-    refuse_bytes("lightwalk.stl", std::string(80, '\1') + "\xff\xff\xff\x7f");
 }

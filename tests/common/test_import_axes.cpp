@@ -1,39 +1,7 @@
-// FBX, COLLADA and 3MF: units, axes, and materials as their specifications say.
+// COLLADA: units, axes and materials as its specification says. FBX and 3MF are in assets/conformance.
 #include "import_fixture.h"
 
 using namespace lightwalk;
-
-namespace {
-
-std::string fbx(int up, int front, int front_sign, double centimetres) {
-    const auto setting = [](const char* name, const char* types, auto value) {
-        return fmt::format("P: \"{}\", {}, \"\",{}\n", name, types, value);
-    };
-    const char *whole = R"("int", "Integer")", *real = R"("double", "Number")";
-    return "; FBX 7.4.0 project file\nFBXHeaderExtension: {\nFBXHeaderVersion: 1003\nFBXVersion: "
-           "7400\n}\nGlobalSettings: "
-           "{\nVersion: 1000\nProperties70: {\n" +
-           setting("UpAxis", whole, up) + setting("UpAxisSign", whole, 1) + setting("FrontAxis", whole, front) +
-           setting("FrontAxisSign", whole, front_sign) + setting("CoordAxis", whole, 0) +
-           setting("CoordAxisSign", whole, 1) + setting("UnitScaleFactor", real, centimetres) +
-           "}\n}\nObjects: {\nGeometry: 100, \"Geometry::\", \"Mesh\" {\nVertices: *9 {\na: 0,0,0,100,0,0,0,0,100\n}\n"
-           "PolygonVertexIndex: *3 {\na: 0,1,-3\n}\n}\nModel: 200, \"Model::one\", \"Mesh\" {\nVersion: 232\n}\n}\n"
-           "Connections: {\nC: \"OO\",200,0\nC: \"OO\",100,200\n}\n";
-}
-
-}  // namespace
-
-// The axes that 3ds Max, Blender (z is up, -y ahead) and Maya (y is up, z ahead) write; a unit is UnitScaleFactor cm.
-TEST_CASE("FBX: the axis that is up, and the unit") {
-    const auto top = [](const Model& model) {
-        const Bounds box = model_bounds(model);
-        return box.upper - box.lower;
-    };
-    CHECK(glm::length(top(model_of("z_up.fbx", fbx(2, 1, -1, 1))) - glm::vec3(1, 1, 0)) < 1e-6f);
-    CHECK(glm::length(top(model_of("y_up.fbx", fbx(1, 2, 1, 1))) - glm::vec3(1, 0, 1)) < 1e-6f);
-    CHECK(glm::length(top(model_of("inches.fbx", fbx(1, 2, 1, 2.54))) - glm::vec3(2.54f, 0, 2.54f)) < 1e-5f);
-    CHECK(model_bounds(model_of("z_up.fbx", fbx(2, 1, -1, 1))).upper.y > 0.99f);  // not upside down
-}
 
 namespace {
 
@@ -83,13 +51,4 @@ TEST_CASE("COLLADA: lines are named, and the triangles are drawn") {
     REQUIRE(model.meshes.size() == 1);
     const Bounds box = model_bounds(model);
     CHECK(glm::length(box.upper - glm::vec3(0.5f, 1, 0)) < 1e-6f);  // z is up, a unit is 0.5 m
-}
-
-// 3MF core specification, 3.4: z is up, and the unit is an attribute of the model. Two inches wide, three high.
-TEST_CASE("3MF: the axis that is up, and the unit") {
-    const Model model = import_model(course_root() / "assets/conformance/inches.3mf");
-    const Bounds box = model_bounds(model);
-    CHECK(glm::length(box.upper - glm::vec3(0.0508f, 0.0762f, 0)) < 1e-6f);
-    CHECK(model.materials.at(model.meshes.at(0).parts.at(0).material).diffuse == glm::vec3(1, 0, 0));
-    CHECK(left_out_text(model) == "colours of triangles");
 }

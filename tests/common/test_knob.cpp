@@ -6,7 +6,6 @@
 #include "catch.h"
 #include "common/app/module.h"
 #include "common/base/error.h"
-#include "common/gpu/gpu_work.h"
 
 using namespace lightwalk;
 
@@ -164,35 +163,4 @@ TEST_CASE("macros that differ have different hashes, however many change at once
     CHECK(one.hash() != other.hash());
     other.set("B", "2");
     CHECK(one.hash() == other.hash());
-}
-
-TEST_CASE("a module's macros are made once, and again after a change of one of its knobs") {
-    Root root;
-    Knob<bool> fog{root, "fog", false, "mist"};
-    Knob<float> far_m{root, "far_m", 1, {0, 2}, "distance"};
-    const auto made = [&] {
-        const uint64_t before = gpu_work.macro_lists;
-        root.macros();
-        return gpu_work.macro_lists - before;
-    };
-    CHECK(made() == 1);
-    CHECK(made() == 0);
-    far_m.set("2");  // a uniform
-    CHECK(made() == 0);
-    fog.set("on");
-    CHECK(made() == 1);
-    CHECK(made() == 0);
-    {
-        Choice method{root, "method", {"none", "hard"}, "hard", "which"};
-        CHECK(root.macros().values().at("METHOD") == "1");
-        CHECK(made() == 0);
-        method.set("none");
-        CHECK(root.macros().values().at("METHOD") == "0");
-    }
-    CHECK_FALSE(root.macros().values().contains("METHOD"));
-    Macros copy = root.macros();
-    copy.set("FOG", "7");
-    CHECK(root.macros().values().at("FOG") == "1");
-    CHECK(copy.hash() != root.macros().hash());
-    CHECK(made() == 0);
 }

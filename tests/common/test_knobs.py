@@ -1,12 +1,13 @@
 """Every chapter draws with every knob that it has, its modules' too, at the ends of its range, in each of its choices, on
-and off; and a knob that never changes a picture is a finding.
+and off. A knob that never changes a picture is a finding, and so is a picture of a program in which knobs have changed
+that differs from the picture of a cold start.
 """
 import json
 import tempfile
 import unittest
 from pathlib import Path
 
-from picture_drawing import BUILT, CHAPTERS, EVERYTHING, Drawer, cheap, knobs_of, sets, thing
+from picture_drawing import BUILT, CHAPTERS, EVERYTHING, Drawer, Live, cheap, knobs_of, sets, steps, thing
 
 # A small scene for knobs of materials, lights and shadows: a map for every slot, holes, and three kinds of light with
 # shadows.
@@ -126,7 +127,7 @@ USED_WITH = {
     "mlaa.taa.in_motion": ["mlaa.method=taa", "walk_m_per_s=1.5"], "mlaa.taa.resample": ["mlaa.method=taa", "walk_m_per_s=1.5"],
     "mlaa.taa.reject": ["mlaa.method=taa", "mlaa.taa.clipping=none", "walk_m_per_s=1.5"],
     "walk_m_per_s": ["time=0.5"], "turn_deg_per_s": ["time=0.5"],
-    "screen_occlusion.": ["objects.occlusion=screen_space"], "viewer.": ["show=level"], "half_plane.": ["world=half_plane"],
+    "screen_occlusion.": ["objects.occlusion=screen_space"], "viewer.": ["show=level"],
     "terrain.": ["world=terrain"], "julia.": ["world=julia"], "environment.": ["world=julia"], "skin.": ["world=head"],
     "fog.": ["fog.method=height", "fog.density=0.0001"], "planet.": [], "atmosphere.turbidity": ["atmosphere.method=preetham"],
     "spot_x": ["source=spot"], "level": ["show=level"], "gain": ["show=spread"], "backdrop": ["world=head"],
@@ -208,18 +209,23 @@ SILENT = {
 }
 
 
+# Settings that are not tried in a program that goes on, and why.
+COLD_ALONE = {"select=0": "what is selected stays so", "environment.levels.method=none": "levels are left unwritten: those of before stay"}
+
+
 def scene_of(chapter: str, name: str) -> list[str]:
     scene = own_or_longest(SCENES, chapter, name, "")
     return [f"scene={scene}"] if scene else []
 
 
-def options_of(settings, folder: Path) -> list[str]:
-    """Of settings as --set takes them, and of a scene=FILE and a time=SECONDS. The scenes named here lie in the folder."""
+def options_of(settings, folder: Path) -> tuple[list[str], list[str]]:
+    """Of settings as --set takes them, and of a scene=FILE and a time=SECONDS: the options for scene and time, and the
+    knobs' settings. The scenes named here lie in the folder."""
     scenes = [setting.removeprefix("scene=") for setting in settings if setting.startswith("scene=")]
     times = [setting.removeprefix("time=") for setting in settings if setting.startswith("time=")]
     return [word for scene in scenes for word in ("--scene", str(folder / f"{scene}.json") if scene in OWN else scene)] + \
-        [word for time in times for word in ("--time", time)] + \
-        sets(*(setting for setting in settings if not setting.startswith(("scene=", "time="))))
+        [word for time in times for word in ("--time", time)], \
+        [setting for setting in settings if not setting.startswith(("scene=", "time="))]
 
 
 def silent_knobs(chapter: str, known: set, draw) -> list[str]:
@@ -247,16 +253,21 @@ class KnobsTest(unittest.TestCase):
     def try_knobs(self, chapter: str):
         drawn = {}  # pictures by settings: each is drawn once
         known = {name for earlier in CHAPTERS[:CHAPTERS.index(chapter)] for name in knobs_of(earlier)}
-        with tempfile.TemporaryDirectory() as folder, Drawer(chapter, folder) as drawer:
+        with tempfile.TemporaryDirectory() as folder, Drawer(chapter, folder) as drawer, Live(chapter, folder) as live:
             for name, scene in OWN.items():
                 Path(folder, f"{name}.json").write_text(json.dumps(scene))
 
             def draw(*settings):
                 if settings not in drawn:
-                    options = options_of(settings, Path(folder))
-                    picture, wrong = drawer.draw(*cheap(chapter), *options, "--size", "32x24")
+                    options, given = options_of(settings, Path(folder))
+                    words = [*cheap(chapter), *options]
+                    picture, wrong = drawer.draw(*words, *sets(*given), "--size", "32x24")
                     with self.subTest(set=settings):
                         self.assertEqual(wrong, "")
+                        if not COLD_ALONE.keys() & set(given):
+                            changed, wrong = live.draw(words, (32, 24), set=dict(one.split("=", 1) for one in given))
+                            self.assertEqual(wrong, "")
+                            self.assertEqual(steps(picture, changed), 0, "changed while it runs, it is not the picture of a cold start")
                     drawn[settings] = picture.read_bytes() if picture.exists() else b""
                 return drawn[settings]
 

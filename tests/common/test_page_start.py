@@ -1,100 +1,17 @@
-"""The site's start page: its film, written by the course, and the first exercises of two chapters, solved from a file and seen."""
+"""The film of the site's start page, written by the course."""
 
 import json
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-from browser import CHROMIUM, Browser
-from site_page import DRAWN_BY, LAMBERT, SQUARE, Solving, remove, site
-
-from pages import publish
-from tree import ROOT
-
-tearDownModule = remove
-
-SMALL = """(canvas => {
-  const small = Object.assign(document.createElement("canvas"), {width: 32, height: 18}), to = small.getContext("2d");
-  to.drawImage(canvas, 0, 0, 32, 18);
-  return [...to.getImageData(0, 0, 32, 18).data];
-})(Program.all[%d].canvas)"""
-SEEN, SAME = 2, 0.5  # mean difference of two pictures in codes of 255: another picture; the same
-# Each chapter's first exercise with a wrong and a right answer, and its program in the lesson.
-FIRST = {"02.lambert": (LAMBERT.replace("max(dot(normal, to_light), 0)", "0.1"), LAMBERT, 0),
-         "11.quaternion_square": (SQUARE.replace(" - dot(q.yzw, q.yzw)", ""), SQUARE, 1)}
-
-
-def difference(a: list, b: list) -> float:
-    return sum(abs(x - y) for x, y in zip(a, b)) / len(a)
-
-
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
-class FromTheStartPage(Solving):
-    def test_a_shader_is_changed_and_two_first_exercises_are_solved_and_seen(self):
-        with Browser(webgl=True) as browser:
-            browser.open(site() / "index.html")
-            browser.evaluate("document.querySelector('.hero a[href=\"#try\"]').click()")
-            browser.wait(DRAWN_BY % 0)
-            before = self.picture(browser, 0)
-            self.named(browser, "document", "Edit")
-            browser.wait("!!Program.all[0].editor")
-            changed = browser.evaluate("Program.all[0].text.replace('0.75, 0.35, 0.15', '0.1, 0.9, 0.1')")  # the stone's colour
-            self.assertNotEqual(changed, browser.evaluate("Program.all[0].text"))
-            self.write(browser, "Program.all[0].editor", changed)
-            self.until(browser, 0, lambda picture: difference(picture, before) > SEEN)
-            self.follow(browser, ".try a[href*='#02.lambert']")
-            self.solve_and_see(browser, "02.lambert")
-            self.follow(browser, "a.md-logo")
-            self.follow(browser, "a.card[href^='11_']")
-            self.solve_and_see(browser, "11.quaternion_square")
-            self.assertRegex(browser.evaluate("document.querySelector('.run-progress').textContent"), r"^2 of \d+ solved$")
-            self.assertEqual(browser.complaints, [])
-
-    def follow(self, browser, link: str):
-        browser.evaluate(f"window.left = true, document.querySelector({json.dumps(link)}).click()")
-        browser.wait("!window.left && document.readyState === 'complete' && !!document.querySelector('.run-progress')")
-        self.assertTrue(browser.evaluate("location.protocol === 'file:'"))
-
-    def named(self, browser, within: str, button: str):
-        browser.evaluate(f"[...{within}.querySelectorAll('button')].find(one => one.textContent === '{button}').click()")
-
-    def write(self, browser, editor: str, text: str):
-        """As one pastes it."""
-        browser.evaluate(f"{editor}.focus(), {editor}.execCommand('selectAll')")
-        browser.call("Input.insertText", text=text)
-        self.assertEqual(browser.evaluate(f"{editor}.getValue()").split(), text.split())
-
-    def picture(self, browser, program: int) -> list:
-        browser.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
-        return browser.evaluate(SMALL % program)
-
-    def until(self, browser, program: int, true):
-        while not true(self.picture(browser, program)):  # the test's own limit ends it
-            self.assertEqual(browser.evaluate(f"Program.all[{program}].said.textContent"), "")
-
-    def solve_and_see(self, browser, exercise: str):
-        wrong, right, program = FIRST[exercise]
-        self.assertEqual(browser.evaluate("document.querySelector('a.exercise').id"), exercise, "the lesson's first")
-        browser.evaluate(f"Program.all[{program}].canvas.scrollIntoView({{behavior: 'instant'}})")
-        browser.wait(DRAWN_BY % program)
-        reference = self.picture(browser, program)
-        browser.evaluate(f"document.querySelector('button[data-exercise=\"{exercise}\"]').click()")
-        browser.wait(f"!!Exercise.all.get('{exercise}').editor")
-        editor = f"Exercise.all.get('{exercise}').editor"
-        self.write(browser, editor, wrong)
-        self.press(browser, exercise, "Check")
-        browser.wait("document.querySelector('.run-verdict.open')?.textContent ?? ''")
-        self.assertRegex(browser.evaluate("document.querySelector('.run-verdict').textContent"), "expected")
-        self.press(browser, exercise, "See it in the picture")
-        browser.wait(f"Program.all[{program}].mine.size === 1")
-        self.until(browser, program, lambda picture: difference(picture, reference) > SEEN)
-        self.write(browser, editor, right)
-        self.press(browser, exercise, "Check")
-        browser.wait("!!document.querySelector('.run-verdict.ok')")
-        self.until(browser, program, lambda picture: difference(picture, reference) < SAME)
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
+from pages import publish  # noqa: E402
 
 
 class Film(unittest.TestCase):

@@ -1,22 +1,18 @@
 """Tests of the lessons' pages as they are: their links, what a browser shows of them, and the search."""
 
-import filecmp
-import functools
 import json
 import re
 import sys
-import tempfile
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
 from browser import CHROMIUM, Browser
-from part_in_ci import in_part, part
+from live_page import has_pages
 from small_course import REAL
 
 sys.path.insert(0, str(REAL / "common/course"))
-from pages import docs  # noqa: E402
 from tree import BUILD, chapters, exercises, lesson_pages, lessons  # noqa: E402
 
 # Text that ought to be a formula, outside of code: its TeX, or Markdown's sign for it.
@@ -73,14 +69,9 @@ class TheCourse(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        made()
+        has_pages()
         cls.pages = sorted(cls.folder.rglob("*.html"))
         cls.lessons = [cls.folder / page.with_suffix(".html").name for page in lessons()]
-
-
-@functools.cache
-def made():
-    docs.make(TheCourse.folder)
 
 
 class Pages(TheCourse):
@@ -104,14 +95,6 @@ class Pages(TheCourse):
             for exercise in exercises(chapter):
                 [page] = [stem for stem in names if exercise in names[stem]]
                 self.assertIn(f"../{page}.html#{exercise}", (self.folder / "open" / f"{exercise}.html").read_text())
-
-    @unittest.skipIf(in_part(), "of ./course test --all")
-    def test_the_same_tree_gives_the_same_bytes(self):
-        with tempfile.TemporaryDirectory() as again:
-            docs.make(Path(again, "docs"))
-            names = [str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()]
-            same, other, missing = filecmp.cmpfiles(self.folder, Path(again, "docs"), names, shallow=False)
-            self.assertEqual((other, missing, len(same)), ([], [], len(names)))
 
     def test_the_index_of_the_search_is_in_no_page(self):
         """It has 3 MB, and the search reads all of it: with each page, before."""
@@ -155,13 +138,11 @@ class InBrowser(TheCourse):
             self.assertEqual(browser.complaints, [])
 
     def looked_at(self) -> list[Path]:
-        """All but the pages that lead on to an exercise; in a CI a third of the lessons, and of NAME.KIND.html (listings, studies)
-        one of each kind."""
+        """A third of the lessons, and of NAME.KIND.html (listings, studies) one of each kind; not the pages that lead on to an
+        exercise."""
         pages = [page for page in self.pages if page.parent.name != "open"]
-        if not in_part():
-            return pages
         kinds = {page.name.split(".")[-2] if page.name.count(".") > 1 else page: page for page in reversed(pages)}
-        shown = part(self.lessons, 3)
+        shown = self.lessons[::3]
         return [page for page in kinds.values() if page not in self.lessons or page in shown]
 
     def test_on_a_phone_in_the_dark(self):

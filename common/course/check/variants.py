@@ -16,9 +16,11 @@ or an entry in EXERCISE.changes, which lists the few lines in which it differs f
 
 The "-" lines are consecutive lines of the solution and must occur there exactly once; the "+" lines replace them. A lone "+"
 deletes them. To insert a line, repeat the line beside it after "-" and "+". Comments, lines without code and indentation are
-ignored when lines are compared. A line that begins with "#" is a comment, and one that begins with ">" a row of the table of
-the specification's sentences (spec.py). Variants in a list thus follow the solution, and
+ignored when lines are compared. A line that begins with "#" is a comment. Variants in a list thus follow the solution, and
 one that no longer fits is an error with its file and line.
+
+Each exercise has a wrong answer to every sentence of its specification that can fail by itself, and a right one that is written
+otherwise. No sentence has a second wrong answer.
 
 The build runs variants.py NN_name FOLDER: it writes the listed C++ variants to FOLDER and removes outdated ones from there.
 """
@@ -108,7 +110,7 @@ def entries(text: str, name: str) -> list[tuple[int, str, str, list[Change]]]:
     """A list's answers: line, name, verdict and changes of each. Raises Failure."""
     found, before = [], "=="
     for number, line in enumerate(text.splitlines(), 1):
-        if not line or line[0] in "#>":
+        if not line or line[0] == "#":
             continue
         sign, _, rest = line.partition(" ")
         if header := re.fullmatch(r"== (\w+): (.+)", line):

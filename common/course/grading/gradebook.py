@@ -214,5 +214,4 @@ def page_names(rows: list[dict]) -> list[str]:
 
 
 def hash_of(text: str) -> str:
-    import hashlib
     return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()[:8]

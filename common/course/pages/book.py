@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from pages.lesson_html import Lesson, blocks, code_css, embedded, inner, katex_css, katex_js, words
+from pages.lesson_html import Lesson, blocks, code_css, embedded, katex_css, katex_js, words
 from pages.page import TEMPLATES
 from tree import BUILD, Failure, UsageError, find_lesson, lesson_pages, lessons, relative, say, warn
 

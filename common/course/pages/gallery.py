@@ -1,6 +1,5 @@
 """The gallery: every picture of the course on one page, chapter by chapter."""
 
-import os
 from pathlib import Path
 
 from pages.page import lesson_link, page

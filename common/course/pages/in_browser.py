@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from check.glsl_answer import Refused, includes_of, reached, spliced, without_comments
+from check.glsl_answer import Refused, includes_of, spliced, without_comments
 from tree import BUILD, LIBRARIES, ROOT, Failure, chapters, exercises, relative, warn, write_atomically
 
 HEAD = "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D; precision highp sampler3D;\n"

@@ -16,7 +16,7 @@ from pathlib import Path
 from build.build import build
 from pages import docs, drawn_pictures, states
 from pages.page import POLICY
-from tree import BUILD, Failure, UsageError, chapters, say, warn, write_atomically
+from tree import Failure, UsageError, chapters, say, warn, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
 CHAPTER = "19_ambiance"  # which draws the film

@@ -9,9 +9,6 @@ from tree import ROOT
 WORDS_A_MINUTE = 120
 CODE = re.compile(r"^( *)(```+|~~~+).*?^\1\2\s*$", re.M | re.S)
 HIDDEN = re.compile(r"<details>.*?</details>|<!--.*?-->", re.S)
-# Parts of a page that are not read as sentences: indented code, tables, headings, numbers of lists; then code, formulas, targets.
-NO_PROSE = re.compile(r"^(?: {4}(?! *(?:[-*]|\d+\.) ).*|\s*\|.*|#.*|\s*\d+\. )", re.M)
-NO_WORDS = re.compile(r"`[^`]*`|\$[^$]*\$|(?<=\])\([^)]*\)")
 BESIDE = re.compile(r"(Exercises|Deeper|Questions|Further reading)\b")
 
 
@@ -25,12 +22,6 @@ def sections(text: str) -> list[tuple[str, str]]:
 
 def main_thread(text: str) -> str:
     return "\n".join(part for heading, part in sections(HIDDEN.sub("", text)) if not BESIDE.match(heading))
-
-
-def prose_words(text: str) -> list[str]:
-    """The words of a page's sentences, without its folds and its further reading."""
-    parts = [part for heading, part in sections(HIDDEN.sub("", text)) if heading != "Further reading"]
-    return re.findall(r"[\w.,'’-]*\w", NO_WORDS.sub(" ", NO_PROSE.sub("", CODE.sub("", "\n".join(parts)))))
 
 
 def minutes(page: Path) -> float:

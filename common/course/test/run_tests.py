@@ -32,19 +32,18 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
 Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs)
-and those in Firefox, only one chart of a chapter and one page of each kind are checked, and of wrong answers to exercises, attacks on grading,
-charts, equal methods, random scenes, sites, shards, what is kept from frame to frame and lessons on a phone a part is tried,
-another with each commit. The last line counts all tests that ran."""
+and those in Firefox; wrong answers to exercises are tried in some chapters, and the longest tests take turns, others with each
+commit. The last line counts all tests that ran."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 STUDIES = ["-LE", "study"]
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
-PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
-LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox)$"
+PART = "LIGHTWALK_TESTS"  # "part": the pictures that goldens reject are not drawn
+LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|page_firefox|autograder_container)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
 TURNS = ("equal_methods|live_rest|course_shards|window_passes|window_tour|random_scenes",
-         "grade_forged|window_fields|autograder|live_links|grade_trouble",
+         "grade_forged|window_fields|autograder|grade_trouble",
          "grade_user|page_start|grade_shards|window_properties",
          "page_site|course_new|window_panels|film_slurm|page_verdicts",
          "window_session|grade_later|warm|grade_slurm|course_trouble",
@@ -83,7 +82,7 @@ def run(arguments, rest) -> int:
     results.mkdir(parents=True, exist_ok=True)
     in_part = not arguments.all and not selection
     os.environ.pop(PART, None)
-    if not arguments.all and (in_part or os.environ.get("CI") == "true"):
+    if in_part:
         os.environ[PART] = "part"
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
@@ -111,8 +110,7 @@ def run(arguments, rest) -> int:
 
 
 def chosen(commit: int) -> tuple[int, int]:
-    """(a line of TURNS, which of SHARE parts of the chapters have their wrong answers tried). By other digits than those by
-    which a test chooses cases (tests/common/part_in_ci.py): with the same ones a line would always try the same cases."""
+    """(a line of TURNS, which of SHARE parts of the chapters have their wrong answers tried)."""
     return (commit >> 128) % len(TURNS), (commit >> 96) % SHARE
 
 

@@ -10,7 +10,6 @@ import re
 import sys
 from pathlib import Path
 
-from build.format_tree import unformatted
 from check.check import grades
 from check.lesson_tests import check_named, of_chapters
 from check.starters import check_starters
@@ -224,7 +223,6 @@ def check_all() -> list[str]:
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
             wrong += wrong_words(name, (ROOT / name).read_text())
         wrong += check_private_paths(name)
-    wrong += [f"{name}: not as clang-format writes it; ./course format does" for name in unformatted()]
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures() + check_generated()

@@ -1,5 +1,0 @@
-// wrong: phong(
-float phong(vec3 normal, vec3 to_light, vec3 to_eye, float shininess) {
-    float cosine = min(dot(reflect(-to_light, normal), to_eye), 1.0);
-    return cosine > 0.0 ? pow(cosine, shininess) : 0.0;
-}

@@ -1,6 +1,0 @@
-// right
-float spot_cone(float cosine, float cos_inner, float cos_outer, float softness) {
-    if (cosine >= cos_inner) return 1.0;
-    if (cosine <= cos_outer) return 0.0;
-    return pow((cosine - cos_outer) / (cos_inner - cos_outer), 1.0 - 0.65 * softness);
-}

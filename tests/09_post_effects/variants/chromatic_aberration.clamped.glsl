@@ -1,2 +1,0 @@
-// wrong: aberrated(
-vec2 aberrated(vec2 uv, float shift) { vec2 a = uv - 0.5; return clamp(0.5 + a * (1.0 + 2.0 * shift * dot(a, a)), 0.0, 1.0); }

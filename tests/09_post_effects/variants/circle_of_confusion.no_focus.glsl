@@ -1,4 +1,0 @@
-// wrong: divides
-float circle_of_confusion(float z, float focus_m, float focal_m, float f_number, float sensor_m, float height_px, float most_px) {
-    return clamp(focal_m / f_number * (1.0 - focus_m / z) * focal_m / (focus_m - focal_m) / sensor_m * height_px, -most_px, most_px);
-}

@@ -1,3 +1,0 @@
-// wrong: the next frame
-uint mixed(uint h) { h ^= h >> 16; h *= 0x85ebca6bu; h ^= h >> 13; h *= 0xc2b2ae35u; return h ^ h >> 16; }
-float film_grain(uvec2 pixel, uint frame) { return float(mixed(pixel.x + mixed(pixel.y)) >> 8) * (2.0 / 16777216.0) - 1.0; }

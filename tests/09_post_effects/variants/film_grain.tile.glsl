@@ -1,6 +1,0 @@
-// wrong: with itself 64 pixels to the right
-uint mixed(uint h) { h ^= h >> 16; h *= 0x85ebca6bu; h ^= h >> 13; h *= 0xc2b2ae35u; return h ^ h >> 16; }
-float film_grain(uvec2 pixel, uint frame) {
-    uint h = mixed((pixel.x & 63u) + mixed((pixel.y & 63u) + mixed(frame)));
-    return float(h >> 8) * (2.0 / 16777216.0) - 1.0;
-}

@@ -1,6 +1,0 @@
-// wrong: mean square
-uint mixed(uint h) { h ^= h >> 16; h *= 0x85ebca6bu; h ^= h >> 13; h *= 0xc2b2ae35u; return h ^ h >> 16; }
-float film_grain(uvec2 pixel, uint frame) {
-    uint h = mixed(pixel.x + mixed(pixel.y + mixed(frame)));
-    return float(h >> 16) / 65536.0 + float(h & 65535u) / 65536.0 - 1.0;
-}
