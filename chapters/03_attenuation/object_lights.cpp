@@ -5,7 +5,7 @@
 namespace lightwalk {
 
 void ObjectLights::update(Frame& frame, const Scene& scene, const LightBuffer& buffer, float threshold) {
-    if (!made_.from(buffer.rebuilds, scene.placed, threshold, Exercises::uses_solution("03.light_reaches_box"))) return;
+    if (made_.is_current(buffer.rebuilds, scene.epoch, threshold, Exercises::epoch())) return;
     std::vector<float> radii_m;
     for (const Light& light : buffer.lights()) radii_m.push_back(influence_radius(pack(light), threshold));
     const auto reaches = light_reaches_box.function();

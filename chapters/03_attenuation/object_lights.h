@@ -1,7 +1,7 @@
 // Lists of the lights that may reach each draw call of a scene.
 #pragma once
 #include "03_attenuation/light_buffer.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -17,7 +17,7 @@ class ObjectLights {
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list
 
   private:
-    Made<int, uint64_t, float, bool> made_;  ///< lights, placed, threshold, toggle of light_reaches_box
+    Made made_;
 };
 
 }  // namespace lightwalk

@@ -54,14 +54,16 @@ ScatteredLights::ScatteredLights(Module& owner)
 
 const LightList& LightsWithScattered::from(const LightList& own, const Bounds& where, int count, unsigned seed,
                                            std::optional<float> moved_at_s) {
-    if (still_made_.from(own, where.lower, where.upper, count, seed)) {
+    if (own != own_ || !still_made_.is_current(where.lower, where.upper, count, seed)) {
+        own_ = own;
+        moved_made_.forget();
         std::vector<Light> all = *own;
         const std::vector<Light> more = scatter_lights(where, count, seed);
         all.insert(all.end(), more.begin(), more.end());
         still_ = std::make_shared<const std::vector<Light>>(std::move(all));
     }
     if (!moved_at_s) return still_;
-    if (moved_made_.from(still_, moved_at_s)) {
+    if (!moved_made_.is_current(moved_at_s)) {
         std::vector<Light> all = *still_;
         move_lights(all, *moved_at_s);
         moved_ = std::make_shared<const std::vector<Light>>(std::move(all));

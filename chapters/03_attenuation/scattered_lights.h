@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -26,9 +26,8 @@ class LightsWithScattered {
                           std::optional<float> moved_at_s = {});
 
   private:
-    Made<LightList, glm::vec3, glm::vec3, int, unsigned> still_made_;
-    Made<LightList, std::optional<float>> moved_made_;
-    LightList still_, moved_;
+    Made still_made_, moved_made_;
+    LightList own_, still_, moved_;
 };
 
 /// The scene's lights and random ones within the scene's initial bounds. Its knob has no prefix.

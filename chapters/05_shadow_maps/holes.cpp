@@ -1,20 +1,14 @@
 #include "05_shadow_maps/holes.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-
-#include "common/app/settings.h"
-#include "common/base/files.h"
+#include <bit>
 
 namespace lightwalk {
 
 uint64_t holes_cut(const Maps& maps, const Scene& scene, float time_s) {
-    std::string now = settings_of(maps);
     const auto is_cut = [&](const DrawItem& item) { return item.transparent || maps.has_holes(item); };
-    if (maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut))
-        now += fmt::format("{}", time_s);
-    return hash_bytes(now);
+    const bool moves = maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut);
+    return mixed(mixed(1, maps.epoch()), moves ? std::bit_cast<uint32_t>(time_s) : 0);
 }
 
 }  // namespace lightwalk

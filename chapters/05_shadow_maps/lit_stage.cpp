@@ -6,8 +6,10 @@
 namespace lightwalk {
 
 const LightList& LitStage::lamps() {
-    if (!lamps_made_.from(scene().lights(), lamp)) return lamps_;
-    std::vector<Light> all = *scene().lights();
+    const LightList own = scene().lights();
+    if (own == own_ && lamps_made_.is_current(epoch())) return lamps_;
+    own_ = own;
+    std::vector<Light> all = *own;
     for (Light& light : all) {
         light.size_m *= lamp;
         light.size_rad = std::min(light.size_rad * lamp, 1.5f);

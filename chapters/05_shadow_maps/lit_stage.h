@@ -42,8 +42,8 @@ struct LitStage : World {
 
   private:
     const LightList& lamps();
-    Made<LightList, float> lamps_made_;
-    LightList lamps_;
+    Made lamps_made_;
+    LightList own_, lamps_;  ///< the scene's lights, and these with their sizes scaled
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
     Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});
 };

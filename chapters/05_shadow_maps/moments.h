@@ -12,8 +12,8 @@ Blur blur_of(int radius, float exponent, float exponent_negative);
 /// The layers of a map of depths as moments, blurred, with mips.
 class MomentMaps {
   public:
-    /// Creates as many layers as in `map`, of its size. Returns the images they replace, if any.
-    Image reserve(Gpu& gpu, const Image& map, VkFormat format);
+    /// Creates as many layers as in `map`, of its size, unless they are there. True: they are new.
+    bool fit(Gpu& gpu, const Image& map, VkFormat format);
 
     /// Moments of one layer of the map, which view number `view` of `views` sees. `macros` are the module Shadow's:
     /// they say which moments, in which format, and how to blur.

@@ -113,7 +113,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     }
     std::vector<RayCutout> with_holes = aside([&] { return cut_with(cut_by, scene, triangles); });
     bvh_ = aside([&] { return Bvh(triangles); });
-    placed_ = scene.placed;
+    placed_ = scene.epoch;
     set_offset();
     nodes_ = gpu.upload("ray nodes", std::as_bytes(bvh_.nodes()));
     triangles_ = gpu.upload("ray triangles", std::as_bytes(bvh_.triangles()));
@@ -134,9 +134,9 @@ void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
         state_.opacity_cuts = maps->opacity;
         state_.time_s = frame.time_s;
     }
-    if (scene.placed == placed_) return;
+    if (scene.epoch == placed_) return;
     bvh_.refit(ray_triangles(scene, frame.time_s));
-    placed_ = scene.placed;
+    placed_ = scene.epoch;
     set_offset();
     frame.upload("ray nodes", nodes_, std::as_bytes(bvh_.nodes()));
     frame.upload("ray triangles", triangles_, std::as_bytes(bvh_.triangles()));

@@ -1,15 +1,14 @@
 // Shadow module: a depth map from each light that casts shadows, and the filters that read it.
 #pragma once
-#include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 
 #include "03_attenuation/lights.h"
 #include "05_shadow_maps/light_view.h"
-#include "05_shadow_maps/map_layers.h"
 #include "05_shadow_maps/moments.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -138,97 +137,59 @@ struct Shadow : Module {
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 
-    void prepare(Gpu&, Scene&) override { layers_.clear(); }
+    void prepare(Gpu&, Scene&) override;
     std::vector<std::string> status() const override;
-
-    /// Invalidates maps after changes other than placement: another scene, textures with other holes.
-    void forget() { layers_.forget(); }
 
     const Image& moments() const { return moments_.moments; }
 
-    /// Of the view recorded last: all maps, those drawn for it, and those that began as a copy of static casters.
-    int views = 0, drawn_views = 0, copied_views = 0;
-    int searches = 0;  ///< for casters, so far
+    int views = 0, drawn_views = 0;  ///< maps of the view recorded last: all, and those drawn in its frame
 
   private:
-    struct Wanted {
+    /// A map's view of the scene, and what it shows.
+    struct MapView {
         LightView view;
         DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
-        MapContent content;
+        uint64_t shows = 0;        ///< hash of the light's view and of its casters
         bool others = false;
-        std::vector<uint32_t> moved;      ///< since this view was drawn before
-        MapContent still;                 ///< without them, if they move again; else nothing
-        uint32_t still_layer = NO_LAYER;  ///< which holds that
-        /// The moved casters, or the others.
-        DrawList among_moved(const Scene& scene, bool are) const;
         bool is_needed() const { return others || casters.size() + passed.size() > 0; }
-        /// As it was found, without a layer.
-        void release();
     };
     using Reach = std::function<float(const Light&)>;  ///< metres
-    std::vector<Wanted> find_views(const Scene& scene, const std::vector<Light>& lights,
-                                   const std::vector<float>& reach_m, const Camera& camera, const Casters& casters,
-                                   std::vector<ShadowLight>& shadow_lights) const;
-    bool find_changed_views(const Scene& scene, const LightList& lights, const Reach& reach, const Camera& camera,
-                            const Casters& casters);
+    void find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
+                    const Casters& casters);
+    uint64_t hash_of(const MapView& map, const Scene& scene, const Casters& casters) const;
+    void take_layers(Frame& frame, const View& view);
     void record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
                 const Casters& casters);
     LightViewOptions view_options() const { return {resolution, near_m, cascades, split, distance_m, snap}; }
-    void choose_layers(Frame& frame, uint32_t id, std::vector<Wanted>& wanted);
-    void find_moving(std::vector<Wanted>& wanted) const;
-    void copy_still(Frame& frame, const Scene& scene, const std::vector<Wanted>& wanted, const Casters& casters);
-    void draw_view(Frame& frame, const Wanted& wanted, const DrawList& list, const Attachment& depth,
-                   const Casters& casters);
-    void draw_passed(Frame& frame, const Wanted& wanted, const Casters& casters);
+    void draw_map(Frame& frame, const MapView& map, const Casters& casters);
+    void draw_passed(Frame& frame, const MapView& map, const Casters& casters);
     void reserve(Frame& frame);
 
     bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
     bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
-    struct BlurKey {
-        size_t method, format, by;
-        int texels;
-        float exponent, exponent_negative;
-        bool operator==(const BlurKey&) const = default;
-    };
-    std::optional<BlurKey> blur_key() const;
 
-    /// A view's shader data, uploaded after a change.
-    template <class T>
-    struct Uploaded {
-        Buffer buffer;
-        std::vector<std::byte> bytes;
-        void upload(Frame& frame, const char* name, const std::vector<T>& now) {
-            const auto given = std::as_bytes(std::span(now));
-            if (buffer && std::ranges::equal(bytes, given)) return;
-            bytes.assign(given.begin(), given.end());
-            frame.upload(name, buffer, now);
-        }
-    };
-    /// Cascades follow the eye: each View::id has views of its own if a light has cascades; else all share those of
+    /// Cascades follow the camera: each View::id has maps of its own if a light has cascades; else all share those of
     /// id 0.
     struct OfView {
-        Uploaded<ShadowLight> lights;
-        Uploaded<ShadowView> views;
+        Buffer lights, views;  ///< ShadowLight, ShadowView
         ShadowEye eye{};
-        /// Lights and their reach, the camera of cascades, placements of items and of others, settings, toggles.
-        Made<LightList, std::vector<float>, Camera, uint64_t, Bounds, uint64_t, LightViewOptions, bool, bool, unsigned>
-            found_from;
-        std::vector<Wanted> found;
-        std::vector<ShadowLight> found_lights;
-        int needed = 0;                   ///< maps
-        std::optional<uint64_t> settled;  ///< MapLayers::changes(), when every map was there
+        Made found_made, uploaded;
+        LightList found_for;
+        std::vector<MapView> maps;
+        std::vector<ShadowLight> shadow_lights;
     };
     std::map<uint32_t, OfView> by_view_;
     LightList directional_;       ///< the last ones given without a module Lights
     OfView* now_ = &by_view_[0];  ///< of the view recorded last
 
-    MapLayers layers_;
+    /// Where a map lies in the images, by its view (0 where the camera does not matter), light and number of the light's
+    /// views. A map is drawn again if what it shows differs from what its layer holds.
+    std::map<std::array<uint32_t, 3>, uint32_t> layer_of_;
+    std::vector<uint64_t> held_;  ///< MapView::shows of each layer; 0: nothing
     Image map_;
     /// Transmittance of the first transparent caster, and of all; depths of the first and the last.
     Image first_, first_depth_, passed_, last_depth_;
     MomentMaps moments_;
-    /// Maps depend on these beside the casters: whether transparent ones have shadows, moments and their blur, toggles.
-    Made<size_t, std::optional<BlurKey>, unsigned> made_;
 };
 
 }  // namespace lightwalk

@@ -57,7 +57,7 @@ void Culling::group(Frame& frame, const std::vector<Batch>& batches) {
     std::vector<uint32_t> ends;
     for (const Batch& batch : batches) ends.push_back(batch.first + batch.count);
     const bool on_host = method.is("frustum_cpu");
-    if (!grouped_.from(scene_->placed, ends, on_host)) return;
+    if (grouped_.is_current(scene_->epoch, ends, on_host)) return;
     groups_.clear();
     objects_.assign(ends.empty() ? 0 : *std::max_element(ends.begin(), ends.end()),
                     {.radius = -1.0f, .group = NO_GROUP});

@@ -6,7 +6,7 @@
 #include "06_deferred/culling_data.h"
 #include "06_deferred/depth_pyramid.h"
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/scene.h"
 #include "common/scene/view.h"
 
@@ -82,7 +82,7 @@ struct Culling : Module {
     std::vector<CulledObject> objects_;
     std::vector<DrawGroup> groups_;
     std::vector<std::vector<Batch>> found_;                ///< by the processor, of each group
-    Made<uint64_t, std::vector<uint32_t>, bool> grouped_;  ///< placement, batches, by the processor
+    Made grouped_;
     Buffer object_data_, group_data_;
     List lists_[2];                           ///< a view's first pass, and the objects that appear in the second
     size_t first_list_ = 0, list_count_ = 0;  ///< to draw now

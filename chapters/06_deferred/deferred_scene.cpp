@@ -142,7 +142,7 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
 }
 
 bool DeferredScene::emits() {
-    if (emission_sought_.from(scene().placed, scene().painted))
+    if (!emission_sought_.is_current(scene().epoch))
         emits_ = !emitting(scene(), scene().opaque_batches()).empty();
     return emits_;
 }

@@ -3,7 +3,7 @@
 #include "05_shadow_maps/lit_scene.h"
 #include "06_deferred/culling.h"
 #include "06_deferred/deferred_lights.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -74,7 +74,7 @@ struct DeferredScene : Drawing, ItemCaster {
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,
                                       .macros = {{"LEFT_OUT", "1"}}}};
-    Made<uint64_t, uint64_t> emission_sought_;  ///< the scene's placements and materials
+    Made emission_sought_;
     bool emits_ = false;
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
 };

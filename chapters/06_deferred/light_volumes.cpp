@@ -58,9 +58,7 @@ std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape) {
 
 // [update]
 void LightVolumes::update(Frame& frame, const Lights& lights) {
-    if (!made_.from(lights.buffer().rebuilds, lights.falloff.index, lights.threshold,
-                    Exercises::uses_solution("06.light_volume_bounds")))
-        return;
+    if (made_.is_current(lights.buffer().rebuilds, lights.epoch())) return;
     std::vector<LightVolumeData> spheres, cones;
     std::vector<uint32_t> everywhere{0};
     const auto bounds = light_volume_bounds.function();

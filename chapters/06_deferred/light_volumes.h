@@ -3,7 +3,7 @@
 #include "03_attenuation/lights.h"
 #include "06_deferred/exercises.h"
 #include "06_deferred/light_volume_data.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -25,7 +25,7 @@ class LightVolumes {
   private:
     Buffer sphere_, cone_, volumes_;  ///< spheres first, then cones
     uint32_t sphere_corners_ = 0, cone_corners_ = 0, spheres_ = 0, cones_ = 0;
-    Made<int, size_t, float, bool> made_;  ///< lights, falloff, threshold, toggle of the bounds
+    Made made_;
 };
 // [/light_volumes]
 

@@ -34,7 +34,7 @@ BlurWish Bloom::wish(glm::uvec2 size) const {
 
 // The plan, its images and its parameters on the device.
 void Bloom::set_up(Frame& frame, glm::uvec2 size) {
-    if (!plan_made_.from(wish(size), Exercises::version())) return;
+    if (plan_made_.is_current(wish(size), Exercises::epoch())) return;
     try {
         plan_ = plan_blur(wish(size));
     } catch (...) {
@@ -51,13 +51,13 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
     }
     std::vector<glm::uvec3> groups;
     for (const Step& step : plan_.steps) groups.push_back(groups_of(step, plan_));
-    if (groups_made_.from(groups)) {
+    if (!groups_made_.is_current(groups)) {
         wanted_ = frame.gpu.upload("bloom workgroups", groups);
         dispatch_ = frame.gpu.upload("bloom dispatches", std::vector<glm::uvec3>(groups.size() + 1, glm::uvec3(0)));
     }
     std::vector<glm::vec2> taps = plan_.taps;
     if (taps.empty()) taps.emplace_back(0.0f);  // a buffer has something in it
-    if (taps_made_.from(taps)) taps_ = frame.gpu.upload("bloom taps", taps);
+    if (!taps_made_.is_current(taps)) taps_ = frame.gpu.upload("bloom taps", taps);
 }
 
 // Images after the bright pass are undefined if no blur ran: spreads_at() of dispatches.glsl tells.

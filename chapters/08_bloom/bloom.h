@@ -2,7 +2,7 @@
 #pragma once
 #include "08_bloom/plan.h"
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -77,11 +77,11 @@ struct Bloom : Module {
     void set_up(Frame& frame, glm::uvec2 size);
     void record_blur(Frame& frame);
 
-    Made<BlurWish, unsigned> plan_made_;  ///< and the exercises
+    Made plan_made_;
     Plan plan_;
     std::vector<Image> images_;  ///< as in the plan
-    Made<std::vector<glm::uvec3>> groups_made_;
-    Made<std::vector<glm::vec2>> taps_made_;
+    Made groups_made_;
+    Made taps_made_;
     Buffer taps_;      ///< of the plan
     Buffer wanted_;    ///< workgroups of each step, were there something to spread
     Buffer dispatch_;  ///< those, or zeros; after them two words of dispatches.glsl

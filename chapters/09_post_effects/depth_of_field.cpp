@@ -165,7 +165,7 @@ void DepthOfField::blur(Frame& frame) {
     const Image& small = images_["half"];
     const glm::uvec2 size = small.desc.size;
     Image &along_x = image(frame, "line", half4, size), &far_field = image(frame, "far", half4, size);
-    if (const float sigma_px = 0.5f * now_.wide_px / 4.0f; taps_made_.from(sigma_px)) {
+    if (const float sigma_px = 0.5f * now_.wide_px / 4.0f; !taps_made_.is_current(sigma_px)) {
         std::vector<glm::vec2> weighed;
         for (const float weight : gaussian_weights(sigma_px, 3.0f)) weighed.emplace_back(float(weighed.size()), weight);
         taps_ = frame.gpu.upload("dof taps", weighed);

@@ -62,7 +62,7 @@ Sun Atmosphere::sun() {
     const Air now = air();
     if (sky_table_.follow(now)) skylight_uploaded_ = false;
     const float up = to_sun().y;
-    if (sun_made_.from(now, up)) sunlight_ = sunlight_of(now, up);
+    if (!sun_made_.is_current(now, up)) sunlight_ = sunlight_of(now, up);
     return {to_sun(), sunlight_, skylight_of(sky_table_.entries(), up) / glm::pi<float>()};
 }
 
@@ -104,7 +104,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 1. Tables of the air alone: remade after a change of its knobs.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
-    if (lasting_made_.from(now, phase.text(), often, Exercises::version()) || refresh.is("always")) {
+    if (!lasting_made_.is_current(now, phase.text(), often, Exercises::epoch()) || refresh.is("always")) {
         ++tables_made;
         frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
             pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
@@ -122,7 +122,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     const float height = height_of(view.eye);
     const glm::vec3 up = (view.eye + glm::vec3(0.0f, radius_m.value, 0.0f)) / (radius_m + height);
     const glm::vec2 eye(height, glm::dot(up, to_sun()));
-    if (sky_made_.from(now, phase.text(), often, eye, Exercises::version()) || refresh.is("always")) {
+    if (!sky_made_.is_current(now, phase.text(), often, eye, Exercises::epoch()) || refresh.is("always")) {
         ++skies_made;
         frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
                       [&](Compute& pass) {

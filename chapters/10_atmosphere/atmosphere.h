@@ -4,7 +4,7 @@
 #include "10_atmosphere/path_part.h"
 #include "10_atmosphere/skylight.h"
 #include "common/app/drawing.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -148,11 +148,11 @@ struct Atmosphere : Drawing {
     Buffer skylight_;
     bool skylight_uploaded_ = false;  ///< as the table is now
     SkylightTable sky_table_;
-    Made<Air, float> sun_made_;  ///< and the sun's height
+    Made sun_made_;
     glm::vec3 sunlight_{0.0f};
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    Made<Air, std::string, bool, unsigned> lasting_made_;  ///< of the two lasting ones: phase, all orders, toggles
-    Made<Air, std::string, bool, glm::vec2, unsigned> sky_made_;  ///< views from one height share it
+    Made lasting_made_;
+    Made sky_made_;
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});

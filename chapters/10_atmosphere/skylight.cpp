@@ -74,12 +74,12 @@ bool SkylightTable::follow(const Air& air) {
     Air seen = air;
     seen.sun = glm::vec3(1.0f);
     seen.sun_rad = 0.0f;
-    if (made_.from(seen)) {
+    if (!made_.is_current(seen)) {
         of_unit_sun_ = unit_table(seen);
         scaled_.forget();
         ++made;
     }
-    if (!scaled_.from(air.sun)) return false;
+    if (scaled_.is_current(air.sun)) return false;
     entries_.clear();
     for (const glm::dvec3& entry : of_unit_sun_) entries_.emplace_back(entry * glm::dvec3(air.sun));
     return true;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "10_atmosphere/air_data.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -19,8 +19,8 @@ class SkylightTable {
     int made = 0;  ///< for another air, so far
 
   private:
-    Made<glm::vec3> scaled_;
-    Made<Air> made_;
+    Made scaled_;
+    Made made_;
     std::vector<glm::dvec3> of_unit_sun_;
     std::vector<glm::vec3> entries_;
 };

@@ -6,7 +6,7 @@ namespace lightwalk {
 
 const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
     if (scene.environment) return *scene.environment;
-    if (even_made_.from(scene.file.ambient)) {
+    if (!even_made_.is_current(scene.file.ambient)) {
         const std::vector<uint64_t> texels(64 * 32, glm::packHalf4x16(glm::vec4(scene.file.ambient, 1.0f)));
         even_ = Image(frame.gpu.device, {.name = path() + " even", .size = {64, 32}});
         frame.upload(path() + " even", even_, std::as_bytes(std::span(texels)));
@@ -17,7 +17,8 @@ const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
 void EnvironmentLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     const Image& picture = picture_of(frame, scene);
-    if (!made_.from(scene.environment, scene.environment ? glm::vec3(0.0f) : scene.file.ambient)) return;
+    if (made_from_ == scene.environment && made_.is_current(scene.file.ambient)) return;
+    made_from_ = scene.environment;
 
     // The level of at most 256 texels around. A lamp may be anywhere within a texel's 1.4°, and a cosine changes by at
     // most 0.017 from the texel's middle to its corner.

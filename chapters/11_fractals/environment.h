@@ -3,7 +3,7 @@
 #pragma once
 #include "common/app/module.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
@@ -58,8 +58,9 @@ struct EnvironmentLight : Module {
     Pipeline draw_ = compute({.shader = "11_fractals/environment_radiance.comp"});
     Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
     Image even_;  ///< where there is no picture
-    Made<glm::vec3> even_made_;
-    Made<std::shared_ptr<Image>, glm::vec3> made_;  ///< the picture, or the uniform colour
+    Made even_made_;
+    Made made_;
+    std::shared_ptr<Image> made_from_;
     const Scene* scene_ = nullptr;                  ///< of the last record()
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -29,7 +29,7 @@ class RingGrid {
 
   private:
     Buffer indices_;
-    Made<uint32_t> made_;  ///< cells
+    Made made_;  ///< cells
     uint32_t whole_ = 0, hollow_ = 0;
 };
 

@@ -61,7 +61,7 @@ double Skin::widest_px(float away_m, const Camera& camera, uint32_t screen_heigh
 
 // Measured once for each placement: all triangles take most of a frame's recording.
 double Skin::scale_of(const DrawItem& item) const {
-    if (!scale_made_.from(item.model.get(), item.mesh, item.part, item.transform)) return mm_per_uv_;
+    if (scale_made_.is_current(item.model.get(), item.mesh, item.part, item.transform)) return mm_per_uv_;
     ++measured;
     return mm_per_uv_ = mm_per_uv(item);
 }
@@ -74,10 +74,7 @@ uint32_t Skin::size_for(const DrawItem& item, const Camera& camera, uint32_t scr
 }
 
 void Skin::make_tables(Frame& frame) {
-    if (std::exchange(tables_f0_, f0) == f0 &&
-        std::exchange(tables_toggles_, Exercises::version()) == Exercises::version())
-        return;
-    tables_toggles_ = Exercises::version();
+    if (tables_made_.is_current(f0.value, Exercises::epoch())) return;
     make(frame, facets_, "skin facets", 256, VK_FORMAT_R8G8B8A8_UNORM);
     make(frame, reflected_, "skin reflected", 32);
     make(frame, preintegrated_, "skin preintegrated", 64);

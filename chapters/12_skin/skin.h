@@ -102,10 +102,9 @@ struct Skin : Module {
     Image facets_, reflected_, preintegrated_;
     bool empty_ = true, spread_out_ = false;  ///< in this frame
     int shown_ = -1;  ///< image shown by draw() instead of the picture, numbered as in skin.frag
-    float tables_f0_ = -1;
-    unsigned tables_toggles_ = 0;
+    Made tables_made_;
     int sky_rays_ = 0;
-    mutable Made<const GpuModel*, uint32_t, uint32_t, glm::mat4> scale_made_;  ///< mesh, part, placement
+    mutable Made scale_made_;
     mutable double mm_per_uv_ = 0;
     Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});

@@ -57,7 +57,7 @@ void add_charts(Gpu& gpu, const Scene& scene) {
 }
 
 bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size) {
-    if (!made_.from(&item, scene.placed, size, Exercises::version(), settings_of(maps))) return false;
+    if (made_.is_current(&item, scene.epoch, size, maps.epoch())) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
         made.fit(frame.gpu.device,
                  {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});

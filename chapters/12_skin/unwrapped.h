@@ -4,7 +4,7 @@
 
 #include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -28,8 +28,7 @@ class Unwrapped {
     void forget() { made_.forget(); }
 
   private:
-    Made<const DrawItem*, uint64_t, uint32_t, unsigned, std::string>
-        made_;  ///< item, placed, size, toggles, maps' knobs
+    Made made_;
     Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;
     Pipeline unwrap_ = graphics({.vertex = "12_skin/unwrap.vert",
                                  .fragment = "12_skin/unwrap.frag",

@@ -20,7 +20,7 @@ const Buffer& Moving::vertices_before(const DrawItem& item) const {
 }
 
 DrawList Moving::moved_items(const Scene& scene) const {
-    const bool known = placed_ != scene.placed && transforms_.size() == scene.items.size();
+    const bool known = placed_ != scene.epoch && transforms_.size() == scene.items.size();
     return scene.opaque().where([&](const DrawItem& item) {
         return known &&
                (deforms(item) || item.transform != transforms_[static_cast<size_t>(&item - scene.items.data())]);
@@ -56,7 +56,7 @@ bool Moving::record(Frame& frame, const Scene& scene, const View& now, const Vie
 // [/record]
 
 void Moving::keep(Frame& frame, const Scene& scene) {
-    if (placed_ == scene.placed) return;
+    if (placed_ == scene.epoch) return;
     Device& device = frame.gpu.device;
     const auto copy = [&](const Buffer& from, Buffer& into, const char* name) {
         if (into.bytes != from.bytes) into = Buffer(device, {.name = name, .bytes = from.bytes});
@@ -73,7 +73,7 @@ void Moving::keep(Frame& frame, const Scene& scene) {
         Buffer& into = deformed_[{item.model.get(), item.mesh}];
         copy(item.model->vertices[item.mesh], into, "vertices before");
     }
-    placed_ = scene.placed;
+    placed_ = scene.epoch;
 }
 
 }  // namespace lightwalk

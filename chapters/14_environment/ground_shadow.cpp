@@ -65,8 +65,8 @@ void GroundShadow::record(Frame& frame, const Scene& scene, const Maps* maps, co
                                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                                     .size = glm::uvec2(uint32_t(resolution.value)),
                                     .kept = true});
-    if (scene.items.empty() || !made_.from(scene.placed, turn.cosine, turn.sine, ground_y, directions,
-                                           arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0))
+    if (scene.items.empty() || made_.is_current(scene.epoch, turn.cosine, turn.sine, ground_y, epoch(),
+                                                arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0))
         return;
     rays.record(frame, scene, maps);
     std::vector<GroundLight> lights = ground_lights(picture_, turn, directions);

@@ -3,7 +3,7 @@
 #include "05_shadow_maps/rays.h"
 #include "14_environment/ground_shadow_data.h"
 #include "14_environment/image_light.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -31,7 +31,7 @@ struct GroundShadow : Module {
   private:
     ImageRgb picture_;
     GroundShadowState state_{};
-    Made<uint64_t, float, float, float, int, uint32_t, uint64_t> made_;  ///< placed, turn, height, rays, texels, holes
+    Made made_;
     Buffer lights_;
     Pipeline trace_ = compute({.shader = "14_environment/ground_shadow.comp"});
 };

@@ -40,7 +40,9 @@ std::array<double, 3> sh_window(size_t which) {
 
 void ImageLight::prepare(Gpu& gpu, Scene& scene) {
     now_ = &sky;
-    if (!prepared_.from(scene.environment, scene.file.ambient, Exercises::version())) return;
+    if (std::exchange(environment_, scene.environment) == scene.environment &&
+        prepared_.is_current(scene.file.ambient, Exercises::epoch()))
+        return;
     made_.forget();
     if (scene.environment) {
         const ImageRgb small = small_picture(gpu, *scene.environment, 128);  // a cosine sees no more
@@ -70,7 +72,7 @@ void ImageLight::record_table(Frame& frame) {
 void ImageLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     now_ = &sky;
-    if (!made_.from(limit, sh_window.index, Exercises::version(), settings_of(prefilter), settings_of(levels))) return;
+    if (made_.is_current(epoch())) return;
     const Image& picture = picture_of(frame, scene);
     const ImageView cube = sky.radiance.as_array().mip(0);
     frame.compute("equirect to cube", {.reads = {picture}, .writes = {cube}}, [&](Compute& pass) {
@@ -113,7 +115,7 @@ void ImageLight::filter(Frame& frame, LightCubes& cubes) {
         pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4).set("irradiance", result);
         pass.dispatch(glm::uvec3(cubes.irradiance.desc.size, 6));  // a workgroup for each normal
     });
-    if (table_made_.from(Exercises::version())) record_table(frame);
+    if (!table_made_.is_current(Exercises::epoch())) record_table(frame);
 }
 // [/record]
 

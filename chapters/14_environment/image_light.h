@@ -8,7 +8,7 @@
 #include "14_environment/image_light_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 
@@ -130,13 +130,14 @@ struct ImageLight : Module {
     Pipeline split_sum_ = compute({.shader = "14_environment/split_sum.comp"});
     const Scene* scene_ = nullptr;
     /// Picture, ambient, toggles: a scene that is prepared again with the same light keeps its cubes.
-    Made<std::shared_ptr<Image>, glm::vec3, unsigned> prepared_;
+    Made prepared_;
+    std::shared_ptr<Image> environment_;  ///< that picture_sh_ is of
     Image even_;        ///< where there is no picture
     Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
     LightCubes* now_ = &sky;
     ImageLightState box_{};
-    Made<float, size_t, unsigned, std::string, std::string> made_;  ///< limit, window, toggles, prefilter, levels
-    Made<unsigned> table_made_;                                     ///< toggles
+    Made made_;
+    Made table_made_;
 };
 
 /// The largest level of an RGBA16F picture that is at most `most` texels wide, as numbers. Waits for the device.

@@ -6,7 +6,7 @@
 namespace lightwalk {
 
 void CarPaint::record(Frame& frame) {
-    if (!made_.from(Exercises::version(), settings_of(*this))) return;
+    if (made_.is_current(epoch())) return;
     frame.compute("paint table", {.writes = {table}, .with = {*this}},
                   [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include "common/app/module.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -38,7 +38,7 @@ struct CarPaint : Module {
     Target table{*this, {.name = "table", .size = {64, 66}, .kept = true}};
 
   private:
-    Made<unsigned, std::string> made_;  ///< toggles, the knobs
+    Made made_;
     Pipeline fill_ = compute({.shader = "14_environment/paint_table.comp"});
 };
 

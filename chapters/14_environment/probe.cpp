@@ -55,16 +55,16 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
                         const Draw& draw) {
     drawn_faces = 0;
     if (update.is("off")) return;
-    std::string settings = settings_of(*this) + settings_of(light);
+    uint64_t newest = std::max(epoch(), light.epoch());
     bool animated = false;
     for (const Module* module : made_of) {
-        settings += settings_of(*module);
+        newest = std::max(newest, module->epoch());
         animated |= module->any_animated();
     }
     const bool first = !made_;
     // Where the sky alone is drawn, objects may move.
-    const bool changed = made_.from(distant ? 0 : scene.placed, Exercises::version(), settings,
-                                    animated ? std::optional(frame.time_s) : std::nullopt);
+    const bool changed =
+        !made_.is_current(distant ? 0 : scene.epoch, newest, animated ? std::optional(frame.time_s) : std::nullopt);
     if (update.is("moved") && !changed) {
         light.use(light.drawn);
         return;

@@ -4,7 +4,7 @@
 
 #include "14_environment/image_light.h"
 #include "common/app/world.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -51,7 +51,7 @@ struct SceneProbe : Module {
                 const Draw& draw);
     void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw);
     Image color_, depth_;
-    Made<uint64_t, unsigned, std::string, std::optional<float>> made_;  ///< placed, toggles, settings, time
+    Made made_;
     uint32_t next_face_ = 0;
     Pipeline to_face_ = compute({.shader = "14_environment/probe_face.comp"});
 };

@@ -96,7 +96,7 @@ void City::update(Frame& frame) {
                         .towers_m = towers_m,
                         .most_boxes = most_boxes,
                         .seed = plan_seed};
-    if (!made_.from(plan)) return;
+    if (made_.is_current(plan)) return;
     ++placed_;
     blocks_ = plan_city(plan, boxes_);
     if (boxes_.empty()) return;

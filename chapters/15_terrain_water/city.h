@@ -5,7 +5,7 @@
 #include "15_terrain_water/ground.h"
 #include "15_terrain_water/sun_shadow.h"
 #include "common/app/drawing.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -67,7 +67,7 @@ struct City : Drawing, Caster, SunReceiver {
     void draw_seen(Raster& pass, const View& view) const;
     const Ground& ground_;
     const Atmosphere& atmosphere_;
-    Made<CityPlan> made_;
+    Made made_;
     std::vector<CityBlock> blocks_;
     std::vector<CityBox> boxes_;
     Buffer buffer_, cells_;

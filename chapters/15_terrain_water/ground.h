@@ -3,7 +3,7 @@
 #include "15_terrain_water/height_map.h"
 #include "15_terrain_water/land_data.h"
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
@@ -79,7 +79,7 @@ struct Ground : Module {
     std::filesystem::path file_;  ///< of the scene's object
     Image texels_, heights_, slopes_, bounds_, errors_;
     LandMap map_{};
-    Made<LandSource, unsigned> made_;  ///< toggles
+    Made made_;
     bool errors_made_ = false;
     Pipeline make_heights_ = compute({.shader = "15_terrain_water/make_heights.comp"});
     Pipeline make_slopes_ = compute({.shader = "15_terrain_water/make_slopes.comp"});

@@ -202,7 +202,7 @@ void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
                                    .size = glm::uvec2(tile_side),
                                    .mips = full_mip_count(glm::uvec2(tile_side)),
                                    .layers = 4});
-        gpu.upload(image, mip_levels(image.desc.format, glm::uvec2(side), std::as_bytes(std::span(from)), 4));
+        gpu.upload(image, mip_levels(image.desc.format, glm::uvec2(tile_side), std::as_bytes(std::span(from)), 4));
     };
     upload(materials, "ground materials", texels);
     upload(bumps, "ground bumps", slopes);

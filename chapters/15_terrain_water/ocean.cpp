@@ -86,7 +86,7 @@ void Ocean::make(Frame& frame) {
         tiles_ = Buffer(frame.gpu.device, {.name = path() + " tiles", .bytes = sizeof(glm::vec4) * tiles});
         finished_ = Buffer(frame.gpu.device, {.name = path() + " finished", .bytes = sizeof(uint32_t) * layers});
     }
-    if (!made_.from(wind_m_s, fetch_km, wind_deg, shape.value, Exercises::version())) return;
+    if (made_.is_current(epoch())) return;
     std::vector<OceanWave> all;
     height_variance_ = 0;
     for (int part = 0; part < 3; ++part) {

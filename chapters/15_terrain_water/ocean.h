@@ -3,7 +3,7 @@
 #include "15_terrain_water/water_data.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -42,7 +42,7 @@ struct Ocean : Module {
     void make(Frame& frame);
     Image fields_, moved_[2], sloped_;  ///< moved_: by this record(), by the one before
     Buffer waves_, tiles_, finished_;   ///< the last two of columns_: its workgroups' results, and their number
-    Made<float, float, float, int, unsigned> made_;  ///< wind, fetch, its direction, shape, toggles
+    Made made_;
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
     OceanTravel a_second_[3]{};

@@ -2,7 +2,7 @@
 #pragma once
 #include "15_terrain_water/waterline_data.h"
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 #include "common/scene/view.h"
@@ -46,7 +46,7 @@ struct Waterline : Module {
     Image windings_, along_rows_, distances_;
     WaterlineMap map_{};
     bool exists_ = false;
-    Made<uint64_t, float, int, float> made_;  ///< placements, level, texels, margin
+    Made made_;
     Pipeline wind_ = graphics({.vertex = "05_shadow_maps/caster.vert",
                                .fragment = "15_terrain_water/winding.frag",
                                .cull = VK_CULL_MODE_NONE,

@@ -29,7 +29,7 @@ void Field::prepare(Gpu& gpu, Scene& scene) {
 }
 
 void Field::record(Frame& frame) {
-    if (from_file_ || !made_.from(voxels, variety)) return;
+    if (from_file_ || made_.is_current(epoch())) return;
     half_m_ = glm::vec3(1.0f);
     ++number_;
     const auto edge = static_cast<uint32_t>(voxels);
@@ -45,7 +45,7 @@ void Field::record(Frame& frame) {
 // [record]
 void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfer, uint64_t transfer_number,
                           int border) {
-    if (!made_.from({field.number(), transfer_number, static_cast<uint64_t>(border), Exercises::version()})) return;
+    if (made_.is_current(field.number(), transfer_number, border, Exercises::epoch())) return;
     const glm::uvec3 voxels = ImageView(field.density()).size();
     const glm::uvec3 blocks = (voxels + static_cast<uint32_t>(BLOCK_VOXELS - 1)) / static_cast<uint32_t>(BLOCK_VOXELS);
     ranges_.fit(frame.gpu.device, {.name = "block ranges",

@@ -83,7 +83,7 @@ void Volume::update(Frame& frame) {
 // [/update]
 
 void Volume::make_transfer(Frame& frame) {
-    if (!transfer_made_.from(transfer.index, density)) return;
+    if (transfer_made_.is_current(transfer.index, density.value)) return;
     ++transfer_number_;
     transfer_texels_ = transfer_function(transfer.text(), density);
     transfer_.fit(frame.gpu.device,
@@ -102,7 +102,7 @@ void Volume::make_tables(Frame& frame) {
         });
     }
     if (!method.is("preintegrated")) return;
-    if (!preintegrated_made_.from(transfer_number_, now_.step_m, Exercises::version())) return;
+    if (preintegrated_made_.is_current(transfer_number_, now_.step_m, Exercises::epoch())) return;
     preintegrated_.fit(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
     const std::vector<uint64_t> halves =
         as_halves(preintegrated_table(transfer_texels_, table_texels, now_.step_m / REFERENCE_M));
@@ -118,8 +118,8 @@ void Volume::make_light(Frame& frame) {
                                   .depth = size.z,
                                   .kept = true});
     const glm::vec4 waves = wave > 0 ? glm::vec4(now_.wave_phase, now_.wave) : glm::vec4(0.0f);
-    if (!light_made_.from(field.number(), transfer_number_, light_steps, now_.light_at, now_.is_near,
-                          Exercises::version(), waves))
+    if (light_made_.is_current(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near,
+                          Exercises::epoch(), waves))
         return;
     frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
                   [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });
@@ -150,7 +150,7 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         past.of.clear();
     // The history is that of this very picture: the same view, volume, knobs and objects.
     ByteWriter of;
-    of(now_, field.number(), transfer_number_, scene_->placed, Exercises::version(), settings_of(*this));
+    of(now_, field.number(), transfer_number_, scene_->epoch, epoch());
     past.pictures = of.bytes == past.of ? past.pictures : 0;
     past.of = std::move(of.bytes);
     now_.history = static_cast<float>(past.pictures);

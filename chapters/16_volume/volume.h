@@ -4,7 +4,7 @@
 
 #include "16_volume/field.h"
 #include "common/app/drawing.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -99,9 +99,9 @@ struct Volume : Drawing {
     VolumeNow now_{};
     Image transfer_, light_, preintegrated_, noise_;
     uint64_t transfer_number_ = 0;
-    Made<size_t, float> transfer_made_;                   ///< transfer, density
-    Made<uint64_t, float, unsigned> preintegrated_made_;  ///< transfer's number, step, toggles
-    Made<uint64_t, uint64_t, int, glm::vec3, float, unsigned, glm::vec4> light_made_;  ///< of make_light()
+    Made transfer_made_;
+    Made preintegrated_made_;
+    Made light_made_;
     struct Past {                                                                      ///< of a view
         Image marched;
         std::string of;  ///< key of its picture

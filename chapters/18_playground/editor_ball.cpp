@@ -10,11 +10,11 @@ namespace lightwalk {
 // It is drawn when nobody drags: a new material means its textures' levels again.
 void MaterialBall::draw(EntryId id, const DrawItem& item) {
     SceneFile shows = material_ball(*editor.document.at(id).object(), item);
-    if (files_.from(scene.images())) {  // they were read again
+    if (!files_.is_current(scene.images())) {  // they were read again
         preview.forget();
         made_.forget();
     }
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && made_.from(scene_text(shows))) due_ = std::move(shows);
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !made_.is_current(scene_text(shows))) due_ = std::move(shows);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float pixel = std::max(1.0f, std::floor(ImGui::GetFontSize() / 15.0f));
     if (picture_.width) draw_pixels(picture_, at, pixel);

@@ -2,7 +2,7 @@
 #pragma once
 #include "18_playground/editor_part.h"
 #include "18_playground/preview.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -20,8 +20,8 @@ class MaterialBall : public EditorPart {
   private:
     static constexpr uint32_t size = 88;  ///< pixels
     std::optional<SceneFile> due_;
-    Made<std::string> made_;        ///< the ball's scene
-    Made<const ImagePool*> files_;  ///< of the scene that it was drawn for
+    Made made_;
+    Made files_;
     Image8 picture_;
 };
 

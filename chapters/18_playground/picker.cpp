@@ -26,8 +26,8 @@ void Picker::trace(Frame& frame, const View& view, const Scene& scene, const Map
         rays.through_holes = method.is("rays_cut");
         rays.record(frame, scene, &maps);
     }
-    if (placed_ != scene.placed) {
-        placed_ = scene.placed;
+    if (placed_ != scene.epoch) {
+        placed_ = scene.epoch;
         std::vector<ItemBox> boxes;
         for (const DrawItem& one : scene.items) boxes.push_back({one.bounds.lower, one.bounds.upper});
         if (boxes.empty()) boxes.push_back({glm::vec3(1.0f), glm::vec3(-1.0f)});

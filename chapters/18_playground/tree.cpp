@@ -44,7 +44,7 @@ void Tree::search(const std::string& text) {
 }
 
 const std::vector<TreeRow>& Tree::rows(const Document& document) {
-    if (!made_.from(document.structure())) return rows_;
+    if (made_.is_current(document.structure())) return rows_;
     rows_.clear();
     struct Waiting {
         EntryId id;

@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "18_playground/document.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -38,7 +38,7 @@ class Tree {
     std::unordered_set<EntryId> unfolded_;
     std::vector<std::string> words_;
     std::vector<TreeRow> rows_;
-    Made<uint64_t> made_;  ///< Document::structure()
+    Made made_;
 };
 
 /// Displayed name of an unnamed entry: "spot light", "model.obj".

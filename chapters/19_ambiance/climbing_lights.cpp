@@ -9,7 +9,6 @@ namespace lightwalk {
 // Spirals with steps of the golden angle. Each light is born at the foot, and fades out at the top.
 LightList ClimbingLights::all_lights(const Frame& frame) {
     const LightList others = ManyLights::all_lights(frame);
-    if (!made_.from(others, frame.time_s, climbers, foot, figure_m, girth_m)) return all_;
     std::vector<Light> all = *others;
     constexpr double golden = 0.6180339887498949;
     for (int i = 0; i < climbers; ++i) {
@@ -23,7 +22,7 @@ LightList ClimbingLights::all_lights(const Frame& frame) {
         light.intensity = static_cast<float>(0.2 * std::min(1.0, 6 * std::min(high, 1 - high)));
         all.push_back(light);
     }
-    return all_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    return std::make_shared<const std::vector<Light>>(std::move(all));
 }
 
 }  // namespace lightwalk

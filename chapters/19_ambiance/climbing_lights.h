@@ -16,10 +16,6 @@ struct ClimbingLights : ManyLights {
 
   protected:
     LightList all_lights(const Frame& frame) override;
-
-  private:
-    Made<LightList, float, int, glm::vec3, float, float> made_;  ///< lights below, time, the knobs
-    LightList all_;
 };
 // [/climbing]
 

@@ -61,7 +61,7 @@ void Reel::load_sound() {
 }
 
 void Reel::choose(const std::optional<PathKind>& kind) {
-    if (!paths_made_.from(kind, Exercises::version())) return;
+    if (paths_made_.is_current(kind, Exercises::epoch())) return;
     for (FilmScene& scene : film_.scenes) scene.camera.choose(kind.value_or(scene.path));
     chosen_ = kind;
 }
@@ -76,7 +76,7 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
     // 1. Parts from the worker; parts of other toggles go.
     if (plays && !ahead_) start_ahead(gpu, size);
     if (ahead_) take_made();
-    const bool toggled = toggles_.from(Exercises::version());
+    const bool toggled = !toggles_.is_current(Exercises::epoch());
     std::erase_if(parts_, [&](const auto& part) {
         const FilmScene& scene = film_.scenes.at(part.first);
         const bool on_screen = scene.from_s <= time_s + later_s && time_s < scene.to_s;  // tracks set its knobs

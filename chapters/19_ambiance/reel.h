@@ -7,7 +7,7 @@
 #include "19_ambiance/titles.h"
 #include "common/app/chapter.h"
 #include "common/app/target.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
@@ -112,12 +112,12 @@ struct Reel : Module {
 
     Timeline film_;
     std::optional<PathKind> chosen_;
-    Made<std::optional<PathKind>, unsigned> paths_made_;  ///< the kind, and the toggles of the curves' exercises
+    Made paths_made_;
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
     std::map<size_t, KnobSettings> ways_;                 ///< likewise
     const FilmPart* alone_ = nullptr;
     mutable std::map<std::string, KnobBase*> chapter_knobs_;  ///< of the film's tracks
-    Made<unsigned> toggles_;
+    Made toggles_;
     std::future<Sound> sound_;
     bool has_sound_ = false;
     Titles titles_;

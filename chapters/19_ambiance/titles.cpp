@@ -29,7 +29,7 @@ void Titles::record(Frame& frame, const Image& picture, const Timeline& film, do
     }
     if (glyphs.empty()) return;
     const auto bytes = std::as_bytes(std::span(glyphs));
-    if (glyphs_made_.from({bytes.begin(), bytes.end()})) frame.upload("letters", glyphs_, glyphs);
+    if (!glyphs_made_.is_current(std::vector(bytes.begin(), bytes.end()))) frame.upload("letters", glyphs_, glyphs);
     frame.compute("titles", {.reads = {glyphs_, picture}, .writes = {picture}}, [&](Compute& pass) {
         pass.use(draw_).set("glyphs", glyphs_).set("picture", picture);
         pass.set("distances", face_.distances(), linear_clamp);

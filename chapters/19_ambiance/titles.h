@@ -3,7 +3,7 @@
 #include "19_ambiance/timeline.h"
 #include "19_ambiance/typeface.h"
 #include "common/app/module.h"
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 
 namespace lightwalk {
@@ -21,7 +21,7 @@ class Titles {
   private:
     Typeface face_;
     Buffer glyphs_;
-    Made<std::vector<std::byte>> glyphs_made_;
+    Made glyphs_made_;
     Pipeline draw_ = compute({.shader = "19_ambiance/title.comp"});
 };
 

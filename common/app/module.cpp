@@ -41,6 +41,21 @@ const KnobList& Module::all_knobs() const {
     return all;
 }
 
+uint64_t Module::epoch() const {
+    std::vector<KnobBase::Numbers> numbers;
+    std::vector<size_t> variants;
+    uint64_t newest = Exercises::epoch();
+    for (const Member& member : members_)
+        if (member.module) {
+            newest = std::max(newest, member.module->epoch());
+        } else {
+            numbers.push_back(member.knob->numbers());
+            variants.push_back(member.knob->variant());
+        }
+    if (!knobs_seen_.is_current(numbers, variants)) epoch_ = Epoch::next();
+    return std::max(newest, epoch_);
+}
+
 void Module::forget_macros() {
     for (Module* module = this; module; module = module->owner_) {
         module->all_.reset();

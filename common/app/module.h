@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/app/knob.h"
+#include "common/base/epoch.h"
 #include "common/gpu/given.h"
 
 namespace lightwalk {
@@ -33,7 +34,6 @@ struct Gathering {
 /// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
 /// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
 /// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
-/// Large (29 functions, 10 members): the life of a module, which a chapter folds over.
 class Module : public Given {
   public:
     /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.
@@ -50,6 +50,9 @@ class Module : public Given {
 
     /// Of it and of all its modules, in the order of declaration; of a chapter all there are.
     const KnobList& all_knobs() const;
+
+    /// Epoch of the last change of one of its knobs, of a knob of its modules, of an exercise or of a shader.
+    uint64_t epoch() const;
 
     /// At the start of a frame: gives targets their size, and turns histories over.
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size);
@@ -128,6 +131,8 @@ class Module : public Given {
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
     mutable std::optional<KnobList> all_;
+    mutable Made knobs_seen_;
+    mutable uint64_t epoch_ = 0;  ///< of its knobs
     mutable std::optional<Macros> macros_;
     mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< with variants; the ones in macros_
     /// Uniform blocks that shaders have of it, and their bytes the last time. A few.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <optional>
 
+#include "common/base/epoch.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/names.h"
@@ -21,12 +21,10 @@ struct Table {
     std::map<std::string, State, std::less<>> exercises;
     std::string state;  ///< rebuilt on the first question after a change
     bool scanned = false;
-    std::map<std::string, unsigned> versions;  ///< of each state, since a shader was edited
-    unsigned known_versions = 0;
-    std::optional<unsigned> version;  ///< of the state
+    uint64_t epoch = 0;
     void changed() {
         state.clear();
-        version.reset();
+        epoch = Epoch::next();
     }
 };
 
@@ -141,21 +139,9 @@ void Exercises::stand_in(std::string_view id) {
     state.told = true;
 }
 
-// One counter for each state, so that pictures of the starter and of the reference, drawn alternately, each find
-// their own results.
-unsigned Exercises::version() {
-    Table& t = table();
-    if (t.version) return *t.version;
-    const auto [known, added] = t.versions.try_emplace(state(), t.known_versions);
-    if (added) ++t.known_versions;
-    t.version = known->second;
-    return known->second;
-}
+uint64_t Exercises::epoch() { return table().epoch; }
 
-void Exercises::shaders_were_edited() {
-    table().versions.clear();
-    table().version.reset();
-}
+void Exercises::shaders_were_edited() { table().epoch = Epoch::next(); }
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

@@ -1,5 +1,6 @@
 // Exercises and their toggles: which version of each, the student's or the reference, is in use.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,11 +37,11 @@ class Exercises {
     /// The state of all toggles as one word, a key for results that depend on them.
     static const std::string& state();
 
-    /// Changes with every change of a toggle, and with every edit of a shader.
-    static unsigned version();
+    /// Epoch of the last change of a toggle, or edit of a shader.
+    static uint64_t epoch();
 
-    /// Notes that a GLSL file changed while the program runs: version() changes, so that results made once by a
-    /// shader (a table, a filtered cube, a shadow map) are recomputed.
+    /// Notes that a GLSL file changed while the program runs: epoch() rises, so that results made once by a shader (a table,
+    /// a filtered cube, a shadow map) are recomputed.
     static void shaders_were_edited();
 };
 

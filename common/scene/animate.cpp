@@ -1,6 +1,6 @@
 // Placement of a scene's items at a time, and the resulting updates to the device.
 #include <algorithm>
-#include <atomic>
+#include <utility>
 
 #include "common/scene/item_material.h"
 
@@ -29,11 +29,6 @@ void upload_marked(Frame& frame, const char* name, const Buffer& buffer, std::ve
 }
 
 }  // namespace
-
-uint64_t next_placement() {
-    static std::atomic<uint64_t> count = 0;
-    return ++count;
-}
 
 Instance instance_of(const DrawItem& item, size_t index) {
     return {item.transform, glm::transpose(glm::inverse(glm::mat3(item.transform))), static_cast<uint32_t>(index)};
@@ -73,14 +68,14 @@ void animate(Scene& scene, float time_s) {
         turned_over |= item.mirrored != was_mirrored;
     }
     if (!moved) return;
-    scene.placed = next_placement();
+    scene.epoch = Epoch::next();
     scene.bounds = {};
     for (const DrawItem& item : scene.items) scene.bounds.add(item.bounds);
     if (turned_over) scene.find_batches();
 }
 
 void Scene::upload_moved(Frame& frame) {
-    if (!uploaded_.from(placed, painted)) return;
+    if (std::exchange(uploaded_, epoch) == epoch) return;
     if (to_deform_)
         for (const auto& model : moving_models_)
             if (deforming_.contains(model.get())) deform_model(frame, *model, time_s_);

@@ -69,7 +69,7 @@ void Scene::move(std::span<const Move> moves) {
             turned_over |= item.mirrored != was_mirrored;
         }
     }
-    placed = next_placement();
+    epoch = Epoch::next();
     bounds = {};
     for (const DrawItem& item : items) bounds.add(item.bounds);
     if (turned_over) find_batches();
@@ -96,7 +96,7 @@ bool Scene::paint(std::span<const Paint> paints) {
         items[place] = std::move(item);
         to_paint_[place] = true;
     }
-    painted = next_placement();
+    epoch = Epoch::next();
     return true;
 }
 
@@ -113,7 +113,7 @@ bool Scene::repaint(bool bare, float emission) {
     if (!same_kinds)
         for (DrawItem& item : items) static_cast<MapImages&>(item.maps) = item.loaded_maps;
     to_paint_.assign(items.size(), true);
-    painted = next_placement();
+    epoch = Epoch::next();
     return same_kinds;
 }
 // [/paint]

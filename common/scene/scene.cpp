@@ -90,7 +90,7 @@ void Scene::place_and_upload(Gpu& gpu) {
     for (DrawItem& item : items) place(item);
     sort_items();
     find_batches();
-    placed = next_placement();
+    epoch = Epoch::next();
     bounds = {};
     moving_items_.clear();
     std::vector<Instance> instance_data;
@@ -109,7 +109,6 @@ void Scene::place_and_upload(Gpu& gpu) {
     to_paint_ = to_upload_;
     placements = gpu.upload("placements", placements_of(items));
     first_item_.clear();
-    ++lists_made;
 }
 
 void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLoader& loader) {
@@ -210,10 +209,9 @@ static void put_sun(const Sun& sun, std::vector<Light>& lights) {
 }
 
 const LightList& Scene::lights() const {
-    if (!lights_made_.from(file.lights, sky_sun_)) return lights_;
     std::vector<Light> all = file.lights;
     if (sky_sun_) put_sun(*sky_sun_, all);
-    lights_ = std::make_shared<const std::vector<Light>>(std::move(all));
+    if (!lights_ || *lights_ != all) lights_ = std::make_shared<const std::vector<Light>>(std::move(all));
     return lights_;
 }
 

@@ -1,6 +1,6 @@
 // A scene on the device: models placed by a scene file, drawn in batches of equal parts.
 #pragma once
-#include "common/base/made.h"
+#include "common/base/epoch.h"
 #include "common/gpu/frame.h"
 #include "common/scene/bare.h"
 #include "common/scene/draw_list.h"
@@ -34,9 +34,6 @@ const Material& own_material(const DrawItem& item);
 /// Its data for shaders; `index` is its position in Scene::items.
 Instance instance_of(const DrawItem& item, size_t index);
 
-/// For Scene::placed.
-uint64_t next_placement();
-
 /// Directional light and the mean sky, exposed, in the unit of the scene.
 struct Sun {
     glm::vec3 to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world space
@@ -45,7 +42,6 @@ struct Sun {
     bool operator==(const Sun&) const = default;
 };
 
-/// Large (34 functions, 30 members): what shaders and drawings ask of a scene.
 class Scene : public Drawable {
   public:
     SceneFile file;
@@ -118,14 +114,8 @@ class Scene : public Drawable {
     /// Whether animate() has anything to do.
     bool moves() const { return !moving_items_.empty(); }
 
-    /// Changes whenever an item moves, and after load(); unique to a scene. A key for results derived from
-    /// placements.
-    uint64_t placed = 0;
-
-    /// Changes whenever paint() changes a material; a key for pictures of the scene, with `placed`.
-    uint64_t painted = 0;
-
-    uint64_t lists_made = 0;  ///< times that batches, instances and materials were made from all items
+    /// Epoch of the last load, edit or motion of anything in it; unique to a scene.
+    uint64_t epoch = 0;
 
     /// Records the upload of the instances that have moved since the last one, and of materials that were painted;
     /// nothing if there are none.
@@ -168,14 +158,13 @@ class Scene : public Drawable {
     std::vector<uint32_t> first_item_, items_of_;  ///< of each object; its items are those from its first to the next's
     float time_s_ = 0;
     std::optional<Sun> sky_sun_;
-    mutable Made<std::vector<Light>, std::optional<Sun>> lights_made_;
     mutable LightList lights_;
     std::vector<std::shared_ptr<GpuModel>> moving_models_;
     std::set<const GpuModel*> deforming_;  ///< the ones with meshes to deform
     bool to_deform_ = false;
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_, to_paint_;
-    Made<uint64_t, uint64_t> uploaded_;                               ///< placed and painted
+    uint64_t uploaded_ = 0;                                           ///< epoch
     mutable std::vector<std::pair<uint32_t, uint32_t>> opaque_runs_;  ///< of batches: first item, items
     size_t first_transparent_ = 0;
     ModelPool models_;
