@@ -26,7 +26,7 @@ from mutations import host_changes  # noqa: E402
 from tree import BUILD, Failure, chapters, find_chapter, say, warn  # noqa: E402
 
 FOLDERS = ("common/gpu", "common/scene", "common/measure", "chapters")
-CORE, CHECK, APP = "liblightwalk.so", "liblightwalk_check.so", "liblightwalk_app.so"
+COMMON, CHECK = "liblightwalk.so", "liblightwalk_check.so"
 
 
 def mutants(only: str):
@@ -82,7 +82,7 @@ class HostBench:
             said = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", target], capture_output=True, text=True)
             self.links[target] = said.stdout.splitlines()[-1]
         command = self.links[target]
-        held = re.sub(r"/(called|lent)_", "/chapter_", f"/{instead_of.partition('/')[2]}").startswith(f"/{archive[3:-2]}.dir/")
+        held = instead_of.partition("/")[2].startswith(f"{archive[3:-2]}.dir/")
         old, new = (archive, f"{made} {archive}") if held and f" {instead_of}" not in command else (instead_of, made)
         if f" {old}" not in command:
             return  # a main.cpp is in one program alone
@@ -110,7 +110,7 @@ class HostBench:
             return False
         self.fresh()
         if file.parts[0] == "common":
-            targets = [{"base": CORE, "gpu": CORE, "check": CHECK, "judge": CHECK}.get(file.parts[1], APP)]
+            targets = [CHECK if file.parts[1] in ("check", "judge") else COMMON]
         else:
             targets = [f"{kind}{name}" for name in self.names if name >= file.parts[1]
                        for kind in ("chapters/", "tests/test_", "tests/check_") if (BUILD / f"{kind}{name}").exists()]

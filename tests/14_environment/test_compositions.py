@@ -7,7 +7,6 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from part_in_ci import part  # noqa: E402
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps  # noqa: E402
 from window_session import Session, XServer  # noqa: E402
 
@@ -42,13 +41,13 @@ class Compositions(unittest.TestCase):
         return self.pictures[key]
 
     def test_the_order_of_opaque_drawings_does_not_matter(self):
-        for program in part(PROGRAMS, 2):
+        for program in PROGRAMS:
             with self.subTest(program=program):
                 behind, before = (self.draw(program, "everything", *sets(f"order={order}")) for order in ("behind", "before"))
                 self.assertEqual(steps(behind, before), 0)
 
     def test_a_set_and_objects_hide_each_other_in_any_order(self):
-        for program in part(PROGRAMS, 2):
+        for program in PROGRAMS:
             with self.subTest(program=program):
                 behind, before = (self.draw(program, "julia", *sets(f"order={order}", *NO_SURROUNDINGS))
                                   for order in ("behind", "before"))
@@ -57,7 +56,7 @@ class Compositions(unittest.TestCase):
                 self.assertGreater(steps(behind, alone), 50)
 
     def test_drawn_twice_in_a_frame_it_is_the_same(self):
-        for program in part(PROGRAMS, 2):
+        for program in PROGRAMS:
             for frames in ("1", "2"):
                 with self.subTest(program=program, frames=frames):
                     once, twice = (self.draw(program, "everything", "--frames", frames, *sets(f"show={show}"))
@@ -79,7 +78,7 @@ class Compositions(unittest.TestCase):
     def test_in_a_window(self):
         server = XServer()
         self.addCleanup(server.close)
-        for program in part(PROGRAMS, 2):
+        for program in PROGRAMS:
             with self.subTest(program=program):
                 session = Session(server, BUILD / "tests" / program,
                                   ["--validate", "on", "--scene", str(SCENES / "everything.json"), "--size", "640x360"],

@@ -11,7 +11,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
-from part_in_ci import part  # noqa: E402
 from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E402
 from window_widgets import faults  # noqa: E402
 
@@ -75,7 +74,7 @@ class Panels(unittest.TestCase):
         return (one.room_left + one.room_right) / 2
 
     def test_the_editor(self):
-        for size in part(SIZES, len(SIZES)):
+        for size in SIZES:
             session = self.start("chapters/18_playground", size, LIGHTWALK_TOUR="on")
             self.check(session, "tour")
             session.tap("tool.leave the tour")
@@ -116,7 +115,7 @@ class Panels(unittest.TestCase):
         self.assertEqual(len(lefts), 1, lefts)
 
     def test_a_chapter(self):
-        for size in part(SIZES, len(SIZES)):
+        for size in SIZES:
             session = self.start("chapters/05_shadow_maps", size)
             self.check(session, "all sections")
             own = [area for name, area in session.areas.items() if re.fullmatch(r"knob\.\w+", name)]
@@ -130,7 +129,7 @@ class Panels(unittest.TestCase):
             session.close()
 
     def test_the_menu(self):
-        for size in part(SIZES, len(SIZES)):
+        for size in SIZES:
             width = size[0]
             session = self.start("menu", size)
             session.wait(lambda: session.layout and session.layout[0].room_right > width - 60 * self.scale, "its tiles")

@@ -9,7 +9,6 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from part_in_ci import part  # noqa: E402
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION, ROOT, Drawing, knobs_of, sets, steps  # noqa: E402
 
 # The kind of a film's scene that shows a chapter's world, and the module whose method its --method chooses. Chapters 01 to 04
@@ -114,7 +113,7 @@ class Worlds(unittest.TestCase):
             own = self.drawing(chapter)
             shown = [shot for shot in shots_of(chapter) if can_show(chapter, shot)]
             self.assertGreaterEqual(2 * len(shown), len(shots_of(chapter)), chapter)
-            for shot in part(shown, len(shown)):
+            for shot in shown:
                 with self.subTest(chapter=chapter, shot=shot["name"]):
                     scene = scene_of(chapter, shot)
                     # Chapter 13's filter is the film's own.
@@ -139,7 +138,7 @@ class Worlds(unittest.TestCase):
                  if all(name in known for name in settings(scene_of("14_environment", shot), shot))]
         self.assertGreaterEqual(len(shown), 4)
         self.assertIn("probe", [shot["name"] for shot in shown])
-        for shot in part(shown, len(shown)):
+        for shot in shown:
             with self.subTest(shot=shot["name"]):
                 knobs = sets("marks.on=off", *(f"{name}={value}" for name, value in shot.get("set", {}).items()))
                 there = self.draw(editor, "--scene", scene_of("14_environment", shot), "--time", shot.get("time_s", 0), *knobs)

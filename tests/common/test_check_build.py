@@ -1,5 +1,4 @@
-"""What the build compiles for one chapter: for ./course check the core of common, its checks and its starters; for ./course run
-common and the chapters that it includes."""
+"""What the build compiles for ./course run of one chapter: common and the chapters that it includes."""
 # Builds: nothing
 
 import re
@@ -16,13 +15,6 @@ sys.path.insert(0, str(ROOT / "common" / "course"))
 from build.build import is_configured, used  # noqa: E402
 from tree import BUILD, chapters  # noqa: E402
 
-CORE = {"lightwalk", "lightwalk_check", "lightwalk_check_plain", "check_main"}
-APP = {"lightwalk_app", "lightwalk_app_once", "lightwalk_app_plain"}
-# Chapters whose checks have a module, or another one's camera.
-MORE = {"06_deferred": APP | {"lent_03_attenuation", "called_03_attenuation", "exercises_03_attenuation"},
-        "07_mipmaps": APP | {"lent_07_mipmaps"}, "11_fractals": APP, "14_environment": APP,
-        "15_terrain_water": {"check_15_terrain_water", "called_01_obj", "exercises_01_obj"},
-        "18_playground": {"check_18_playground", "called_01_obj", "exercises_01_obj"}}
 FIRST = 45  # compilations before the first picture
 
 
@@ -34,22 +26,12 @@ def compiled_for(program: str) -> list[str]:
 
 @unittest.skipUnless((BUILD / "build.ninja").exists(), "the build is not configured")
 class CheckBuild(unittest.TestCase):
-    def test_nothing_of_another_chapter_is_compiled(self):
-        for chapter in chapters():
-            own = {f"{part}_{chapter}" for part in ("checks", "trials", "exercises", "called")}
-            compiled = compiled_for(f"check_{chapter}")
-            self.assertTrue(compiled, chapter)
-            self.assertEqual(set(compiled) - CORE - own - MORE.get(chapter, set()), set(), chapter)
-
-    def test_the_core_is_a_third_of_common(self):
-        self.assertLessEqual(sum(target in CORE for target in compiled_for("check_16_volume")), 14)
-
     def test_a_chapter_is_built_with_what_it_includes_and_without_checks(self):
         counts = {}
         for chapter in chapters():
-            parts = {f"{part}_{name}" for name in {chapter} | used(chapter) for part in ("chapter", "called", "lent", "exercises")}
+            parts = {f"{part}_{name}" for name in {chapter} | used(chapter) for part in ("chapter", "exercises")}
             compiled = compiled_for(chapter)
-            self.assertEqual(set(compiled) - {"lightwalk", *APP, chapter} - parts, set(), chapter)
+            self.assertEqual(set(compiled) - {"lightwalk", chapter} - parts, set(), chapter)
             counts[chapter[:2]] = len(compiled)
         print(f"compilations: {counts}")
         self.assertLessEqual(counts["01"], FIRST)
@@ -69,7 +51,7 @@ class CheckBuild(unittest.TestCase):
                 self.assertTrue(is_configured(build))
                 (root / "chapters" / "03_c" / "main.cpp").write_text('#include "02_b/b.h"\n')
                 self.assertFalse(is_configured(build))
-                (build / "visible" / "03_c" / "02_b").mkdir(parents=True)
+                (build / "chapters.links").write_text("01_a\n02_b\n03_c 02_b\n")
                 self.assertTrue(is_configured(build))
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
 from damaged_models import damaged  # noqa: E402
-from part_in_ci import part  # noqa: E402
 from shots.rendering import Drawing  # noqa: E402
 from tree import ROOT  # noqa: E402
 
@@ -46,7 +45,7 @@ class DamagedModels(unittest.TestCase):
         files = [f for f in sorted(SET.iterdir()) if f.suffix in MODELS or f.name in ("corners.png", "a square.bin")
                  or f.suffix == ".mtl"]
         counts = {0: 0, 2: 0}
-        for file in part(files, 8):
+        for file in files:
             model = SHOWN_BY.get(file.suffix, lambda f: f.name)(file)
             for number, data in enumerate(variants(file)):
                 (self.folder / file.name).write_bytes(data)

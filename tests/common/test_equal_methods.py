@@ -6,7 +6,6 @@ import unittest
 from dataclasses import dataclass
 from pathlib import Path
 
-from part_in_ci import in_part, part
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Drawer, cheap, knobs_of, pixels_beyond, sets, steps
 
 
@@ -84,15 +83,10 @@ OWN_SCENE_ALONE = ("01", "02", "10", "11", "12")
 OTHER_SCENE_ALONE = ("18", "19")
 
 
-def scenes_of(chapter: str, equal: Equal, known: bool) -> list[str]:
-    """The scenes in which a chapter's values are compared. In a CI, values compared in an earlier chapter are compared in
-    one scene, that of many lights where the chapter draws it, and in a sixth of the chapters; the others follow with
-    other commits."""
-    scenes = [scene for scene in equal.scenes
-              if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
-    if not known or not in_part():
-        return scenes
-    return scenes[-1:] if chapter in part(CHAPTERS[EQUAL.index(equal) % 6:], 6) else []
+def scenes_of(chapter: str, equal: Equal) -> list[str]:
+    """The scenes in which a chapter's values are compared."""
+    return [scene for scene in equal.scenes
+            if not chapter.startswith(OTHER_SCENE_ALONE if scene == "default" else OWN_SCENE_ALONE)]
 
 
 def usable(equal: Equal, knobs: dict) -> tuple | None:
@@ -154,7 +148,7 @@ class EqualMethods(unittest.TestCase):
                 for equal in EQUAL:
                     if usable(equal, knobs) is None:
                         continue
-                    for scene in scenes_of(chapter, equal, equal in compared):
+                    for scene in scenes_of(chapter, equal):
                         self.compare(drawer, equal, scene, knobs)
                     compared.add(equal)
         self.assertEqual([equal for equal in EQUAL if equal not in compared], [])  # a knob that no chapter has any more
@@ -188,7 +182,7 @@ class EqualMethods(unittest.TestCase):
     def test_what_a_scene_is_loaded_with_follows_an_exercise(self):
         """A tangent frame is computed while a scene is loaded: toggling its exercise loads the scene again. Two pictures
         of one process show one scene where nothing that loading depends on has changed."""
-        changed, tried = [], part((chapter for chapter in CHAPTERS if "maps.method" in knobs_of(chapter)), 6)
+        changed, tried = [], [chapter for chapter in CHAPTERS if "maps.method" in knobs_of(chapter)]
         for chapter in tried:
             own = chapter.startswith(OWN_SCENE_ALONE)
             options = ["--size", "127x71", *cheap(chapter), *([] if own else ["--scene", self.scene]), *sets(MESH)]

@@ -13,11 +13,9 @@ import hostile
 import hostile_kinds
 from graded_class import CHAPTERS, REAL, Class, right
 from hostile import ABSTRACT, OUTSIDE
-from part_in_ci import part
 from tree import BUILD
 
 ATTACKS = hostile.ATTACKS | hostile_kinds.ATTACKS
-TRIED = dict(part(ATTACKS.items(), 8))
 PR_SET_CHILD_SUBREAPER = 36
 HONEST = ("01.triangulate", "02.lambert", "02.record_mist", "03.light_reaches_box")
 
@@ -44,7 +42,7 @@ class Hostile(Class):
         for name in ("aa honest", "zz honest"):
             # Judged twice: a line more makes it another file.
             cls.student(name, {exercise: right(exercise) + f"// {name}\n" for exercise in HONEST})
-        for name, (answers, _) in TRIED.items():
+        for name, (answers, _) in ATTACKS.items():
             cls.student(name, {exercise: with_words(text, words) for exercise, text in answers.items()})
 
     @classmethod
@@ -66,7 +64,7 @@ class Hostile(Class):
                 *[BUILD / "grade" / f"judge_{chapter}" for chapter in CHAPTERS if (BUILD / "grade" / f"judge_{chapter}").exists()]]
 
     def test_attacks_get_no_mark_and_are_told_why(self):
-        for name, (answers, words) in TRIED.items():
+        for name, (answers, words) in ATTACKS.items():
             for exercise in answers:
                 with self.subTest(name):
                     self.assertIsNone(self.grades[name]["error"])

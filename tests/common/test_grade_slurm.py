@@ -14,7 +14,6 @@ from unittest import mock
 import slurm_cluster
 from graded_class import REAL, why_not
 from many import slurm
-from part_in_ci import in_part
 from tree import Failure, UsageError
 
 COUNT, PARTS = 12, 3
@@ -71,7 +70,6 @@ class Graded(unittest.TestCase):
         """A part is killed at its work and a node drained; the table is that of one run."""
         self.graded(COUNT, PARTS)
 
-    @unittest.skipIf(in_part(), "minutes: ./course test --all runs it")
     def test_a_class_of_200_with_20_hostile(self):
         grades = self.graded(200, 8, 20)
         attacks = [one for one in grades if "hostile" in one["student"]]

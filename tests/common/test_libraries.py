@@ -1,5 +1,5 @@
 """The libraries of common call their own functions directly."""
-# Builds: lightwalk_app
+# Builds: lightwalk
 
 import re
 import subprocess
@@ -20,7 +20,7 @@ def said_by_readelf(option: str, library: Path) -> list[str]:
 class Libraries(unittest.TestCase):
     def test_no_call_of_their_own_goes_through_the_linkage_table(self):
         # Each would be looked up by its name at the program's start, and read from one line of memory more in each frame.
-        for library in (BUILD / "liblightwalk.so", BUILD / "liblightwalk_app.so"):
+        for library in (BUILD / "liblightwalk.so", BUILD / "liblightwalk_check.so"):
             defined = {line.split()[7] for line in said_by_readelf("--dyn-syms", library)
                        if re.search(r" FUNC +(GLOBAL|WEAK) +DEFAULT +\d+ ", line)}
             called = {found[1] for line in said_by_readelf("-r", library)

@@ -7,12 +7,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from part_in_ci import in_part
 from picture_drawing import BUILD, BUILT, CHAPTERS, ROOT
 
 FEW, MANY = 8, 40
-# On every commit only chapters with an earlier leak; all of them elsewhere.
-TRIED = [name for name in CHAPTERS if not in_part() or name[:2] in ("10", "14", "15", "18")]
 BOUND_MB = 0.8  # a frame
 
 
@@ -37,7 +34,7 @@ def kept_mb(chapter: str, picture: Path) -> float:
 class MemoryTest(unittest.TestCase):
     def test_frames_keep_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
-            for chapter in TRIED:
+            for chapter in CHAPTERS:
                 with self.subTest(chapter=chapter):
                     self.assertTrue(any(kept_mb(chapter, Path(folder, "picture.png")) < BOUND_MB for _ in range(3)),
                                     f"at least {BOUND_MB} MB a frame, three times of three")

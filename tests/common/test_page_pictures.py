@@ -15,7 +15,6 @@ from pathlib import Path
 
 from browser import CHROMIUM, Browser
 from firefox import Firefox
-from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
@@ -97,7 +96,7 @@ class InChromium(Comparing):
     @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
     def test_programs_look_like_their_pictures(self):
         with Browser(webgl=True) as browser:
-            self.compare(browser, part(sorted(running.scenes()), 3))
+            self.compare(browser, sorted(running.scenes()))
 
 
 def accept():

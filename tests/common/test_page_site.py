@@ -13,7 +13,6 @@ from unittest import mock
 
 from browser import CHROMIUM, Browser
 from contrast import hard_to_read
-from part_in_ci import part
 from site_page import COLORS, DRAWN, DRAWN_BY, LAMBERT, PICTURE, SQUARE, Solving, first_bytes, remove, serve, site
 
 from pages import docs, drawn_pictures, knob_links, publish, running, states
@@ -85,7 +84,7 @@ class InBrowser(Solving):
     def test_every_program_is_drawn_edited_and_reset(self):
         scenes = running.scenes()
         with Browser(webgl=True) as browser:
-            for name in part(sorted(scenes), 4):
+            for name in sorted(scenes):
                 with self.subTest(name):
                     page = next(lesson.stem for lesson in lessons() if lesson.stem[:2] == name[:2])
                     browser.open(site() / f"{page}.html")
@@ -192,7 +191,7 @@ class InBrowser(Solving):
         """Lessons and other texts as a browser loads them; pages of sources, without pictures and formulas, by their files. Texts
         in light and in dark, with an editor and all that folds open."""
         shown, loaded = sorted(page for page in site().glob("*.html")), {}
-        read = {"index", DRAWN[0], *(lesson.stem for lesson in part(lessons(), 6))}
+        read = {"index", DRAWN[0], *(lesson.stem for lesson in lessons())}
         address, end = serve()
         self.addCleanup(end)
         with Browser(webgl=True, server=address) as browser:

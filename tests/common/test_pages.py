@@ -12,7 +12,6 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from browser import CHROMIUM, Browser
-from part_in_ci import in_part, part
 from small_course import REAL
 
 sys.path.insert(0, str(REAL / "common/course"))
@@ -105,7 +104,6 @@ class Pages(TheCourse):
                 [page] = [stem for stem in names if exercise in names[stem]]
                 self.assertIn(f"../{page}.html#{exercise}", (self.folder / "open" / f"{exercise}.html").read_text())
 
-    @unittest.skipIf(in_part(), "of ./course test --all")
     def test_the_same_tree_gives_the_same_bytes(self):
         with tempfile.TemporaryDirectory() as again:
             docs.make(Path(again, "docs"))
@@ -155,14 +153,8 @@ class InBrowser(TheCourse):
             self.assertEqual(browser.complaints, [])
 
     def looked_at(self) -> list[Path]:
-        """All but the pages that lead on to an exercise; in a CI a third of the lessons, and of NAME.KIND.html (listings, studies)
-        one of each kind."""
-        pages = [page for page in self.pages if page.parent.name != "open"]
-        if not in_part():
-            return pages
-        kinds = {page.name.split(".")[-2] if page.name.count(".") > 1 else page: page for page in reversed(pages)}
-        shown = part(self.lessons, 3)
-        return [page for page in kinds.values() if page not in self.lessons or page in shown]
+        """All but the pages that lead on to an exercise."""
+        return [page for page in self.pages if page.parent.name != "open"]
 
     def test_on_a_phone_in_the_dark(self):
         """Colours are the theme's and alike in all pages; whether a lesson fits a phone is seen with the rest of it."""

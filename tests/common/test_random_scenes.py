@@ -5,7 +5,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from part_in_ci import part
 from random_scenes import CHAPTERS, FILLINGS, SIZE, draw, random_scene, run
 from shots.rendering import Drawing
 
@@ -19,7 +18,7 @@ class RandomScenes(unittest.TestCase):
         self.assertNotEqual(random_scene(7), random_scene(8))
 
     def test_no_chapter_has_anything_to_say(self):
-        for seed in part(range(FEW), 3):
+        for seed in range(FEW):
             program = CHAPTERS[seed * len(CHAPTERS) // FEW]
             with self.subTest(program=program.name, seed=seed), tempfile.TemporaryDirectory() as folder:
                 command, wrong = draw(program, seed, folder)
@@ -72,7 +71,7 @@ class RandomScenes(unittest.TestCase):
                  "13": ["picture", "edges"]}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
-            for program in part(CHAPTERS, 3):
+            for program in CHAPTERS:
                 drawn = {}  # by the view, in memory filled with NaN and with small numbers: as run() does, many views in a process
                 for filling in FILLINGS:
                     with Drawing(program, MALLOC_PERTURB_=filling) as drawing:

@@ -13,7 +13,6 @@ sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
 from PIL import Image  # noqa: E402
 
 from browser import CHROMIUM, Browser  # noqa: E402
-from part_in_ci import part  # noqa: E402
 from pages.gallery import write_gallery  # noqa: E402
 from pages.page import chart_uri, data_uri  # noqa: E402
 from pages.report import write_report  # noqa: E402
@@ -118,13 +117,11 @@ class ReportText(ReportCase):
             self.assertNotIn(outside, html)
 
     def test_all_pictures_and_charts_are_below_10_mb(self):
-        """Of all goldens, as where every test has passed; in part by the mean of some."""
+        """Of all goldens, as where every test has passed."""
         mega = 0.0
         for files, embedded in ((ROOT.glob("tests/*/golden/*.png"), lambda file: data_uri(file, lossless=False)),
                                 (ROOT.glob("docs/studies/*.png"), chart_uri)):
-            files = sorted(files)
-            chosen = part(files, 8)
-            mega += sum(len(embedded(file)) for file in chosen) / len(chosen) * len(files) / 1e6
+            mega += sum(len(embedded(file)) for file in files) / 1e6
         self.assertLess(mega + 1.5, 10, "with 1.5 MB of figures and words")
 
     def test_what_cannot_be_read_is_a_failure(self):

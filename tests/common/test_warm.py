@@ -11,7 +11,6 @@ from pathlib import Path
 
 from PIL import Image
 
-from part_in_ci import part
 from picture_drawing import BUILD, BUILT, CHAPTERS, HAS_SOLUTION, ROOT, Drawer, cheap, sets, steps, thing
 
 SIZE = (97, 61)
@@ -104,7 +103,7 @@ class Warm(unittest.TestCase):
         self.assertGreater(steps(before, cold), 0, "nothing has changed: this tries nothing")
 
     def test_a_time_come_to_by_frames(self):
-        for chapter, scene, settings in part(MOVES, 2):
+        for chapter, scene, settings in MOVES:
             with self.subTest(chapter=chapter, settings=settings):
                 words = self.words(chapter, scene, settings)
                 at_once = self.cold(chapter, *words, "--time", "2")
@@ -112,14 +111,14 @@ class Warm(unittest.TestCase):
                 self.assertGreater(steps(self.cold(chapter, *words, "--time", "1.75"), at_once), 0, "nothing moves")
 
     def test_a_knob(self):
-        for chapter, scene, settings, change in part(KNOBS, 3):
+        for chapter, scene, settings, change in KNOBS:
             with self.subTest(chapter=chapter, settings=settings, change=change):
                 words = self.words(chapter, scene, settings)
                 pictures = self.live(chapter, words, [{}, {"set": dict(one.split("=") for one in change)}])
                 self.assert_cold(*pictures, self.cold(chapter, *words, *sets(*change)))
 
     def test_a_toggle(self):
-        for chapter, given, exercise in part(TOGGLES, 2):
+        for chapter, given, exercise in TOGGLES:
             with self.subTest(chapter=chapter, exercise=exercise):
                 words, use = [*given, *cheap(chapter)], f"{exercise}=exercise"
                 pictures = self.live(chapter, words, [{}, {"use": use}])
