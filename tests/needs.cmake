@@ -1,3 +1,6 @@
+find_program(PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)  # Debian's has Debian's matplotlib
+find_program(PYTHON3 python3 REQUIRED)
+
 # The targets that a test needs: ./course test PATTERN builds no others (common/course/test/needs.py). A test without this
 # needs everything.
 function(lightwalk_test_needs name)

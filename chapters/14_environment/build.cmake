@@ -3,4 +3,3 @@ find_library(VORBISFILE vorbisfile REQUIRED)
 find_library(OGG ogg REQUIRED)
 find_library(KISSFFT kissfft-float REQUIRED)
 target_link_libraries(chapter_14_environment PUBLIC ${VORBISFILE} ${OGG} ${KISSFFT})
-target_link_libraries(called_14_environment PUBLIC ${KISSFFT}) # spectrum.cpp, which checks call

@@ -64,8 +64,9 @@ struct RegisterCheck {
 #define LIGHTWALK_JOIN(a, b) LIGHTWALK_JOIN_(a, b)
 
 /// CHECK_EXERCISE("02.phong", "a hint") { check.probe({...}); }
-#define CHECK_EXERCISE(id, hint)                                                     \
-    static void LIGHTWALK_JOIN(run_check_, __LINE__)(lightwalk::Check & check);      \
-    static const lightwalk::RegisterCheck LIGHTWALK_JOIN(register_check_, __LINE__)( \
-        id, hint, LIGHTWALK_JOIN(run_check_, __LINE__));                             \
-    static void LIGHTWALK_JOIN(run_check_, __LINE__)([[maybe_unused]] lightwalk::Check & check)
+#define CHECK_EXERCISE(id, hint) LIGHTWALK_CHECK_EXERCISE(id, hint, __COUNTER__)
+#define LIGHTWALK_CHECK_EXERCISE(id, hint, number)                                                                     \
+    static void LIGHTWALK_JOIN(run_check_, number)(lightwalk::Check & check);                                          \
+    static const lightwalk::RegisterCheck LIGHTWALK_JOIN(register_check_, number)(id, hint,                            \
+                                                                                  LIGHTWALK_JOIN(run_check_, number)); \
+    static void LIGHTWALK_JOIN(run_check_, number)([[maybe_unused]] lightwalk::Check & check)

@@ -79,6 +79,11 @@ std::string number_text(double value);
 std::string gave_text(std::span<const double> got, std::span<const double> expected);
 std::string gave_text(double got, double expected);
 
+/// Three numbers from `at` on.
+inline glm::dvec3 vector3(std::span<const double> numbers, size_t at = 0) {
+    return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
+
 /// Appends a vector's components.
 template <class Vector>
 void append(Row& row, const Vector& v) {

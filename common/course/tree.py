@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 # A test of another build folder (the sanitizers') says so in the environment.
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-LIBRARIES = tuple(BUILD / f"lib{name}.so" for name in ("lightwalk", "lightwalk_check", "lightwalk_app"))  # common, for all programs
+LIBRARIES = tuple(BUILD / f"lib{name}.so" for name in ("lightwalk", "lightwalk_check"))  # common, for all programs
 SHADER_CACHE = Path(os.environ.get("LIGHTWALK_CACHE", ROOT / "build" / "shader_cache"))  # as common/base/kept.h says
 
 

@@ -23,8 +23,8 @@ std::string chapter_of(const std::string& name) {
 // $LIGHTWALK_OVERLAY: a folder of shaders that replace those at the same path, to try a change without editing the
 // tree.
 fs::path overlaid(const fs::path& file) {
-    static const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
-    if (!overlay) return file;
+    const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
+    if (!overlay || !*overlay) return file;
     const fs::path other = fs::path(overlay) / fs::relative(file, course_root());
     return fs::exists(other) ? other : file;
 }

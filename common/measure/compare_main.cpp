@@ -129,15 +129,43 @@ bool within_limits(const Options& options, const Comparison& c) {
     return over.empty();
 }
 
+Comparison compared(const Options& options) {
+    if (!options.heatmap.empty()) check_writable(options.heatmap);
+    Comparison comparison = compare(options);
+    if (!options.heatmap.empty()) write_png(options.heatmap, heat_map(comparison.map));
+    return comparison;
+}
+
+void print_json(const nlohmann::ordered_json& json, int indent) {
+    std::cout << json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+/// For each line of standard input, a JSON array ["EXPECTED", "ACTUAL", "--heatmap", "FILE"] with or without the last two:
+/// a line with what --json prints, or {"error": why}.
+void compare_pairs() {
+    for (std::string line; std::getline(std::cin, line);) {
+        try {
+            const auto words = nlohmann::json::parse(line).get<std::vector<std::string>>();
+            if (words.size() != 2 && (words.size() != 4 || words[2] != "--heatmap"))
+                throw InputError("{} is no pair of pictures", line);
+            const Options options{
+                .reference = words[0], .test = words[1], .heatmap = words.size() == 4 ? words[3] : ""};
+            print_json(as_json(options, compared(options)), -1);
+        } catch (const std::exception& error) { print_json({{"error", error.what()}}, -1); }
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App app(
         "How far an image is from another: FLIP (LDR, or HDR for .hdr and .pfm), RMSE in linear light, largest\n"
         "difference. Exit codes: 0; 1 a limit is exceeded; 2 bad input.",
         "compare");
     Options options;
-    app.add_option("reference", options.reference, "the expected image: PNG, JPEG, .hdr or .pfm")->required();
-    app.add_option("test", options.test, "the image to judge")->required();
+    bool pairs = false;
+    app.add_option("reference", options.reference, "the expected image: PNG, JPEG, .hdr or .pfm");
+    app.add_option("test", options.test, "the image to judge");
     app.add_flag("--json", options.json, "print JSON");
+    app.add_flag("--pairs", pairs, "compare the pairs that standard input names, a JSON array of words a line");
     app.add_flag("--hdr", options.hdr, "compare as HDR whatever the names say");
     app.add_option("--heatmap", options.heatmap, "write the FLIP map here, as PNG");
     app.add_option("--exposures", options.exposures,
@@ -154,11 +182,14 @@ int run(int argc, char** argv) {
         std::cout << app.help();
         return 0;
     } catch (const CLI::ParseError& error) { throw InputError("{} (try --help)", error.what()); }
-    if (!options.heatmap.empty()) check_writable(options.heatmap);
-    const Comparison comparison = compare(options);
-    if (!options.heatmap.empty()) write_png(options.heatmap, heat_map(comparison.map));
+    if (pairs) {
+        compare_pairs();
+        return 0;
+    }
+    if (options.test.empty()) throw InputError("two images are needed (try --help)");
+    const Comparison comparison = compared(options);
     if (options.json)
-        std::cout << as_json(options, comparison).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+        print_json(as_json(options, comparison), 2);
     else
         print(comparison);
     std::fflush(stdout);

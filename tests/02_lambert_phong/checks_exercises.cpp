@@ -6,8 +6,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 vector3(std::span<const double> in, size_t at) { return {in[at], in[at + 1], in[at + 2]}; }
-
 Row directions(std::initializer_list<glm::vec3> list, std::initializer_list<double> numbers = {}) {
     Row row;
     for (const glm::vec3& v : list) append(row, v);

@@ -6,8 +6,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 vector3(std::span<const double> in, size_t at) { return {in[at], in[at + 1], in[at + 2]}; }
-
 template <class Vector>
 Row row_of(const Vector& v) {
     Row row;

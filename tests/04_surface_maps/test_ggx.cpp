@@ -10,8 +10,6 @@ namespace {
 
 constexpr double pi = glm::pi<double>();
 
-glm::dvec3 vector3(std::span<const double> in, size_t at) { return {in[at], in[at + 1], in[at + 2]}; }
-
 // Smith's masking by Heitz' auxiliary function (JCGT 3(2), 2014, equations 72 and 99), and Walter's density.
 double lambda(double cosine, double alpha) {
     const double tangent2 = (1 - cosine * cosine) / (cosine * cosine);

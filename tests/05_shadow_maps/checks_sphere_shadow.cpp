@@ -8,8 +8,6 @@ namespace {
 
 constexpr const char* file = "05_shadow_maps/sphere_shadow.glsl";
 
-glm::dvec3 vector3(std::span<const double> in, size_t at) { return {in[at], in[at + 1], in[at + 2]}; }
-
 void add(Table& inputs, glm::vec3 to_center, float radius, glm::vec3 to_light, const Row& more = {}) {
     Row row;
     append(row, to_center);

@@ -6,8 +6,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in, size_t at) { return {in[at], in[at + 1], in[at + 2]}; }
-
 std::string truth_word(const std::string& name, std::span<const double> v) {
     return name.empty() ? (v[0] != 0 ? "true" : "false") : "";
 }
@@ -38,15 +36,15 @@ CHECK_EXERCISE("06.box_is_out",
         .signature = "bool box_is_out(vec3 center, vec3 half_size, vec4 plane)",
         .truth =
             [](std::span<const double> in) {
-                const double most = truth::most_in_front(three(in, 0), three(in, 3), {three(in, 6), in[9]});
+                const double most = truth::most_in_front(vector3(in, 0), vector3(in, 3), {vector3(in, 6), in[9]});
                 return Row{most < 0 ? 1.0 : 0.0};
             },
         .bound = {.absolute = 0},
         .words = truth_word,
         .hint = [](auto in, auto got) -> std::string {
-            const double most = truth::most_in_front(three(in, 0), three(in, 3), {three(in, 6), in[9]});
+            const double most = truth::most_in_front(vector3(in, 0), vector3(in, 3), {vector3(in, 6), in[9]});
             if (most == 0) return "the plane touches the box, which is not out then";
-            const double middle = glm::dot(three(in, 6), three(in, 0)) + in[9];
+            const double middle = glm::dot(vector3(in, 6), vector3(in, 0)) + in[9];
             if (got[0] != 0)
                 return middle < 0
                            ? "its center is behind the plane, and a corner in front of it: part of it may be seen"
@@ -123,7 +121,7 @@ CHECK_EXERCISE("06.screen_box",
     const auto truth_of = [](std::span<const double> in) {
         glm::dmat4 m;
         for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = in[size_t(6 + i)];
-        const auto box = truth::screen_box(three(in, 0), three(in, 3), m, {in[22], in[23]});
+        const auto box = truth::screen_box(vector3(in, 0), vector3(in, 3), m, {in[22], in[23]});
         return Row(box.begin(), box.end());
     };
     const auto crosses = [truth_of](std::span<const double> in) { return truth_of(in)[4] == 1; };
@@ -151,7 +149,7 @@ CHECK_EXERCISE("06.screen_box",
         row.insert(row.end(), {double(64 + probe.inputs.size() % 300), double(48 + probe.inputs.size() % 200)});
         // A corner in the near plane itself may round to either side.
         bool is_clear = true;
-        for (const glm::dvec3& corner : truth::corners(three(row, 0), three(row, 3))) {
+        for (const glm::dvec3& corner : truth::corners(vector3(row, 0), vector3(row, 3))) {
             const glm::dvec4 clip = to_clip * glm::dvec4(corner, 1.0);
             is_clear &= std::fabs(clip.z - clip.w) > 0.02;
         }

@@ -14,7 +14,6 @@ Row row_of(const Vector& v) {
     return row;
 }
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
 glm::dvec4 four(std::span<const double> in) { return {in[0], in[1], in[2], in[3]}; }
 
 Macros content_macros() {
@@ -136,7 +135,7 @@ CHECK_EXERCISE("07.to_linear", "Codes are not light, vectors or variances: decod
     }
     const Table normals = check.probe(normal);
     check.property(normal, normals, "which is longer than 1",
-                   [](auto, auto out) { return glm::length(three(out)) < 1 + 1e-5; });
+                   [](auto, auto out) { return glm::length(vector3(out)) < 1 + 1e-5; });
 
     Probe rough{.include = srgb.include,
                 .signature = "float roughness_to_linear(float r)",
@@ -176,10 +175,10 @@ CHECK_EXERCISE("07.from_linear", "Invert to_linear, for every mean that a filter
                             {5e-5, 0, 0},
                             {2e-4, 0, 0},
                             {0, -6e-4, 3e-4}},
-                 .truth = [](std::span<const double> in) { return row_of(truth::normal_from_linear(three(in))); },
+                 .truth = [](std::span<const double> in) { return row_of(truth::normal_from_linear(vector3(in))); },
                  .bound = {.absolute = 1e-3},  // a root near 0
                  .hint = [](auto in, auto) -> std::string {
-                     const double length = glm::length(three(in));
+                     const double length = glm::length(vector3(in));
                      if (length < 1e-4) return "Normals that cancel have no direction: use (0, 0, 1), and 1 in alpha.";
                      return length > 1 ? "For a mean longer than 1 alpha is 0: avoid the root of a negative number."
                                        : "";

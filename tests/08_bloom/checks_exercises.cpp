@@ -11,8 +11,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 Row row_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 const double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::nan("");
@@ -51,34 +49,35 @@ CHECK_EXERCISE("08.soft_knee",
 
 CHECK_EXERCISE("08.bright_pass",
                "Make the radiance finite, compute its luminance, and scale it by soft_knee(luminance) / luminance.") {
-    Probe probe{.include = "08_bloom/bright_pass.glsl",
-                .signature = "vec3 bright_pass(vec3 radiance, float threshold, float knee)",
-                .inputs = {{0, 0, 0, 1, 0.5},
-                           {0, 0, 0, 0, 0},
-                           {2, 2, 2, 1, 0.5},
-                           {9, 0, 0, 1, 0.5},
-                           {0, 0, 9, 1, 0},
-                           {0.5, 0.5, 0.5, 1, 0.2},
-                           {1, 2, 3, 0, 0},
-                           {3e-5, 2e-5, 1e-5, 0, 0},
-                           {0, 0, 1e-3, 0, 0},
-                           {65504, 65504, 65504, 1, 0.5},
-                           {infinity, 0, 0, 1, 0.5},
-                           {infinity, infinity, infinity, 1, 0.5},
-                           {1e9, 2, 2, 1, 0.5},
-                           {not_a_number, 3, 3, 1, 0.5},
-                           {not_a_number, not_a_number, not_a_number, 0, 0},
-                           {-5, 3, 3, 1, 0.5},
-                           {-infinity, -1, -1, 0, 0}},
-                .truth = [](std::span<const double> in) { return row_of(truth::bright_pass(three(in), in[3], in[4])); },
-                .bound = {.absolute = 2e-6, .relative = 1e-5},
-                .hint = [](auto in, auto) -> std::string {
-                    for (int i = 0; i < 3; ++i)
-                        if (!std::isfinite(in[size_t(i)]) || in[size_t(i)] < 0 || in[size_t(i)] > 65504)
-                            return "Use finite_light(radiance) before any other calculation.";
-                    if (in[0] == 0 && in[1] == 0 && in[2] == 0) return "Black has no luminance to divide by.";
-                    return "";
-                }};
+    Probe probe{
+        .include = "08_bloom/bright_pass.glsl",
+        .signature = "vec3 bright_pass(vec3 radiance, float threshold, float knee)",
+        .inputs = {{0, 0, 0, 1, 0.5},
+                   {0, 0, 0, 0, 0},
+                   {2, 2, 2, 1, 0.5},
+                   {9, 0, 0, 1, 0.5},
+                   {0, 0, 9, 1, 0},
+                   {0.5, 0.5, 0.5, 1, 0.2},
+                   {1, 2, 3, 0, 0},
+                   {3e-5, 2e-5, 1e-5, 0, 0},
+                   {0, 0, 1e-3, 0, 0},
+                   {65504, 65504, 65504, 1, 0.5},
+                   {infinity, 0, 0, 1, 0.5},
+                   {infinity, infinity, infinity, 1, 0.5},
+                   {1e9, 2, 2, 1, 0.5},
+                   {not_a_number, 3, 3, 1, 0.5},
+                   {not_a_number, not_a_number, not_a_number, 0, 0},
+                   {-5, 3, 3, 1, 0.5},
+                   {-infinity, -1, -1, 0, 0}},
+        .truth = [](std::span<const double> in) { return row_of(truth::bright_pass(vector3(in), in[3], in[4])); },
+        .bound = {.absolute = 2e-6, .relative = 1e-5},
+        .hint = [](auto in, auto) -> std::string {
+            for (int i = 0; i < 3; ++i)
+                if (!std::isfinite(in[size_t(i)]) || in[size_t(i)] < 0 || in[size_t(i)] > 65504)
+                    return "Use finite_light(radiance) before any other calculation.";
+            if (in[0] == 0 && in[1] == 0 && in[2] == 0) return "Black has no luminance to divide by.";
+            return "";
+        }};
     Random random;
     for (int i = 0; i < 1000; ++i)
         probe.inputs.push_back({random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 2),
@@ -104,9 +103,9 @@ CHECK_EXERCISE("08.combine",
                            {-1, 0, 1, 1, 1, 1, 0.5, 0}},
                 .truth =
                     [](std::span<const double> in) {
-                        const glm::dvec3 light = truth::finite_light(three(in));
+                        const glm::dvec3 light = truth::finite_light(vector3(in));
                         const double kept = in[7] != 0 ? 1 - in[6] : 1;
-                        return row_of(truth::finite_light(kept * light + in[6] * three(in.subspan(3))));
+                        return row_of(truth::finite_light(kept * light + in[6] * vector3(in.subspan(3))));
                     },
                 .bound = {.absolute = 2e-6, .relative = 1e-5},
                 .hint = [](auto in, auto out) -> std::string {

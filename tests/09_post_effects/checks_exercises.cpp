@@ -11,8 +11,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 Row row_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 Row color(Random& random, double most) {
@@ -27,7 +25,7 @@ CHECK_EXERCISE("09.exposure_gamma", "Use exp2() for the stops; a gamma of 0 or l
         .include = "09_post_effects/exposure_gamma.glsl",
         .signature = "vec3 expose(vec3 radiance, float stops)",
         .inputs = {{1, 2, 3, 0}, {1, 2, 3, 1}, {1, 2, 3, -1}, {0, 0, 0, 16}, {0.5, 0.25, 4, -16}, {1, 1, 1, 16}},
-        .truth = [](std::span<const double> in) { return row_of(std::exp2(in[3]) * three(in)); },
+        .truth = [](std::span<const double> in) { return row_of(std::exp2(in[3]) * vector3(in)); },
         .bound = {.absolute = 1e-9, .relative = 2e-5},
         .hint = [](auto, auto) { return "A stop is a factor of two, not a sum or a power of e."; }};
     for (int i = 0; i < 200; ++i) {
@@ -46,7 +44,7 @@ CHECK_EXERCISE("09.exposure_gamma", "Use exp2() for the stops; a gamma of 0 or l
                             {-0.1, 0.5, 1, 2},
                             {0, 0, 0, 8},
                             {0.2, 0.5, 2, -0.001}},
-                 .truth = [](std::span<const double> in) { return row_of(truth::apply_gamma(three(in), in[3])); },
+                 .truth = [](std::span<const double> in) { return row_of(truth::apply_gamma(vector3(in), in[3])); },
                  .bound = {.absolute = 2e-5, .relative = 1e-4},
                  .hint = [](auto in, auto) -> std::string {
                      if (in[3] <= 0) return "For a gamma of 0 or less return the colour unchanged.";
@@ -74,7 +72,7 @@ CHECK_EXERCISE("09.contrast_saturation",
                            {0, 0.5, 1, 3},
                            {-0.2, 0.5, 1, 1.5},
                            {0.01, 0.1, 4, 0.5}},
-                .truth = [](std::span<const double> in) { return row_of(truth::contrast(three(in), in[3])); },
+                .truth = [](std::span<const double> in) { return row_of(truth::contrast(vector3(in), in[3])); },
                 .bound = {.absolute = 1e-5, .relative = 2e-4},
                 .hint = [](auto in, auto) -> std::string {
                     if (in[3] == 0) return "pow(0, 0) is undefined and is used here; treat an amount of 0 separately.";
@@ -87,7 +85,7 @@ CHECK_EXERCISE("09.contrast_saturation",
         .include = "09_post_effects/contrast_saturation.glsl",
         .signature = "vec3 saturate_color(vec3 color, float amount)",
         .inputs = {{1, 0.5, 0.25, 1}, {1, 0.5, 0.25, 0}, {1, 0, 0, 4}, {0, 0, 1, 2}, {0, 0, 0, 4}, {3, 3, 3, 2}},
-        .truth = [](std::span<const double> in) { return row_of(truth::saturate_color(three(in), in[3])); },
+        .truth = [](std::span<const double> in) { return row_of(truth::saturate_color(vector3(in), in[3])); },
         .bound = {.absolute = 2e-6, .relative = 2e-5},
         .hint = [](auto, auto out) -> std::string {
             for (const double c : out)
@@ -217,7 +215,7 @@ CHECK_EXERCISE("09.tone_curve", "Matrix, curve, matrix; then a clamp at both end
                    {0, 50, 0},
                    {0, 0, 50},
                    {1e-4, 0, 1e-4}},
-        .truth = [](std::span<const double> in) { return row_of(truth::hill(three(in))); },
+        .truth = [](std::span<const double> in) { return row_of(truth::hill(vector3(in))); },
         .bound = {.absolute = 2e-5},
         .hint = [](auto, auto out) -> std::string {
             for (const double c : out)

@@ -12,8 +12,6 @@ namespace {
 
 Row row_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 }  // namespace
 
 CHECK_EXERCISE("12.gaussian_profile", "A Gaussian of variance v per axis is exp(-r²/2v) / (2 pi v) over a plane.") {
@@ -69,14 +67,14 @@ CHECK_EXERCISE("12.stretch_scale", "Texels per mm is the inverse of mm per texel
                 .truth =
                     [](std::span<const double> in) {
                         const auto scale = [&](size_t at) {
-                            const double length = glm::length(three(in.subspan(at)));
+                            const double length = glm::length(vector3(in.subspan(at)));
                             return length * in[6] > 1 ? 1 / length : in[6];
                         };
                         return Row{scale(0), scale(3)};
                     },
                 .bound = {.absolute = 1e-6, .relative = 1e-5},
                 .hint = [](auto in, auto out) -> std::string {
-                    const double du = glm::length(three(in)), dv = glm::length(three(in.subspan(3)));
+                    const double du = glm::length(vector3(in)), dv = glm::length(vector3(in.subspan(3)));
                     if (du == 0 || dv == 0) return "A step of length 0 gives most_texels.";
                     if (std::fabs(out[0] - du) < 1e-5 * du && std::fabs(out[1] - dv) < 1e-5 * dv)
                         return "This is mm per texel; the result is texels per mm.";
@@ -108,13 +106,13 @@ CHECK_EXERCISE("12.chart_step",
                     [](std::span<const double> in) {
                         glm::dvec3 sum(0);
                         int steps = 0;
-                        const glm::dvec3 own = three(in.subspan(4));
+                        const glm::dvec3 own = vector3(in.subspan(4));
                         if (in[3] == in[7]) {
-                            sum += own - three(in);
+                            sum += own - vector3(in);
                             ++steps;
                         }
                         if (in[11] == in[7]) {
-                            sum += three(in.subspan(8)) - own;
+                            sum += vector3(in.subspan(8)) - own;
                             ++steps;
                         }
                         return row_of(steps ? 1000.0 * sum / double(steps) : sum);

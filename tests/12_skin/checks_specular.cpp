@@ -10,8 +10,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 const Macros closed{{"SKIN_SPECULAR", "0"}, {"SKIN_SPECULAR_CLOSED", "0"}, {"SKIN_SPECULAR_TABLES", "1"}};
 
 }  // namespace
@@ -107,13 +105,13 @@ CHECK_EXERCISE("12.kelemen_szirmay_kalos",
                 .inputs = {},
                 .truth =
                     [](std::span<const double> in) {
-                        return Row{truth::kelemen_szirmay_kalos(three(in), three(in.subspan(3)), three(in.subspan(6)),
-                                                                in[9], in[10])};
+                        return Row{truth::kelemen_szirmay_kalos(vector3(in), vector3(in.subspan(3)),
+                                                                vector3(in.subspan(6)), in[9], in[10])};
                     },
                 .bound = {.absolute = 2e-7, .relative = 1e-3},
                 .macros = closed,
                 .hint = [](auto in, auto out) -> std::string {
-                    const glm::dvec3 n = three(in), l = three(in.subspan(3)), v = three(in.subspan(6));
+                    const glm::dvec3 n = vector3(in), l = vector3(in.subspan(3)), v = vector3(in.subspan(6));
                     if (glm::length(l + v) < 1e-5) return "l and v are opposite: there is no half vector.";
                     if (glm::dot(n, l) <= 0 || glm::dot(n, v) <= 0) return "Below the horizon nothing is reflected.";
                     const double right = truth::kelemen_szirmay_kalos(n, l, v, in[9], in[10]);

@@ -11,8 +11,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 const double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::nan("");
 
 // As 13_mlaa/edge_source.glsl has it for checks.
@@ -63,7 +61,7 @@ CHECK_EXERCISE("13.lab_distance", "Apply f() to each component first; then compu
                            {16, 4, 1}},
                 .truth =
                     [](std::span<const double> in) {
-                        const glm::dvec3 lab = truth::to_lab(three(in));
+                        const glm::dvec3 lab = truth::to_lab(vector3(in));
                         return Row{lab.x, lab.y, lab.z};
                     },
                 .bound = {.absolute = 0.03, .relative = 1e-4},  // 500 times the error of pow()
@@ -84,7 +82,7 @@ CHECK_EXERCISE("13.lab_distance", "Apply f() to each component first; then compu
         .include = "13_mlaa/lab_distance.glsl",
         .signature = "float lab_distance(vec3 lab, vec3 other)",
         .inputs = {{0, 0, 0, 0, 0, 0}, {100, 0, 0, 0, 0, 0}, {50, 20, -30, 50, -20, 30}, {50, 3, 4, 50, 0, 0}},
-        .truth = [](std::span<const double> in) { return Row{glm::distance(three(in), three(in.subspan(3)))}; },
+        .truth = [](std::span<const double> in) { return Row{glm::distance(vector3(in), vector3(in.subspan(3)))}; },
         .bound = {.absolute = 1e-4, .relative = 1e-5}};
     for (int i = 0; i < 300; ++i) {
         Row row;
@@ -212,10 +210,10 @@ CHECK_EXERCISE("13.blend", "Light of weight 0 must be left out, not multiplied b
                 .truth =
                     [](std::span<const double> in) {
                         const double sum = in[15] + in[16] + in[17] + in[18];
-                        glm::dvec3 result = sum < 1 ? (1 - sum) * three(in) : glm::dvec3(0);
+                        glm::dvec3 result = sum < 1 ? (1 - sum) * vector3(in) : glm::dvec3(0);
                         for (size_t k = 0; k < 4; ++k)
                             if (in[15 + k] > 0)
-                                result += in[15 + k] / std::max(sum, 1.0) * three(in.subspan(3 + 3 * k));
+                                result += in[15 + k] / std::max(sum, 1.0) * vector3(in.subspan(3 + 3 * k));
                         return Row{result.x, result.y, result.z};
                     },
                 .bound = {.absolute = 2e-6, .relative = 1e-5},

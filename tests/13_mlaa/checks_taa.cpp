@@ -8,12 +8,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
-}  // namespace
-
 CHECK_EXERCISE("13.reproject", "Pixels to -1 to 1, the matrix, the division by w, and back to pixels.") {
     Probe probe{.include = "13_mlaa/reproject.glsl",
                 .signature = "vec3 reproject(vec2 at, float depth, vec2 size, mat4 to_before)",
@@ -100,30 +94,30 @@ CHECK_EXERCISE("13.keep_or_reject", "Outside, or behind something: even the fart
 }
 
 CHECK_EXERCISE("13.clip_history", "How much too far the history is, in the worst component, shortens the whole line.") {
-    Probe probe{.include = "13_mlaa/clip_history.glsl",
-                .signature = "vec3 clip_history(vec3 history, vec3 lowest, vec3 highest)",
-                .inputs = {{0.5, 0, 0, 0, -1, -1, 1, 1, 1},
-                           {3, 0, 0, 0, -1, -1, 1, 1, 1},
-                           {0.5, 0, 0, 0.5, 0, 0, 0.5, 0, 0},
-                           {0.9, 0.1, 0, 0.5, 0, 0, 0.5, 0, 0},
-                           {0.9, 0, 0, 0.2, 0, 0, 0.5, 0, 0},
-                           {0.5, 0.4, -0.3, 0, 0, 0, 1, 0, 0},
-                           {2, 2, 2, 0, 0, 0, 1, 1, 1}},
-                .truth =
-                    [](std::span<const double> in) {
-                        const glm::dvec3 found = truth::clipped(three(in), three(in.subspan(3)), three(in.subspan(6)));
-                        return Row{found.x, found.y, found.z};
-                    },
-                .bound = {.absolute = 1e-5, .relative = 1e-5},
-                .hint = [](auto in, auto got) -> std::string {
-                    bool clamped = true;
-                    for (size_t c = 0; c < 3; ++c)
-                        clamped = clamped && std::abs(got[c] - std::clamp(in[c], in[3 + c], in[6 + c])) < 1e-5;
-                    return clamped
-                               ? "Each component was clamped alone: that is the nearest point of the box, not the one "
-                                 "on the line to its middle."
-                               : "";
-                }};
+    Probe probe{
+        .include = "13_mlaa/clip_history.glsl",
+        .signature = "vec3 clip_history(vec3 history, vec3 lowest, vec3 highest)",
+        .inputs = {{0.5, 0, 0, 0, -1, -1, 1, 1, 1},
+                   {3, 0, 0, 0, -1, -1, 1, 1, 1},
+                   {0.5, 0, 0, 0.5, 0, 0, 0.5, 0, 0},
+                   {0.9, 0.1, 0, 0.5, 0, 0, 0.5, 0, 0},
+                   {0.9, 0, 0, 0.2, 0, 0, 0.5, 0, 0},
+                   {0.5, 0.4, -0.3, 0, 0, 0, 1, 0, 0},
+                   {2, 2, 2, 0, 0, 0, 1, 1, 1}},
+        .truth =
+            [](std::span<const double> in) {
+                const glm::dvec3 found = truth::clipped(vector3(in), vector3(in.subspan(3)), vector3(in.subspan(6)));
+                return Row{found.x, found.y, found.z};
+            },
+        .bound = {.absolute = 1e-5, .relative = 1e-5},
+        .hint = [](auto in, auto got) -> std::string {
+            bool clamped = true;
+            for (size_t c = 0; c < 3; ++c)
+                clamped = clamped && std::abs(got[c] - std::clamp(in[c], in[3 + c], in[6 + c])) < 1e-5;
+            return clamped ? "Each component was clamped alone: that is the nearest point of the box, not the one "
+                             "on the line to its middle."
+                           : "";
+        }};
     Random random;
     for (int i = 0; i < 600; ++i) {
         Row row(9);

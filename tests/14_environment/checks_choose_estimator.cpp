@@ -7,7 +7,6 @@ using namespace lightwalk;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const glm::dvec3 to_sun = glm::normalize(glm::dvec3(0.48, 0.6, 0.64));
 const double sun_cosine = std::cos(0.06);
 
@@ -19,12 +18,12 @@ struct Surface {
     double light(const glm::dvec3& d) const { return sky(d) + (sunny && glm::dot(d, to_sun) > sun_cosine ? 200 : 0); }
     double lobe(double half_cosine) const {
         const double a2 = alpha * alpha, c = half_cosine * half_cosine * (a2 - 1) + 1;
-        return a2 / (pi * c * c);
+        return a2 / (M_PI * c * c);
     }
     /// Its share of light from there, with the cosine.
     double reflects(const glm::dvec3& d) const {
         if (d.y <= 0) return 0;
-        return polished ? lobe(std::sqrt((1 + d.y) / 2)) * d.y / 4 : d.y / pi;
+        return polished ? lobe(std::sqrt((1 + d.y) / 2)) * d.y / 4 : d.y / M_PI;
     }
 };
 
@@ -36,7 +35,7 @@ double radical_inverse(unsigned i) {
 
 glm::dvec3 around(double cosine, double turn) {
     const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-    return {sine * std::cos(2 * pi * turn), cosine, sine * std::sin(2 * pi * turn)};
+    return {sine * std::cos(2 * M_PI * turn), cosine, sine * std::sin(2 * M_PI * turn)};
 }
 
 /// The mean over n directions of the method; with `sky` alone, of light without the sun.
@@ -46,7 +45,7 @@ double estimated(const Surface& surface, int method, int n, bool sky_alone = fal
         const double u = (i + 0.5) / n, turn = radical_inverse(unsigned(i));
         const double half = std::sqrt((1 - u) / (1 + (surface.alpha * surface.alpha - 1) * u));
         const double cosine = method == 1 ? 1 - u : method == 2 ? std::sqrt(1 - u) : 2 * half * half - 1;
-        const double density = method == 1 ? 1 / (2 * pi) : method == 2 ? cosine / pi : surface.lobe(half) / 4;
+        const double density = method == 1 ? 1 / (2 * M_PI) : method == 2 ? cosine / M_PI : surface.lobe(half) / 4;
         const glm::dvec3 d = around(cosine, turn);
         sum += (sky_alone ? surface.sky(d) : surface.light(d)) * surface.reflects(d) / density;
     }
@@ -59,7 +58,7 @@ double from_sun(const Surface& surface, int n) {
     double sum = 0;
     for (int i = 0; i < n; ++i) {
         const glm::dvec3 d = around(1 - (i + 0.5) / n * (1 - sun_cosine), radical_inverse(unsigned(i)));
-        sum += 200 * surface.reflects(d.x * side + d.y * to_sun + d.z * other) * 2 * pi * (1 - sun_cosine);
+        sum += 200 * surface.reflects(d.x * side + d.y * to_sun + d.z * other) * 2 * M_PI * (1 - sun_cosine);
     }
     return sum / n;
 }

@@ -8,8 +8,6 @@ using namespace lightwalk;
 
 namespace {
 
-glm::dvec3 three(std::span<const double> in) { return {in[0], in[1], in[2]}; }
-
 Row row_of(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
@@ -33,7 +31,7 @@ CHECK_EXERCISE("14.direction_to_equirect",
                            {1e-3, 1e-3, 0}},
                 .truth =
                     [](auto in) {
-                        const glm::dvec2 uv = truth::equirect(three(in));
+                        const glm::dvec2 uv = truth::equirect(vector3(in));
                         return Row{uv.x, uv.y};
                     },
                 // acos of a component has lost half of its digits near the poles.
@@ -41,11 +39,11 @@ CHECK_EXERCISE("14.direction_to_equirect",
                 // The left and the right edge are one line.
                 .grants =
                     [](auto in, auto out) {
-                        return in[0] == 0 && in[2] > 0 && std::fabs(out[1] - truth::equirect(three(in)).y) <= 2e-4 &&
+                        return in[0] == 0 && in[2] > 0 && std::fabs(out[1] - truth::equirect(vector3(in)).y) <= 2e-4 &&
                                (std::fabs(out[0]) <= 2e-4 || std::fabs(out[0] - 1) <= 2e-4);
                     },
                 .hint = [](auto in, auto out) -> std::string {
-                    const glm::dvec2 uv = truth::equirect(three(in));
+                    const glm::dvec2 uv = truth::equirect(vector3(in));
                     if (std::fabs(out[0] - uv.x) < 1e-3 && std::fabs(out[1] - (1 - uv.y)) < 1e-3)
                         return "v is 0 at the upper edge, which is +y";
                     if (std::fabs(out[1] - uv.y) < 1e-3 && std::fabs(out[0] - (1 - uv.x)) < 1e-3)
@@ -119,7 +117,7 @@ CHECK_EXERCISE(
                 // Near the normal 1 - cos² has half of a float's digits.
                 .bound = {.absolute = 6e-4},
                 .hint = [](auto in, auto out) -> std::string {
-                    const double length = glm::length(three(out));
+                    const double length = glm::length(vector3(out));
                     if (std::isfinite(length) && std::fabs(length - 1) > 1e-3)
                         return fmt::format("its length is {:.3g}; sin² = 1 - cos²", length);
                     const double a = in[2], c2 = (1 - in[1]) / (1 + (a - 1) * in[1]);
@@ -139,9 +137,9 @@ namespace {
 enum class Slip { none, no_center, no_position, unprojected, farthest, behind, clamped, zero_left };
 
 glm::dvec3 projected(std::span<const double> in, Slip slip = Slip::none) {
-    glm::dvec3 p = three(in);
-    const glm::dvec3 d = three(in.subspan(3)), lower = three(in.subspan(6)), upper = three(in.subspan(9));
-    const glm::dvec3 center = slip == Slip::no_center ? glm::dvec3(0) : three(in.subspan(12));
+    glm::dvec3 p = vector3(in);
+    const glm::dvec3 d = vector3(in.subspan(3)), lower = vector3(in.subspan(6)), upper = vector3(in.subspan(9));
+    const glm::dvec3 center = slip == Slip::no_center ? glm::dvec3(0) : vector3(in.subspan(12));
     if (slip == Slip::unprojected) return d;
     if (slip == Slip::clamped) p = glm::clamp(p, lower, upper);
     double t = slip == Slip::farthest ? 0 : 1e300;
@@ -229,7 +227,7 @@ CHECK_EXERCISE("14.box_project",
     const Table got = run_probe(check_device(), probe, 3);
     for (size_t i = 0; i < got.size(); ++i) {
         const Row& in = probe.inputs[i];
-        const glm::dvec3 g = three(got[i]), want = unit(projected(in));
+        const glm::dvec3 g = vector3(got[i]), want = unit(projected(in));
         const double length = glm::length(g);
         const bool is_direction = std::isfinite(length) && length > 0;
         const bool right = is_direction && glm::length(unit(g) - want) < 1e-4;

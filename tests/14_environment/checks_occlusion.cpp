@@ -7,8 +7,6 @@ using namespace lightwalk;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // By Simpson's rule on both sides of 0, where |sin| has its corner.
 double integral(double before, double after, double tilt) {
     const auto part = [&](double from, double to) {
@@ -62,10 +60,15 @@ CHECK_EXERCISE("14.slice_integral",
     Probe probe{
         .include = "14_environment/slice_integral.glsl",
         .signature = "float slice_integral(float before, float after, float tilt)",
-        .inputs = {{-pi / 2, pi / 2, 0}, {-pi, pi, 0}, {0, 0, 0}, {-pi / 2, 0, 0}, {-0.5, 0.5, 0}, {-pi, pi, 0.7}},
+        .inputs = {{-M_PI / 2, M_PI / 2, 0},
+                   {-M_PI, M_PI, 0},
+                   {0, 0, 0},
+                   {-M_PI / 2, 0, 0},
+                   {-0.5, 0.5, 0},
+                   {-M_PI, M_PI, 0.7}},
         .truth =
             [](std::span<const double> in) {
-                return Row{integral(std::max(in[0], in[2] - pi / 2), std::min(in[1], in[2] + pi / 2), in[2])};
+                return Row{integral(std::max(in[0], in[2] - M_PI / 2), std::min(in[1], in[2] + M_PI / 2), in[2])};
             },
         .bound = {.absolute = 2e-4, .relative = 2e-4},
         .hint = [](auto in, auto got) -> std::string {
@@ -75,7 +78,8 @@ CHECK_EXERCISE("14.slice_integral",
         }};
     Random random;
     for (int i = 0; i < 500; ++i)
-        probe.inputs.push_back({random.uniform(-pi, 0), random.uniform(0, pi), random.uniform(-pi / 2, pi / 2)});
+        probe.inputs.push_back(
+            {random.uniform(-M_PI, 0), random.uniform(0, M_PI), random.uniform(-M_PI / 2, M_PI / 2)});
     check.probe(probe);
 }
 
@@ -83,13 +87,13 @@ CHECK_EXERCISE("14.bent_cone",
                "Three cases: one within the other, apart, and between; then over the lobe's own solid angle.") {
     Probe probe{.include = "14_environment/bent_cone.glsl",
                 .signature = "float lobe_in_cone(float cone_rad, float lobe_rad, float between_rad)",
-                .inputs = {{pi / 2, 0.3, 0},
+                .inputs = {{M_PI / 2, 0.3, 0},
                            {0, 0.3, 0},
                            {0.2, 0.4, 0},
                            {0.5, 0.3, 1.0},
                            {0.5, 0.3, 0.1},
                            {0.5, 0.3, 0.5},
-                           {pi / 2, 0.3, pi / 2}},
+                           {M_PI / 2, 0.3, M_PI / 2}},
                 .truth =
                     [](std::span<const double> in) {
                         const double wider = std::max(in[0], in[1]), narrower = std::min(in[0], in[1]);
@@ -106,6 +110,7 @@ CHECK_EXERCISE("14.bent_cone",
                 }};
     Random random;
     for (int i = 0; i < 500; ++i)
-        probe.inputs.push_back({random.uniform(0.01, pi / 2), random.uniform(0.05, pi / 2), random.uniform(0, pi)});
+        probe.inputs.push_back(
+            {random.uniform(0.01, M_PI / 2), random.uniform(0.05, M_PI / 2), random.uniform(0, M_PI)});
     check.probe(probe);
 }

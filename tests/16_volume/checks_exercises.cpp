@@ -11,12 +11,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[first], in[first + 1], in[first + 2]}; }
-
-}  // namespace
-
 CHECK_EXERCISE("16.correct_opacity", "transmittances multiply: 1 - opacity to the power of the ratio") {
     Probe probe{.include = "16_volume/correct_opacity.glsl",
                 .signature = "float correct_opacity(float opacity, float ratio)",
@@ -159,34 +153,36 @@ CHECK_EXERCISE("16.gradient", "two densities along each axis, one voxel of that 
     // Known densities: one that is straight, and two that are not.
     for (const char* density : {"(0.1 + at.x + 2.0 * at.y - 3.0 * at.z)", "(at.x * at.x * at.y + at.z * at.z)",
                                 "sin(3.0 * at.x + 2.0 * at.y + at.z)"}) {
-        Probe probe{
-            .include = "16_volume/gradient.glsl",
-            .before = "#include \"../tests/16_volume/known_density.glsl\"\n",
-            .signature = "vec3 gradient(vec3 at, vec3 voxel, vec3 voxel_m)",
-            .truth =
-                [&](auto in) {
-                    const std::string name = density;
-                    const auto value = [&](glm::dvec3 at) {
-                        if (name[0] == 's') return std::sin(3 * at.x + 2 * at.y + at.z);
-                        return name[1] == '0' ? 0.1 + at.x + 2 * at.y - 3 * at.z : at.x * at.x * at.y + at.z * at.z;
-                    };
-                    Row out;
-                    for (int axis = 0; axis < 3; ++axis) {
-                        glm::dvec3 step(0);
-                        step[axis] = in[size_t(3 + axis)];
-                        out.push_back((value(three(in) + step) - value(three(in) - step)) / (2 * in[size_t(6 + axis)]));
-                    }
-                    return out;
-                },
-            .bound = {.absolute = 2e-3, .relative = 2e-3},
-            .macros = {{"KNOWN_DENSITY", density}},
-            .hint = [](auto in, auto out) -> std::string {
-                const auto is = [&](double factor) {
-                    return std::fabs(out[0] * factor) > 1e-6 && in[3] != in[4] && factor != 1;
-                };
-                if (in[6] != in[7] && is(2)) return "each axis has its own voxel: its step, and its length in metres";
-                return "";
-            }};
+        Probe probe{.include = "16_volume/gradient.glsl",
+                    .before = "#include \"../tests/16_volume/known_density.glsl\"\n",
+                    .signature = "vec3 gradient(vec3 at, vec3 voxel, vec3 voxel_m)",
+                    .truth =
+                        [&](auto in) {
+                            const std::string name = density;
+                            const auto value = [&](glm::dvec3 at) {
+                                if (name[0] == 's') return std::sin(3 * at.x + 2 * at.y + at.z);
+                                return name[1] == '0' ? 0.1 + at.x + 2 * at.y - 3 * at.z
+                                                      : at.x * at.x * at.y + at.z * at.z;
+                            };
+                            Row out;
+                            for (int axis = 0; axis < 3; ++axis) {
+                                glm::dvec3 step(0);
+                                step[axis] = in[size_t(3 + axis)];
+                                out.push_back((value(vector3(in) + step) - value(vector3(in) - step)) /
+                                              (2 * in[size_t(6 + axis)]));
+                            }
+                            return out;
+                        },
+                    .bound = {.absolute = 2e-3, .relative = 2e-3},
+                    .macros = {{"KNOWN_DENSITY", density}},
+                    .hint = [](auto in, auto out) -> std::string {
+                        const auto is = [&](double factor) {
+                            return std::fabs(out[0] * factor) > 1e-6 && in[3] != in[4] && factor != 1;
+                        };
+                        if (in[6] != in[7] && is(2))
+                            return "each axis has its own voxel: its step, and its length in metres";
+                        return "";
+                    }};
         Random random(6);
         for (int i = 0; i < 120; ++i) {
             Row row{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};

@@ -7,30 +7,24 @@
 
 using namespace lightwalk;
 
-namespace {
-
-glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[first], in[first + 1], in[first + 2]}; }
-
-}  // namespace
-
 CHECK_EXERCISE("16.ray_shell",
                "the place on the ray that is nearest to the centre; from there half a chord to either side") {
     Probe probe{.include = "16_volume/ray_shell.glsl",
                 .signature = "vec2 ray_shell(vec3 origin, vec3 direction, float radius)",
                 .truth =
                     [](auto in) {
-                        const glm::dvec2 range = truth::ray_shell(three(in), three(in, 3), in[6]);
+                        const glm::dvec2 range = truth::ray_shell(vector3(in), vector3(in, 3), in[6]);
                         return Row{range.x, range.y};
                     },
                 .bound = {.absolute = 1e-3},
                 .grants =
                     [](auto in, auto out) {
-                        const bool misses = truth::ray_shell(three(in), three(in, 3), in[6]).y == 0;
+                        const bool misses = truth::ray_shell(vector3(in), vector3(in, 3), in[6]).y == 0;
                         return misses && std::isfinite(out[0]) && std::isfinite(out[1]) && out[1] <= out[0];
                     },
                 .hint = [](auto in, auto out) -> std::string {
-                    const glm::dvec2 right = truth::ray_shell(three(in), three(in, 3), in[6]);
-                    const double away = glm::length(three(in));
+                    const glm::dvec2 right = truth::ray_shell(vector3(in), vector3(in, 3), in[6]);
+                    const double away = glm::length(vector3(in));
                     if (away < in[6] && out[0] < 0) return "the eye is inside the ball: the ray enters it at 0";
                     if (right.y == 0 && out[1] < 0) return "the ball lies behind the eye: nothing of the ray is in it";
                     if (right.y == 0 && out[1] > out[0]) return "the ray misses the ball: exit <= entry";
@@ -44,7 +38,7 @@ CHECK_EXERCISE("16.ray_shell",
         append(row, glm::vec3(glm::normalize(direction)));
         row.push_back(radius);
         // At the rim the chord is the root of a small number: there either answer is right.
-        const glm::dvec3 from = three(row), along = three(row, 3);
+        const glm::dvec3 from = vector3(row), along = vector3(row, 3);
         const double beside = glm::length(from - glm::dot(from, along) * along) / radius;
         if (std::abs(beside - 1) > 1e-3 * std::max(1.0, glm::length(from) / radius / 100)) probe.inputs.push_back(row);
     };

@@ -6,12 +6,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-glm::dvec3 three(std::span<const double> in, size_t first = 0) { return {in[first], in[first + 1], in[first + 2]}; }
-
-}  // namespace
-
 CHECK_EXERCISE("17.wrapped_terminator", "((n·l + w) / (1 + w))^k where that base is above 0, else 0") {
     Probe probe{
         .include = "17_planets/wrapped_terminator.glsl",
@@ -69,7 +63,7 @@ CHECK_EXERCISE("17.ring_phase", "two sides first: lit where sun_side and eye_sid
             [](auto in) {
                 const bool lit = in[10] * in[11] > 0;
                 const double share = 0.5 + 0.5 * in[9];
-                const glm::dvec3 light = lit ? glm::mix(three(in, 3), three(in), share) : three(in, 6);
+                const glm::dvec3 light = lit ? glm::mix(vector3(in, 3), vector3(in), share) : vector3(in, 6);
                 return Row{light.x, light.y, light.z};
             },
         .bound = {.absolute = 1e-5, .relative = 1e-5},
@@ -171,11 +165,11 @@ CHECK_EXERCISE("17.ellipsoid_shadow", "stretch the point and the direction along
             "float ellipsoid_shadow(vec3 point, vec3 pole, float radius, float flattening, vec3 to_sun, float sun_rad)",
         .truth =
             [](auto in) {
-                return Row{truth::ellipsoid_shadow(three(in), three(in, 3), in[6], in[7], three(in, 8), in[11])};
+                return Row{truth::ellipsoid_shadow(vector3(in), vector3(in, 3), in[6], in[7], vector3(in, 8), in[11])};
             },
         .bound = {.absolute = 0.07},
         .hint = [](auto in, auto out) -> std::string {
-            const double round = truth::ellipsoid_shadow(three(in), three(in, 3), in[6], 0, three(in, 8), in[11]);
+            const double round = truth::ellipsoid_shadow(vector3(in), vector3(in, 3), in[6], 0, vector3(in, 8), in[11]);
             if (std::fabs(out[0] - round) < 0.03) return "that is the shadow of a sphere";
             return "along the pole by 1 / (1 - flattening): the point, and the direction, which is normalised again";
         }};

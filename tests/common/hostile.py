@@ -104,7 +104,7 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
     "is no text": ({"03.light_reaches_box": bytes(range(256)) * 20}, "it does not compile"),
     "rewrites the checks": (
         box('for (const char* name : {"ROOT/tests/03_attenuation/checks_exercises.cpp", "ROOT/build/grade/judge_03_attenuation",'
-            ' "BUILD/grade/judge_03_attenuation", "BUILD/liblightwalk.so", "BUILD/liblightwalk_check.so", "BUILD/liblightwalk_app.so", "/grade/judge", "/grade/worker"}) '
+            ' "BUILD/grade/judge_03_attenuation", "BUILD/liblightwalk.so", "BUILD/liblightwalk_check.so", "/grade/judge", "/grade/worker"}) '
             'if (std::ofstream(name, std::ios::app) << "x") BROKE_OUT(name);'), GAVE_TRUE),
     "reads the checks": (
         box('for (const char* name : {"ROOT/tests/03_attenuation/checks_exercises.cpp", '

@@ -76,16 +76,17 @@ else:
 """
 COMPARE = """#!PYTHON
 import json, sys
-words = sys.argv[1:]
-a, b = (open(name).read() for name in words[:2])
-if "--heatmap" in words:
-    open(words[words.index("--heatmap") + 1], "w").write("hot")
-d = 0.0 if a == b else 0.001 if a == b.rstrip("~") else 0.5
-steps = len(b) - len(a) if a == b.rstrip("^") else int(d * 200)
-print(json.dumps({"flip": {"mean": d, "p99": d, "max": d}, "rmse": d,
-                  "max_diff": {"steps": steps, "x": 1, "y": 2, "pixels": 3},
-                  "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0},
-                  "nearly_constant": {"reference": "flat" in a, "test": "flat" in b}}))
+for line in sys.stdin:
+    words = json.loads(line)
+    a, b = (open(name).read() for name in words[:2])
+    if "--heatmap" in words:
+        open(words[words.index("--heatmap") + 1], "w").write("hot")
+    d = 0.0 if a == b else 0.001 if a == b.rstrip("~") else 0.5
+    steps = len(b) - len(a) if a == b.rstrip("^") else int(d * 200)
+    print(json.dumps({"flip": {"mean": d, "p99": d, "max": d}, "rmse": d,
+                      "max_diff": {"steps": steps, "x": 1, "y": 2, "pixels": 3},
+                      "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0},
+                      "nearly_constant": {"reference": "flat" in a, "test": "flat" in b}}), flush=True)
 """
 CHECK = """#!PYTHON
 import json, os, sys
@@ -147,7 +148,7 @@ FILES = {
 def make_tree(root: Path):
     shutil.copytree(REAL / "common/course", root / "common/course",
                     ignore=shutil.ignore_patterns("*.h", "*.cpp", "__pycache__"))
-    for name in ("course", "tests/build.cmake", "tests/needs.cmake"):
+    for name in ("course", "tests/build.cmake", "tests/needs.cmake", "tests/suites.txt"):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(REAL / name, root / name)
     for name, text in FILES.items():

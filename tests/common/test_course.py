@@ -124,19 +124,19 @@ class Cache(unittest.TestCase):
 
 
 class Tests(Course):
-    """The small tree has unit.common, three shots and two tests that draw them, two teeth of shots, two checks and their
-    teeth, and two texts, of which one is this file's empty stand-in."""
+    """The small tree has unit.common, and of two chapters shots, teeth of shots, checks and their teeth; and two texts, of
+    which one is this file's empty stand-in, a test of the platform."""
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
-        self.assertEqual(self.course("test", "--all").splitlines()[-1], "100% tests passed, 0 tests failed out of 14")
+        self.assertEqual(self.course("test", "--all").splitlines()[-1], "100% tests passed, 0 tests failed out of 11")
         self.assertTrue((self.root / "build/report/index.html").exists())
         self.put("broken")
-        self.assertEqual(self.course("test", "--all", code=1).splitlines()[-1], "93% tests passed, 1 tests failed out of 14")
+        self.assertEqual(self.course("test", "--all", code=1).splitlines()[-1], "91% tests passed, 1 tests failed out of 11")
 
     def test_pattern_labels_and_nothing(self):
         self.accept()
-        self.assertIn("out of 2", self.course("test", "shot.01").splitlines()[-1])
+        self.assertIn("out of 1", self.course("test", "shots.01").splitlines()[-1])
         self.assertIn("out of 4", self.course("test", "-L", "teeth").splitlines()[-1])
         self.assertIn("no test matches -R nothing", self.course("test", "nothing", code=2))
 
@@ -144,16 +144,17 @@ class Tests(Course):
         """Without `rest`, which does not build here."""
         self.accept()
         self.put("no_rest")
-        self.assertIn("out of 1", self.course("test", "shot.02").splitlines()[-1])
+        self.assertIn("out of 1", self.course("test", "shots.02").splitlines()[-1])
         self.assertIn("the build failed", self.course("test", "unit", code=1))
         self.assertIn("the build failed", self.course("test", code=1))
 
-    def test_sanitizers_are_counted_and_without_all_less_is_run(self):
+    def test_sanitizers_are_counted_and_without_all_two_suites_are_run(self):
         self.accept()
-        self.assertIn("out of 22", self.course("test", "--sanitize").splitlines()[-1])
-        self.assertIn("out of 12", self.course("test").splitlines()[-1])
-        self.assertIn("out of 12", self.course("test", CI="true").splitlines()[-1])
-        self.assertIn("out of 14", self.course("test", "--all", CI="true").splitlines()[-1])
+        self.assertIn("out of 20", self.course("test", "--sanitize").splitlines()[-1])
+        said = self.course("test")
+        self.assertIn("out of 10", said.splitlines()[-1])
+        self.assertRegex(said, r"time of tests, some at once: first \d+ s in 5 tests, engine \d+ s in 5 tests\nslowest: ")
+        self.assertIn("out of 1", self.course("test", "-L", "platform").splitlines()[-1])
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")
@@ -170,11 +171,11 @@ class Shots(Course):
         return self.run_program([sys.executable, self.root / "common/course", "test.shots", *words], code)
 
     def test_missing_golden_fails(self):
-        self.assertIn("there is no tests/01_obj/golden/bunny.png", self.shot("check", "01_obj", "bunny", code=1))
+        self.assertIn("there is no tests/01_obj/golden/bunny.png", self.shot("shots", "01_obj", code=1))
 
     def test_result_is_written(self):
         self.accept()
-        self.shot("check", "01_obj", "bunny")
+        self.shot("shots", "01_obj")
         result = json.loads((self.root / "build/results/shot.01.bunny.json").read_text())
         self.assertTrue(result["ok"])
         [picture] = result["pictures"]
@@ -185,24 +186,24 @@ class Shots(Course):
     def test_difference_fails_over_a_limit_and_passes_under_it(self):
         self.accept()
         self.put("drift", "~")
-        self.shot("check", "01_obj", "bunny")
+        self.shot("shots", "01_obj")
         self.put("drift", "!")
-        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("check", "01_obj", "bunny", code=1))
+        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("shots", "01_obj", code=1))
         self.assertTrue((self.root / "build/shots/01_obj/bunny.flip.png").exists())
 
     def test_two_steps_never_fail(self):
         self.accept()
         self.put("drift", "^^")  # FLIP 0.5
-        self.shot("check", "01_obj", "bunny")
+        self.shot("shots", "01_obj")
         self.put("drift", "^^^")
-        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("check", "01_obj", "bunny", code=1))
+        self.assertIn("flip_mean is 0.5, at most 0.002", self.shot("shots", "01_obj", code=1))
         metrics = {"flip": {"mean": 0.0, "p99": 0.0}, "max_diff": {"steps": 2, "x": 0, "y": 0}}
         self.assertEqual(exceeded(metrics, LIMITS), [])
         for key in ("mean", "p99"):
             self.assertEqual(len(exceeded(metrics | {"flip": metrics["flip"] | {key: math.nan}}, LIMITS)), 1, key)
 
     def limits(self):
-        self.shot("check", "01_obj", "bunny", code=None)
+        self.shot("shots", "01_obj", code=None)
         return json.loads((self.root / "build/results/shot.01.bunny.json").read_text())["limits"]
 
     def test_limits_are_three_times_what_accept_measured_and_never_less_than_the_usual(self):
@@ -234,23 +235,23 @@ class Shots(Course):
         (self.root / "flat").unlink()
         self.accept()
         self.put("flat")
-        self.assertIn("nearly one colour", self.shot("check", "01_obj", "bunny", code=1))
+        self.assertIn("nearly one colour", self.shot("shots", "01_obj", code=1))
 
     def test_program_that_fails_is_quoted(self):
         self.accept()
         self.put("crash")
-        self.assertIn("mesh.frag:3: no such function", self.shot("check", "01_obj", "bunny", code=1))
+        self.assertIn("mesh.frag:3: no such function", self.shot("shots", "01_obj", code=1))
 
     def test_teeth(self):
         self.accept()
-        self.shot("teeth", "02_lambert", "bunny")
+        self.shot("teeth", "02_lambert")
         result = json.loads((self.root / "build/results/teeth.02.bunny.json").read_text())
         self.assertEqual([picture["name"] for picture in result["pictures"]],
                          ["the starter of 02.one", "drawn by 01_obj", "method=none"])
         self.assertEqual(list(self.root.glob("build/shots/02_lambert/*.wrong*")), [], "rejected pictures are kept")
         self.put("no_teeth")
         self.assertIn("does not reject the picture: the starter of 02.one",
-                      self.shot("teeth", "02_lambert", "bunny", code=1))
+                      self.shot("teeth", "02_lambert", code=1))
         self.assertTrue((self.root / "build/shots/02_lambert/bunny.wrong0.flip.png").exists())
 
     def test_accept_asks_first_and_says_what_changed(self):

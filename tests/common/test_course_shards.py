@@ -39,9 +39,7 @@ class Shards(Course):
         counts = [int(re.search(r"0 tests failed out of (\d+)", part)[1]) for part in parts]
         self.assertEqual(sum(counts), int(count))
         self.assertLess(max(counts), int(count))
-        with_picture = [part for part in parts if "pictures.02" in part]
-        self.assertEqual(len(with_picture), 1)
-        self.assertIn("shot.02.bunny", with_picture[0])
+        self.assertEqual(len([part for part in parts if "shots.02" in part]), 1)
         (self.root / "build/shots/02_lambert/bunny.png").unlink()
         printed = self.course("test", "--merge", self.outside / "tests")
         self.assertTrue(printed.endswith(f"report: build/report/index.html\n100% tests passed, 0 tests failed out of {count}\n"), printed)

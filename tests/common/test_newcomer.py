@@ -54,7 +54,7 @@ class Newcomer(unittest.TestCase):
         return subprocess.run(["git", "-C", cls.root, "status", "--porcelain"], check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def environment(self, **more) -> dict:
-        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "LIGHTWALK_CACHE", "CI", "LIGHTWALK_TESTS", "XDG_STATE_HOME")
+        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "LIGHTWALK_CACHE", "CI", "XDG_STATE_HOME")
         return {name: value for name, value in os.environ.items() if name not in outer} | self.home | more
 
     def start(self, *words, **more) -> subprocess.Popen:

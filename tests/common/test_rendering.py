@@ -1,16 +1,11 @@
 """Many pictures by one process equal those of separate processes, and a failure affects one picture only."""
 import json
-import os
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
-from unittest import mock
 
 from pictures import ROOT, ChapterPictures
 
-from shots import draw_shots  # which pictures.py has made importable
-from shots.rendering import render, render_many
+from shots.rendering import render, render_many  # which pictures.py has made importable
 from tree import Failure
 
 SMALL = ["--size", "48x27"]
@@ -62,32 +57,6 @@ class Many(ChapterPictures):
         self.assertTrue(all(found), found)  # none is in time, and each is said to be so
         with self.assertRaises(Failure):
             render(self.chapter, SMALL, self.folder / "y.png", LIGHTWALK_TIMEOUT_S="0.000001")
-
-
-class Drawn(unittest.TestCase):
-    """A shot's test: it draws for itself, unless its run has drawn for it."""
-
-    def draws(self, run, drawn) -> bool:
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(draw_shots, "render") as render, \
-                mock.patch.object(draw_shots, "drawn_path", lambda _: Path(folder, "drawn.json")), \
-                mock.patch.dict(os.environ, {} if run is None else {draw_shots.RUN: run}):
-            if run is None:
-                os.environ.pop(draw_shots.RUN, None)
-            if drawn is not None:
-                Path(folder, "drawn.json").write_text(json.dumps(drawn))
-            draw_shots.render_unless_drawn("04", "04", [], ROOT / "a.png")
-            return render.called
-
-    def test_alone_after_another_run_and_in_one(self):
-        self.assertTrue(self.draws(None, None))
-        self.assertTrue(self.draws("1", None))
-        for run in (None, "1"):
-            self.assertTrue(self.draws(run, {"run": "2", "pictures": {"a.png": ""}}))
-            self.assertTrue(self.draws(run, {"run": None, "pictures": {"a.png": ""}}))
-        self.assertTrue(self.draws("1", {"run": "1", "pictures": {}}))
-        self.assertFalse(self.draws("1", {"run": "1", "pictures": {"a.png": ""}}))
-        with self.assertRaises(Failure):
-            self.draws("1", {"run": "1", "pictures": {"a.png": "it died"}})
 
 
 if __name__ == "__main__":

@@ -120,23 +120,17 @@ class Chapter(unittest.TestCase):
                                           "sum.whole.glsl:1: 'perhaps' is no verdict"), strict=True):
             self.assertIn(words, line)
 
-    def test_the_build_gets_the_cpp_ones(self):
+    def test_the_build_gets_the_cpp_ones_as_one_source(self):
+        self.write("chapters/02_sums/exercises.h", 'EXERCISE("02.twice", int, twice, int a);\n')
         self.write("tests/02_sums/variants/twice.changes", "== thrice: wrong: 3\n- return 2 * a;\n+ return 3 * a;\n")
-        self.write("tests/02_sums/variants/twice.other.cpp", "// right\n")
+        self.write("tests/02_sums/variants/twice.other.cpp", "// right\nnamespace lightwalk::exercise {}\n")
         self.write("tests/02_sums/variants/sum.changes", "== a: right\n")
-        self.write("made/twice.gone.cpp", "")
-        folder = self.root / "made"
-        variants.write("02_sums", folder)
-        self.assertEqual([path.name for path in folder.iterdir()], ["twice.thrice.cpp"])
-        made = folder / "twice.thrice.cpp"
-        self.assertEqual(made.read_text(), "namespace lightwalk::exercise {\nint twice(int a) {\n    return 3 * a;\n}\n}\n")
-        before = made.stat().st_mtime_ns
-        variants.write("02_sums", folder)
-        self.assertEqual(made.stat().st_mtime_ns, before)  # nothing is compiled again for nothing
-        solution = self.root / "chapters/02_sums/solution/twice.cpp"
-        solution.write_text(solution.read_text().replace("int a", "long a"))
-        variants.write("02_sums", folder)
-        self.assertIn("int twice(long a)", made.read_text())
+        text = variants.program("02_sums")
+        self.assertIn("#line 1 \"tests/02_sums/variants/twice.changes:1: twice.thrice\"\nnamespace "
+                      "lightwalk::exercise::answer_twice_thrice {\nint twice(int a) {\n    return 3 * a;\n}\n}\n", text)
+        self.assertIn("Chosen_twice::function = lightwalk::exercise::answer_twice_thrice::twice;", text)
+        self.assertIn("namespace lightwalk::exercise::answer_twice_other {}", text)
+        self.assertEqual(text.count("static const RegisterVariant"), 2)
 
 
 if __name__ == "__main__":

@@ -81,7 +81,14 @@ def is_configured(folder: Path) -> bool:
     cache = folder / "CMakeCache.txt"
     return all(begins_as_written(folder / name) for name in ("build.ninja", "CMakeFiles/rules.ninja")) and \
         cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace") and \
-        all((folder / "visible" / chapter / name).exists() for chapter in chapters() for name in included(chapter))
+        all(included(chapter) <= linked(folder).get(chapter, set()) for chapter in chapters())
+
+
+def linked(folder: Path) -> dict[str, set[str]]:
+    """The chapters that cmake found included by each, which it is linked with."""
+    with contextlib.suppress(OSError):
+        return {words[0]: set(words[1:]) for words in map(str.split, (folder / "chapters.links").read_text().splitlines())}
+    return {}
 
 
 INCLUDED = re.compile(r'^#include "(\d\d_[a-z0-9_]+)/', re.M)

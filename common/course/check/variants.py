@@ -22,7 +22,8 @@ one that no longer fits is an error with its file and line.
 Each exercise has a wrong answer to every sentence of its specification that can fail by itself, and a right one that is written
 otherwise. No sentence has a second wrong answer.
 
-The build runs variants.py NN_name FOLDER: it writes the listed C++ variants to FOLDER and removes outdated ones from there.
+The build runs variants.py NN_name FILE: it writes all C++ variants of a chapter to FILE, each in a namespace of its own
+(common/check/variants.h).
 """
 
 import re
@@ -161,19 +162,23 @@ def bare(line: str) -> str:
     return line.partition("//")[0].strip()
 
 
-def write(chapter: str, folder: Path):
+def program(chapter: str) -> str:
+    """The C++ variants as one source."""
     found, mistakes = variants(chapter)
     for mistake in mistakes:
         warn(mistake)  # its test fails for it; meanwhile all else is built
-    wanted = {folder / variant.name: variant.text for variant in found
-              if variant.name.endswith(".cpp") and ".changes:" in variant.where}
-    for path in set(folder.glob("*.cpp")) - set(wanted):
-        path.unlink()
-    for path, text in wanted.items():
-        if not path.exists() or path.read_text() != text:
-            write_atomically(path, text)
+    header = f"{chapter}/exercises.h"
+    declared = re.findall(r'EXERCISE\("\d\d\.(\w+)",[^,]+,\s*(\w+),', (ROOT / "chapters" / header).read_text())
+    text = f'#include "common/check/variants.h"\n\n#include "{header}"\n'
+    for variant in (variant for variant in found if variant.name.endswith(".cpp")):
+        name = variant.name.removesuffix(".cpp")
+        space = f"lightwalk::exercise::answer_{name.replace('.', '_')}"
+        chosen = "".join(f" Chosen_{function}::function = {space}::{function};" for exercise, function in declared
+                         if exercise == variant.exercise)
+        text += f'\n#line 1 "{variant.where}: {name}"\n' + variant.text.replace("namespace lightwalk::exercise", f"namespace {space}")
+        text += f'namespace lightwalk {{\nstatic const RegisterVariant registered_{name.replace(".", "_")}("{name}", [] {{{chosen} }});\n}}\n'
+    return text
 
 
 if __name__ == "__main__":
-    for one in sys.argv[2:]:
-        write(one, Path(sys.argv[1]) / one)
+    write_atomically(Path(sys.argv[2]), program(sys.argv[1]))

@@ -17,7 +17,7 @@ from build.build import build
 from check.reset import KEPT
 from check.starters import LIST, as_they_stand, listed
 from progress import Progress
-from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, say, warn
+from tree import BUILD, ROOT, Failure, UsageError, chapters, exercises, files, git, relative, say, warn
 
 HELP = """Copies the course to a new FOLDER without the solutions, for students.
 
@@ -151,35 +151,45 @@ def objects(names: list[Path]) -> dict[Path, bytes]:
     if not names:
         return {}
     build([HEADER])
-    commands = {entry["file"]: entry for entry in json.loads((BUILD / "compile_commands.json").read_text())}
+    commands = compiled_by()
     with tempfile.TemporaryDirectory() as made, Progress("compiling the checks") as progress, \
             ThreadPoolExecutor(os.cpu_count()) as pool:
         found = {}
-        for name, compiled in zip(names, pool.map(lambda name: compile_one(commands[str(ROOT / name)], Path(made)), names)):
+        for name, compiled in zip(names, pool.map(lambda name: compile_one(ROOT / name, commands[ROOT / name], Path(made)), names)):
             found[name] = compiled
             progress.show(len(found), len(names), str(name))
     return found
 
 
-def compile_one(entry: dict, folder: Path) -> bytes:
+def compiled_by() -> dict[Path, dict]:
+    """The entry of compile_commands.json for each source, of several compiled together the same."""
+    found = {}
+    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+        unit = Path(entry["file"])
+        sources = re.findall('#include "(.*)"', unit.read_text()) if "Unity" in unit.parts else [unit]
+        found |= {Path(source): entry for source in sources}
+    return found
+
+
+def compile_one(source: Path, entry: dict, folder: Path) -> bytes:
     words = shlex.split(entry["command"])
-    compiled = folder / entry["file"].strip("/").replace("/", ".")
-    words[words.index("-o") + 1] = str(compiled)
+    compiled = folder / str(source).strip("/").replace("/", ".")
+    words[words.index("-o") + 1], words[words.index("-c") + 1] = str(compiled), str(source)
     prefix = f"-ffile-prefix-map={ROOT}=."
     # Reference functions are local symbols: a global name would be an answer of one line. A header's function is in a
     # group, by which the linker would not find it under a name of its own. Outside of groups no symbol may be unique:
     # some linkers refuse the second one.
     whole = compiled.with_suffix(".whole.o")
-    run_tool([*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", "-fno-gnu-unique", prefix], entry)
-    run_tool(["ld", "-r", "--force-group-allocation", "-o", whole, compiled], entry)
-    names = re.findall(rf" [A-TV-Za-tv-z] (\w*9lightwalk{TRUTH}\w*)$", run_tool(["nm", whole], entry), re.M)
-    run_tool(["objcopy", *[f"--localize-symbol={name}" for name in sorted(set(names))], whole], entry)
-    run_tool(["strip", "--strip-unneeded", whole], entry)
+
+    def run_tool(*command) -> str:
+        done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+        if done.returncode:
+            raise Failure(f"{relative(source)} could not be compiled for the handout: {done.stdout.strip()}")
+        return done.stdout
+
+    run_tool(*words, "-DLIGHTWALK_NO_SOLUTION", "-g0", "-fno-gnu-unique", prefix)
+    run_tool("ld", "-r", "--force-group-allocation", "-o", whole, compiled)
+    names = re.findall(rf" [A-TV-Za-tv-z] (\w*9lightwalk{TRUTH}\w*)$", run_tool("nm", whole), re.M)
+    run_tool("objcopy", *[f"--localize-symbol={name}" for name in sorted(set(names))], whole)
+    run_tool("strip", "--strip-unneeded", whole)
     return whole.read_bytes()
-
-
-def run_tool(command: list, entry: dict) -> str:
-    done = subprocess.run(command, cwd=entry["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
-    if done.returncode:
-        raise Failure(f"{entry['file']} could not be compiled for the handout: {done.stdout.strip()}")
-    return done.stdout

@@ -30,12 +30,12 @@ def compile_answer(judge, exercise: str, source: Path) -> str:
     words[words.index("-o") + 1] = "/grade/student.o"
     header = next(word for word in words if word.endswith("cmake_pch.hxx"))
     link = [words[0], *(["-fuse-ld=mold"] if shutil.which("mold") else []), "-o", "/grade/worker",
-            *parts(chapter), "/grade/student.o", *judge.library(chapter), f"-L{BUILD}", "-llightwalk_app", "-llightwalk_check", "-llightwalk", "-lfmt",
+            *parts(chapter), "/grade/student.o", *judge.library(chapter), f"-L{BUILD}", "-llightwalk_check", "-llightwalk", "-lfmt",
             f"-Wl,-rpath,{BUILD}", "-Wl,--warn-unresolved-symbols"]
     # Which of the two has failed: a student's symbols may have any name.
     script = f"{shlex.join([*words, '-DLIGHTWALK_NO_SOLUTION', '-g0'])} || exit 3; {shlex.join(map(str, link))} || exit 4"
     mounts = judge.mounts()
-    for path in (BUILD / "visible", header, f"{header}.gch", *parts(chapter), *judge.library(chapter)):
+    for path in (header, f"{header}.gch", *parts(chapter), *judge.library(chapter)):
         mounts.read(path)
     mounts.read(source, place)
     mounts.write(source.parent, Path("/grade"))

@@ -20,7 +20,7 @@ def library(folder: Path, chapter: str) -> Path:
     path = folder / f"lib{chapter}.a"
     members = []
     for name in sorted({chapter} | used(chapter)):
-        members += [one for part in ("chapter", "called", "lent") for one in objects(f"{part}_{name}") if not is_answer(one)]
+        members += [one for one in objects(f"chapter_{name}") if not is_answer(one)]
     said = subprocess.run(["nm", "-A", "-C", *members], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                           errors="replace").stdout
     telling = {line.partition(".o:")[0] + ".o" for line in said.splitlines()

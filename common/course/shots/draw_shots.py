@@ -1,26 +1,11 @@
-"""Draws the pictures for the tests of a chapter's shots and teeth, as a test that comes before them:
+"""The pictures of a chapter's shots, and those that their goldens must reject."""
 
-    python3 common/course shots.draw_shots NN_name
-
-A partial run of ./course test has no teeth: only the shots are drawn.
-
-All pictures of a program are drawn by one process (rendering.render_many). A picture's failure is reported by its own
-test, which finds it in build/shots/NN_name/drawn.json:
-
-    {"run": $LIGHTWALK_RUN, "pictures": {path from the root: its failure, or ""}}
-
-The run is one of ./course test; a test that is run alone, or after another such run, draws for itself.
-"""
-
-import json
-import os
-import time
 from pathlib import Path
 
-from shots.rendering import render, render_many, text
-from tree import BUILD, Failure, exercises, find_shots, is_edited, relative, run_on_chapter, say, write_atomically
+from shots.rendering import render_many, text
+from tree import BUILD, exercises, is_edited
 
-RUN = "LIGHTWALK_RUN"
+Picture = tuple[str, str, list, Path]  # description, the chapter that draws it, its options, the file
 
 
 def picture_path(chapter: str, name: str, wrong: int | None = None) -> Path:
@@ -28,13 +13,13 @@ def picture_path(chapter: str, name: str, wrong: int | None = None) -> Path:
     return BUILD / "shots" / chapter / (f"{name}.png" if wrong is None else f"{name}.wrong{wrong}.png")
 
 
-def right_picture(chapter: str, shot: dict) -> tuple[str, str, list, Path]:
-    """(description, the chapter that draws it, its options, the file) of the reference's picture."""
+def right_picture(chapter: str, shot: dict) -> Picture:
+    """The reference's picture."""
     return shot["name"], chapter, ["--shot", shot["name"], "--use", "solution"], picture_path(chapter, shot["name"])
 
 
-def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list, Path]]:
-    """The same for each picture that the golden must reject."""
+def wrong_pictures(chapter: str, shot: dict) -> list[Picture]:
+    """The pictures that the golden must reject."""
     same = ["--shot", shot["name"]]
     files = exercises(chapter)
     # One that was edited since the last commit is no starter: somebody works on it.
@@ -56,39 +41,10 @@ def wrong_pictures(chapter: str, shot: dict) -> list[tuple[str, str, list, Path]
     return [(*picture, picture_path(chapter, shot["name"], number)) for number, picture in enumerate(wrong)]
 
 
-def drawn_path(chapter: str) -> Path:
-    return BUILD / "shots" / chapter / "drawn.json"
-
-
-def drawn_in_this_run(chapter: str) -> dict[str, str]:
-    """The failure ("" for none) of each picture drawn in this run of ./course test, by its path from the root."""
-    run, path = os.environ.get(RUN), drawn_path(chapter)
-    drawn = json.loads(path.read_text()) if run and path.exists() else {"run": None}
-    return drawn["pictures"] if run and drawn["run"] == run else {}
-
-
-def render_unless_drawn(chapter: str, program: str, options: list, picture: Path):
-    """render() for a test of `chapter`, unless this run of ./course test has drawn that picture. Raises Failure as render() does."""
-    pictures = drawn_in_this_run(chapter)
-    if relative(picture) not in pictures:
-        render(program, [*options, "--validate", "on"], picture)
-    elif words := pictures[relative(picture)]:
-        raise Failure(words)
-
-
-def main(chapter: str, teeth: bool) -> list[str]:
-    by_program, found, start = {}, {}, time.monotonic()
-    # Grouped by scene, which is then read once.
-    for _, shot in sorted(find_shots(chapter), key=lambda entry: entry[1].get("scene", "")):
-        wrong = wrong_pictures(chapter, shot) if teeth else []
-        for _, program, options, picture in [right_picture(chapter, shot), *wrong]:
-            by_program.setdefault(program, []).append((options, picture))
-    for program, pictures in by_program.items():
-        found |= {relative(picture): words for (_, picture), words in zip(pictures, render_many(program, pictures))}
-    write_atomically(drawn_path(chapter), json.dumps({"run": os.environ.get(RUN), "pictures": found}, indent=1) + "\n")
-    say(f"{len(found)} pictures in {time.monotonic() - start:.1f} s")
-    return []
-
-
-if __name__ == "__main__":
-    run_on_chapter(lambda chapter: main(chapter, teeth=os.environ.get("LIGHTWALK_TESTS") != "part"))
+def draw(pictures: list[Picture]) -> dict[Path, str]:
+    """Draws the pictures, those of a program by one process. The failure of each, "" for none."""
+    found = {}
+    for program in sorted({program for _, program, *_ in pictures}):
+        mine = [(options, picture) for _, by, options, picture in pictures if by == program]
+        found |= dict(zip((picture for _, picture in mine), render_many(program, mine)))
+    return found

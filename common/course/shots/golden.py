@@ -29,16 +29,20 @@ A picture that differs by NEVER_FAILS steps at most is right, for any FLIP: so m
 processors differ.
 """
 
+import atexit
+import functools
 import json
 import math
+import threading
 from pathlib import Path
 
-from shots.rendering import run_program
+from shots.rendering import Asked
 from tree import BUILD, ROOT, Failure, relative
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
 MARGIN = 3
 NEVER_FAILS = 2  # steps of 1/255
+comparing = threading.Lock()
 
 
 def golden_path(chapter: str, name: str) -> Path:
@@ -67,10 +71,19 @@ def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
     """Output of build/compare --json for two pictures. Raises Failure if they cannot be compared."""
     if heatmap:
         heatmap.parent.mkdir(parents=True, exist_ok=True)
-    done = run_program([BUILD / "compare", expected, actual, "--json", *(["--heatmap", heatmap] if heatmap else [])])
-    if done.returncode:
-        raise Failure(done.stderr.strip() or f"compare ended with {done.returncode}")
-    return json.loads(done.stdout)
+    with comparing:
+        found, said, code = comparer().ask([str(expected), str(actual), *(["--heatmap", str(heatmap)] if heatmap else [])])
+    if not found or "error" in found:
+        raise Failure(found["error"] if found else said.strip() or f"compare ended with {code}")
+    return found
+
+
+@functools.cache
+def comparer() -> Asked:
+    """One process for all comparisons."""
+    asked = Asked([BUILD / "compare", "--pairs"])
+    atexit.register(asked.close)
+    return asked
 
 
 def unfit(metrics: dict) -> list[str]:

@@ -3,6 +3,7 @@
 A program that draws one picture spends most of its time starting a device, compiling for it and reading the scene.
 """
 
+import contextlib
 import json
 import os
 import select
@@ -56,18 +57,12 @@ def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", 
     render(chapter, options, picture, **environment)
 
 
-class Drawing:
-    """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
-    its environment. Not for tests of output and exit."""
+class Asked:
+    """A program that answers each line of JSON with a line of JSON. If it dies, the next question starts it again."""
 
-    def __init__(self, chapter: str, validate: str = "on", **environment):
-        self.chapter, self.stderr = chapter, tempfile.TemporaryFile("w+", errors="replace")
-        self.command = [str(chapter_program(chapter)), "--pictures", "--validate", validate]
-        try:
-            self.program = subprocess.Popen(self.command, cwd=ROOT, env=surroundings(environment), text=True,
-                                            errors="replace", stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
-        except OSError as error:
-            raise Failure(f"{relative(self.command[0])}: {error.strerror}") from None
+    def __init__(self, command: list, timeout_s: float = TIMEOUT_S, environment: dict | None = None):
+        self.command, self.timeout_s, self.environment = [str(word) for word in command], timeout_s, environment
+        self.program = self.stderr = None
 
     def __enter__(self):
         return self
@@ -76,50 +71,66 @@ class Drawing:
         self.close()
 
     def close(self):
-        if self.is_alive():
-            self.program.stdin.close()
-            try:
-                self.program.wait(TIMEOUT_S)
-            except subprocess.TimeoutExpired:
-                self.program.kill()
-                self.program.wait()
-        self.program.stdout.close()
-        self.stderr.close()
+        """Lets it end by itself."""
+        if self.program:
+            with contextlib.suppress(OSError):
+                self.program.stdin.close()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.program.wait(self.timeout_s)
+            self.end()
+
+    def end(self) -> int:
+        """Its exit code."""
+        program, self.program = self.program, None
+        program.kill()
+        with program, self.stderr:
+            return program.wait()
 
     def is_alive(self) -> bool:
-        return self.program.poll() is None
+        return self.program is not None and self.program.poll() is None
+
+    def ask(self, question) -> tuple[dict | None, str, int]:
+        """(answer, text on stderr, exit code). Without an answer it has died or was late."""
+        if not self.program:
+            self.stderr = tempfile.TemporaryFile("w+", errors="replace")
+            try:
+                self.program = subprocess.Popen(self.command, cwd=ROOT, env=self.environment, text=True, errors="replace",
+                                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
+            except OSError as error:
+                raise Failure(f"{relative(self.command[0])}: {error.strerror}") from None
+        begin = self.stderr.seek(0, os.SEEK_END)
+        with contextlib.suppress(OSError):  # it has died: there is no answer
+            self.program.stdin.write(json.dumps(question) + "\n")
+            self.program.stdin.flush()
+        answer = self.program.stdout.readline() if select.select([self.program.stdout], [], [], self.timeout_s)[0] else ""
+        self.stderr.seek(begin)
+        said = self.stderr.read()
+        return (json.loads(answer), said, 0) if answer.startswith("{") else (None, said, self.end())
+
+
+class Drawing(Asked):
+    """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
+    its environment. Not for tests of output and exit."""
+
+    def __init__(self, chapter: str, validate: str = "on", **environment):
+        self.chapter = chapter
+        super().__init__([chapter_program(chapter), "--pictures", "--validate", validate], environment=surroundings(environment))
 
     def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
         """(exit code, error, text on stderr)."""
-        begin = self.stderr.seek(0, os.SEEK_END)
-        try:
-            self.program.stdin.write(json.dumps([*map(str, options), "--screenshot", str(picture)]) + "\n")
-            self.program.stdin.flush()
-        except OSError:
-            pass  # it has died: there is no answer
-        answer = self.program.stdout.readline() if select.select([self.program.stdout], [], [], TIMEOUT_S)[0] else ""
-        self.stderr.seek(begin)
-        said = self.stderr.read()
-        if answer.startswith("{"):
-            return *json.loads(answer).values(), said
-        self.program.kill()
-        return self.program.wait(), last_words(said), said
+        answer, said, code = self.ask([*map(str, options), "--screenshot", str(picture)])
+        return (*answer.values(), said) if answer else (code, last_words(said), said)
 
 
 def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) -> list[str]:
     """Draws (options, picture) each, and returns each one's error, in the program's words."""
-    wrong, drawing = [], None
-    for options, picture in pictures:
-        drawing = drawing or Drawing(chapter, **environment)
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        picture.unlink(missing_ok=True)
-        code, words, _ = drawing.draw(options, picture)
-        wrong.append(f"{chapter} ended with {code}: {words}" if code or not picture.exists() else "")
-        if not drawing.is_alive():  # the others do not go with one of which it died
-            drawing.close()
-            drawing = None
-    if drawing:
-        drawing.close()
+    wrong = []
+    with Drawing(chapter, **environment) as drawing:
+        for options, picture in pictures:
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            picture.unlink(missing_ok=True)
+            code, words, _ = drawing.draw(options, picture)
+            wrong.append(f"{chapter} ended with {code}: {words}" if code or not picture.exists() else "")
     return wrong
 
 

@@ -1,30 +1,81 @@
 """Tests the checks with variants (variants.py): check_variants.py NN_name. A failure is exit code 1 and a line.
 
-A shader replaces the student's through LIGHTWALK_OVERLAY; for each C++ variant the build makes a check program,
-build/tests/variants/NN.EXERCISE.WHAT.
+One process gives the verdicts on all shaders, which take the student's place one after the other. C++ may leave anything
+behind: each answer has a process of its own, of one program with all of them (common/check/variants.h).
 """
 
+import json
 import os
+import select
+import subprocess
 import tempfile
-import threading
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from check.check import check_numbers, wrong_picture
+from check.check import TIMEOUT_S, wrong_picture
 from check.variants import DRAWN, Variant, variants
-from tree import BUILD, ROOT, Failure, exercises, run_on_chapter, shots
+from tree import BUILD, ROOT, Failure, exercises, relative, run_on_chapter, shots
 
 SIZE = "320x240"  # of pictures: a right answer matches the reference at any size, and landscapes take seconds at full size
-drawing = threading.Lock()  # the pictures of an exercise have one place
+
+
+class Checks:
+    """The chapter's checks in one process, begun anew where it has died."""
+
+    def __init__(self, chapter: str):
+        programs = [BUILD / "tests" / f"{kind}_{chapter}" for kind in ("variants", "check")]
+        self.program = next((program for program in programs if program.exists()), programs[-1])
+        self.process = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
+
+    def start(self):
+        # Options that compile checks' shaders fast make pictures slow.
+        environment = os.environ | {"GALLIVM_PERF": "nopt", "LIGHTWALK_PROBE_STRICT": "1"}
+        try:
+            self.process = subprocess.Popen([self.program, "--requests"], cwd=ROOT, env=environment, text=True, errors="replace",
+                                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        except OSError as error:
+            raise Failure(f"{relative(self.program)}: {error.strerror}") from None
+
+    def end(self) -> int:
+        """The exit code of a process that has ended by itself."""
+        if not self.process:
+            return 0
+        with self.process as process:
+            process.kill()
+        self.process = None
+        return process.returncode
+
+    def ask(self, exercise: str, **answer: str) -> dict:
+        """The verdict on an answer: overlay=FOLDER, of shaders, or variant=NAME, in C++."""
+        if "variant" in answer:
+            self.end()
+        if not self.process:
+            self.start()
+        try:
+            self.process.stdin.write(json.dumps({"exercise": exercise, **answer}) + "\n")
+            self.process.stdin.flush()
+        except OSError:
+            pass  # it has died: there is no line
+        ready = select.select([self.process.stdout], [], [], TIMEOUT_S)[0]
+        line = self.process.stdout.readline() if ready else ""
+        if not line.startswith("{"):
+            return {"first_failure": f"it was ended by signal {-self.end()}" if ready else f"it did not end within {TIMEOUT_S} s"}
+        if "variant" in answer:
+            self.end()
+        return json.loads(line)
 
 
 def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
-    """The fault in its pictures; empty if none. One at a time."""
+    """The fault in its pictures; empty if none."""
     for shot in shots(chapter):
         if exercise in shot.get("exercises", []):
             try:
-                # Options that compile checks' shaders fast make pictures slow.
-                why = wrong_picture(chapter, exercise, shot, overlay, SIZE, GALLIVM_PERF="")
+                why = wrong_picture(chapter, exercise, shot, overlay, SIZE)
             except Failure as failure:
                 why = str(failure)
             if why:
@@ -32,25 +83,21 @@ def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
     return ""
 
 
-def run_variant(chapter: str, variant: Variant, known: dict[str, Path]) -> str:
+def run_variant(chapter: str, variant: Variant, known: dict[str, Path], checks: Checks) -> str:
     """The fault in the check's verdict; empty if none."""
     exercise = f"{chapter[:2]}.{variant.exercise}"
     if exercise not in known:
         return f"{variant.where}: there is no exercise {exercise}"
     if variant.name.endswith(".cpp"):
-        program = BUILD / "tests" / "variants" / f"{chapter[:2]}.{variant.name.removesuffix('.cpp')}"
-        found = check_numbers(chapter, exercise, program=program)
+        found = checks.ask(exercise, variant=variant.name.removesuffix(".cpp"))
     else:
         with tempfile.TemporaryDirectory(prefix="lightwalk.") as made:
             overlaid = Path(made) / known[exercise].relative_to(ROOT)
             overlaid.parent.mkdir(parents=True)
             overlaid.write_text(variant.text)
-            found = check_numbers(chapter, exercise, LIGHTWALK_OVERLAY=made, LIGHTWALK_PROBE_STRICT="1")
-            if found.get("ok") is True and variant.verdict == DRAWN:
-                with drawing:
-                    why = drawn_wrong(chapter, exercise, made)
-                if why:
-                    return f"{variant.where}: {variant.name} is right, but {why}"
+            found = checks.ask(exercise, overlay=made)
+            if found.get("ok") is True and variant.verdict == DRAWN and (why := drawn_wrong(chapter, exercise, made)):
+                return f"{variant.where}: {variant.name} is right, but {why}"
     ok, said = found.get("ok") is True, found.get("first_failure") or ""
     if ok == bool(variant.words):
         return f"{variant.where}: {variant.name} is {'wrong' if variant.words else 'right'}, but the check " + \
@@ -66,8 +113,8 @@ def main(chapter: str) -> list[str]:
     found, mistakes = variants(chapter)
     verdicts = {(variant.exercise, bool(variant.words)) for variant in found}
     without = [exercise for exercise in known if not {(exercise[3:], True), (exercise[3:], False)} <= verdicts]
-    with ThreadPoolExecutor(min(os.cpu_count() or 1, 4)) as pool:
-        wrong = [line for line in pool.map(lambda variant: run_variant(chapter, variant, known), found) if line]
+    with Checks(chapter) as checks:
+        wrong = [line for variant in found if (line := run_variant(chapter, variant, known, checks))]
     return mistakes + wrong + [f"{exercise}: tests/{chapter}/variants has no right and no wrong answer to it"
                                for exercise in without]
 

@@ -5,58 +5,53 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
+from build.build import build
 from many import shards
 from pages.report import write_report
-from shots.draw_shots import RUN
 from test import test_shards
 from test.container import test_on
-from test.needs import build_for
+from test.needs import NOTHING, build_for, selected
+from test.suites import EVERY_COMMIT, changed_since, concerned, times
 from test.test_shards import closing_line
-from tree import BUILD, Failure, UsageError, chapters, git, relative, say
+from tree import BUILD, Failure, UsageError, relative, say
 
 ALONE = True
 HELP = """Builds what the tests need, runs them and writes build/report/index.html.
 
-  ./course test                  what a person runs before a commit, and a CI on each
-  ./course test --all            everything, as before a release
-  ./course test shot.02          the tests whose name matches this regular expression
-  ./course test --sanitize       these tests, then those without windows and texts once more under the sanitizers of
-                                 addresses and of undefined behaviour
-  ./course test -L window        other options are passed to ctest
+  ./course test                  what a person runs before a commit, and a CI on each: suites first and engine
+  ./course test --all            all four suites, as before a release
+  ./course test -L platform      one suite; other options are passed to ctest as well
+  ./course test shots.02         the tests whose name matches this regular expression
+  ./course test --since COMMIT   first, engine, and the tests of platform that the files changed since then concern
+  ./course test --sanitize       these tests, then first and engine once more under the sanitizers of addresses and of
+                                 undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --on trixie      ./course run, docs, serve and test on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
-Without --all the tests that draw most are left out (studies, need rules, stretch tasks, the goldens' rejections, all knobs)
-and those in Firefox; wrong answers to exercises are tried in some chapters, and the longest tests take turns, others with each
-commit. The last line counts all tests that ran."""
+The suites, by what they prove (tests/suites.txt lists their tests):
+  first      all that a newcomer sees is right: programs, checks on the references, pictures, shaders, links
+  engine     all that draws: units, stability, equal methods, wrong answers and wrong pictures are rejected
+  platform   what stands around the chapters: pages, live pages, grading, the command, windows
+  field      studies, need rules, figures of lessons, all knobs, other systems, drivers and browsers
+
+The last line counts all tests that ran; the lines before say how long each suite took, and which tests were slowest."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
-STUDIES = ["-LE", "study"]
-SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
-PART = "LIGHTWALK_TESTS"  # "part": the pictures that goldens reject are not drawn
-LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|page_firefox|autograder_container)$"
-SHARE = 4  # variants of answers are tried in one chapter of so many
-# The longest tests take turns: a commit runs those of one line.
-TURNS = ("equal_methods|live_rest|course_shards|window_passes|window_tour|random_scenes",
-         "grade_forged|window_fields|autograder|grade_trouble",
-         "grade_user|page_start|grade_shards|window_properties",
-         "page_site|course_new|window_panels|film_slurm|page_verdicts",
-         "window_session|grade_later|warm|grade_slurm|course_trouble",
-         "window_film|window_files|window_monkey|page_pictures")
 
 
 def add_arguments(parser):
-    parser.usage = "./course test [PATTERN | --all] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] [--merge FILE...] [OPTIONS OF CTEST]"
-    parser.add_argument("--all", action="store_true", help="every test: studies, needs, teeth, all knobs, all pages")
+    parser.usage = ("./course test [PATTERN | --all | --since COMMIT] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
+                    "[--merge FILE...] [OPTIONS OF CTEST]")
+    parser.add_argument("--all", action="store_true", help="all four suites")
+    parser.add_argument("--since", metavar="COMMIT", help="add the tests of platform that changed files concern")
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
-    parser.add_argument("--sanitize", action="store_true", help="then run those without windows and texts once more under the sanitizers")
+    parser.add_argument("--sanitize", action="store_true", help="then run first and engine once more under the sanitizers")
 
 
 def run(arguments, rest) -> int:
@@ -80,22 +75,22 @@ def run(arguments, rest) -> int:
     if not selection or file:
         shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True, exist_ok=True)
-    in_part = not arguments.all and not selection
-    os.environ.pop(PART, None)
-    if in_part:
-        os.environ[PART] = "part"
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
-    selection = part() if in_part else selection
+    sanitized = selection or EVERY_COMMIT
+    if not selection and not arguments.all:
+        selection = with_platform(arguments.since) if arguments.since else EVERY_COMMIT
 
     def of_shard(folder, chosen):
         return test_shards.words(folder, chosen, arguments.shard)
 
     folder, options = build_for(selection, of_shard, also=["every_shader"] if arguments.all else [])
     runs = [run_ctest(folder, results / "tests.xml", options)]
+    for line in times(results / "tests.xml") if runs[0][0] else []:
+        say(line)
     if arguments.sanitize:
         say("\nunder the sanitizers:")
-        folder, options = build_for(SANITIZED + (selection[len(STUDIES):] if in_part else selection), of_shard, "sanitizer")
+        folder, options = build_for(sanitized, of_shard, "sanitizer")
         runs.append(run_ctest(folder, results / "sanitizer.xml", options))
     if file:
         return test_shards.write(file, arguments.shard, results, runs, rest)
@@ -109,30 +104,23 @@ def run(arguments, rest) -> int:
     return 1 if failed else 0
 
 
-def chosen(commit: int) -> tuple[int, int]:
-    """(a line of TURNS, which of SHARE parts of the chapters have their wrong answers tried)."""
-    return (commit >> 128) % len(TURNS), (commit >> 96) % SHARE
-
-
-def part() -> list[str]:
-    """ctest's options for the tests of a run without --all, chosen by the commit."""
-    try:
-        turn, share = chosen(int(git("rev-parse", "HEAD"), 16))
-    except (Failure, ValueError):
-        turn, share = 0, 0
-    others = [chapter[:2] for i, chapter in enumerate(chapters()) if i % SHARE != share]
-    waiting = "|".join(tests for i, tests in enumerate(TURNS) if i != turn)
-    return [*STUDIES, "-E", LEFT_OUT + rf"|\.({waiting})$" + (rf"|^variants\.({'|'.join(others)})$" if others else "")]
+def with_platform(commit: str) -> list[str]:
+    """ctest's options for first, engine, and what concerns the files changed since a commit, which a line says."""
+    folder, files = build(NOTHING), changed_since(commit)
+    more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
+    why = f"changes since {commit}" if files is not None else f"git knows no {commit}, so all of platform"
+    say(f"platform: {why} concern {len(more)} tests" + (": " + " ".join(more) if more else ""))
+    every = [name for _, name in selected(folder, EVERY_COMMIT)]
+    return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
-    environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-label-summary", "-j", str((os.cpu_count() or 1) + 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
-    code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
+    code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
     if not junit.exists():
         if code:
             raise Failure(f"{' '.join(command)} ended with {code}")

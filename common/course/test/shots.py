@@ -1,12 +1,12 @@
-"""Tests of shots against their goldens; a failure is exit code 1 and a line that says why.
+"""Tests of a chapter's shots against their goldens; a failure is exit code 1 and a line that says why.
 
-    python3 common/course test.shots check NN_name SHOT    the reference's picture against the golden
-    python3 common/course test.shots teeth NN_name SHOT    the golden against pictures that it must reject
+    python3 common/course test.shots shots NN_name    the references' pictures against the goldens
+    python3 common/course test.shots teeth NN_name    the goldens against pictures that they must reject
 
-Each writes its result to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
+Each shot's result goes to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
 
-    {"kind": "shot" | "teeth", "chapter", "name", "caption", "ok": bool, "why": [lines], "again": a command,
-     "seconds", "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
+    {"kind": "shot" | "teeth", "chapter", "name", "test": the ctest, "caption", "ok": bool, "why": [lines], "again": a command,
+     "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
 
 where metrics is the output of `compare --json`, or null, and paths count from the root. A shot has one picture, called
 like the shot; teeth have one for each picture to be rejected ("the starter of 02.phong", "drawn by 01_obj"), which is removed
@@ -15,94 +15,89 @@ once it is rejected. A heat map is written where pictures differ, or are not rej
 
 import json
 import sys
-import time
+from pathlib import Path
 
-from shots.draw_shots import render_unless_drawn, right_picture, wrong_pictures
+from shots.draw_shots import Picture, draw, right_picture, wrong_pictures
 from shots.golden import compare, exceeded, golden_path, limits_of, unfit
 from tree import BUILD, Failure, find_shots, relative, say, warn, write_atomically
 
 
-def check(chapter: str, shot: dict) -> dict:
-    """The reference's picture against the golden."""
-    name, program, options, actual = right_picture(chapter, shot)
-    heatmap = actual.with_suffix(".flip.png")
-    golden = golden_path(chapter, name)
-    metrics, why = None, []
-    try:
-        heatmap.unlink(missing_ok=True)
-        render_unless_drawn(chapter, program, options, actual)
-        if golden.exists():
-            metrics = compared(golden, actual, heatmap, lambda found: found["max_diff"]["steps"] == 0)
-            why = unfit(metrics) + exceeded(metrics, limits_of(chapter, name))
-        else:
-            why = [f"there is no {relative(golden)}; look at {relative(actual)}, then ./course accept "
-                   f"{chapter[:2]}.{name}"]
-    except Failure as failure:
-        why = [str(failure)]
-    return {"ok": not why, "why": why,
-            "pictures": [picture_entry(name, not why, golden, actual, heatmap, metrics)]}
+def check(golden: Path, limits: dict, picture: Picture, failure: str, again: str) -> tuple[dict, str]:
+    """The reference's picture against the golden: its entry in the result, and why it is wrong."""
+    name, _, _, actual = picture
+    if failure:
+        return picture_entry(name, False, golden, actual), failure
+    if not golden.exists():
+        return picture_entry(name, False, golden, actual), f"there is no {relative(golden)}; look at {relative(actual)}, then {again}"
+    metrics = compared(golden, actual, lambda found: found["max_diff"]["steps"] == 0)
+    why = "; ".join(unfit(metrics) + exceeded(metrics, limits))
+    return picture_entry(name, not why, golden, actual, metrics), why
 
 
-def teeth(chapter: str, shot: dict) -> dict:
-    """The golden against pictures that are wrong: each must be over a limit."""
-    golden = golden_path(chapter, shot["name"])
-    why, pictures = [], []
-    for name, program, options, actual in wrong_pictures(chapter, shot):
-        heatmap = actual.with_suffix(".flip.png")
-        metrics = None
-        try:
-            render_unless_drawn(chapter, program, options, actual)
-            limits = limits_of(chapter, shot["name"])
-            metrics = compared(golden, actual, heatmap, lambda found: exceeded(found, limits))
-            ok = bool(exceeded(metrics, limits))
-            if ok:
-                actual.unlink()  # the report has its figures alone, and all of them are 150 MB
-            else:
-                why.append(f"the golden does not reject the picture: {name}")
-        except Failure as failure:
-            ok = False
-            why.append(f"{name}: {failure}")
-        pictures.append(picture_entry(name, ok, golden, actual, heatmap, metrics))
-    return {"ok": not why, "why": why, "pictures": pictures}
+def bite(golden: Path, limits: dict, picture: Picture, failure: str) -> tuple[dict, str]:
+    """The golden against a picture that is wrong: it must be over a limit."""
+    name, _, _, actual = picture
+    if failure:
+        return picture_entry(name, False, golden, actual), f"{name}: {failure}"
+    metrics = compared(golden, actual, lambda found: exceeded(found, limits))
+    if exceeded(metrics, limits):
+        actual.unlink()  # the report has its figures alone, and all of them are 150 MB
+        return picture_entry(name, True, golden, actual, metrics), ""
+    return picture_entry(name, False, golden, actual, metrics), f"the golden does not reject the picture: {name}"
 
 
-def compared(golden, actual, heatmap, is_enough) -> dict:
+def compared(golden: Path, actual: Path, is_enough) -> dict:
     """compare(), with a heat map unless the figures are enough: writing one takes longer than computing it."""
+    heatmap = actual.with_suffix(".flip.png")
+    heatmap.unlink(missing_ok=True)
     metrics = compare(golden, actual)
     return metrics if is_enough(metrics) else compare(golden, actual, heatmap)
 
 
-def picture_entry(name, ok, golden, actual, heatmap, metrics) -> dict:
+def picture_entry(name: str, ok: bool, golden: Path, actual: Path, metrics: dict | None = None) -> dict:
+    heatmap = actual.with_suffix(".flip.png")
     return {"name": name, "ok": ok, "metrics": metrics,
             "expected": relative(golden) if golden.exists() else None,
             "actual": relative(actual) if actual.exists() else None,
             "heatmap": relative(heatmap) if metrics and heatmap.exists() else None}
 
 
-def main(words: list[str]) -> int:
-    if len(words) != 3 or words[0] not in ("check", "teeth"):
-        warn("usage: test.shots check|teeth NN_name SHOT")
-        return 2
-    kind, chapter, name = words
-    [(_, shot)] = find_shots(f"{chapter}.{name}")
-    start = time.monotonic()
-    result = check(chapter, shot) if kind == "check" else teeth(chapter, shot)
-    label = "shot" if kind == "check" else "teeth"
-    result = {"kind": label, "chapter": chapter, "name": name, "caption": shot.get("caption", ""),
-              "again": f"./course run {chapter[:2]} --shot {name}", "seconds": round(time.monotonic() - start, 3),
-              "limits": limits_of(chapter, name), **result}
-    write_atomically(BUILD / "results" / f"{label}.{chapter[:2]}.{name}.json", json.dumps(result, indent=1) + "\n")
-    for line in result["why"]:
+def judge(test: str, chapter: str, shot: dict, pictures: list[Picture], failures: dict) -> bool:
+    """Writes a shot's result, says what is wrong. Whether it is right."""
+    kind, name, number = {"shots": "shot"}.get(test, test), shot["name"], chapter[:2]
+    golden, limits, entries, why = golden_path(chapter, name), limits_of(chapter, name), [], []
+    for picture in pictures:
+        try:
+            entry, wrong = check(golden, limits, picture, failures[picture[-1]], f"./course accept {number}.{name}") if kind == "shot" \
+                else bite(golden, limits, picture, failures[picture[-1]])
+        except Failure as failure:
+            entry, wrong = picture_entry(picture[0], False, golden, picture[-1]), str(failure)
+        entries.append(entry)
+        why += [wrong] if wrong else []
+    result = {"kind": kind, "chapter": chapter, "name": name, "test": f"{test}.{number}",
+              "caption": shot.get("caption", ""), "again": f"./course run {number} --shot {name}", "limits": limits,
+              "ok": not why, "why": why, "pictures": entries}
+    write_atomically(BUILD / "results" / f"{kind}.{number}.{name}.json", json.dumps(result, indent=1) + "\n")
+    for line in why:
         say(f"{chapter}.{name}: {line}")
-    for picture in result["pictures"]:
-        if picture["metrics"]:
-            flip = picture["metrics"]["flip"]
-            say(f"{picture['name']}: FLIP mean {flip['mean']:.6f}, p99 {flip['p99']:.6f}, "
-                f"largest step {picture['metrics']['max_diff']['steps']}")
-        if not result["ok"]:
-            for key in ("expected", "actual", "heatmap"):
-                say(f"  {key:8} {picture[key] or 'none'}")
-    return 0 if result["ok"] else 1
+    for entry in entries if why else []:
+        for key in ("expected", "actual", "heatmap"):
+            say(f"  {key:8} {entry[key] or 'none'}")
+    return not why
+
+
+def main(words: list[str]) -> int:
+    if len(words) != 2 or words[0] not in ("shots", "teeth"):
+        warn("usage: test.shots shots|teeth NN_name")
+        return 2
+    test, chapter = words
+    # Grouped by scene, which is then read once.
+    shots = sorted((shot for _, shot in find_shots(chapter)), key=lambda shot: shot.get("scene", ""))
+    wanted = {shot["name"]: [right_picture(chapter, shot)] if test == "shots" else wrong_pictures(chapter, shot) for shot in shots}
+    failures = draw([picture for pictures in wanted.values() for picture in pictures])
+    right = [judge(test, chapter, shot, wanted[shot["name"]], failures) for shot in shots if wanted[shot["name"]]]
+    say(f"{sum(right)} of {len(right)} are right")
+    return 0 if all(right) else 1
 
 
 if __name__ == "__main__":

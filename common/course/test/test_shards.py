@@ -1,8 +1,6 @@
-"""./course test in shards, for a CI's matrix: a chapter's pictures and all tests that compare them stay together, because
-one process draws them; every other test is a piece of its own. A shard keeps its results and their pictures."""
+"""./course test in shards, for a CI's matrix. A shard keeps its results and their pictures."""
 
 import json
-import re
 import shutil
 from pathlib import Path
 
@@ -10,14 +8,6 @@ from many import shards
 from pages.report import write_report
 from test import needs
 from tree import BUILD, ROOT, UsageError, relative, say, write_atomically
-
-PICTURES = re.compile(r"(?:pictures|shot|teeth)\.(\d\d)(?:\.|$)")
-
-
-def piece(test: str) -> str:
-    """The unit that is never split."""
-    found = PICTURES.match(test)
-    return f"pictures.{found[1]}" if found else test
 
 
 def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> list[str]:
@@ -27,7 +17,7 @@ def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> lis
     listed = needs.selected(folder, selection)
     if not listed:
         raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
-    mine = [number for number, name in listed if shard.takes(piece(name))]
+    mine = [number for number, name in listed if shard.takes(name)]
     if not mine:  # a selection of few tests, cut into many
         return ["-E", "."]
     chosen = folder / f"tests.{shard.number}-of-{shard.of}"

@@ -1,0 +1,52 @@
+"""The suites of the tests (tests/suites.txt), and the tests of platform that a change concerns."""
+# Builds: nothing
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common" / "course"))
+
+from test import suites  # noqa: E402
+
+JUNIT = """<testsuite><testcase name="shots.01" time="2.4"/><testcase name="unit.common" time="1"/>
+<testcase name="text.grade_book" time="70"/></testsuite>"""
+
+
+class Suites(unittest.TestCase):
+    def test_each_line_is_of_a_suite_and_its_paths_are_there(self):
+        for suite, pattern, paths in suites.lines():
+            with self.subTest(pattern):
+                self.assertIn(suite, suites.SUITES)
+                self.assertEqual(bool(paths), suite == "platform")
+                self.assertEqual([path for path in paths if not list(ROOT.glob(f"{path}*"))], [])
+
+    def test_the_first_line_that_matches_holds(self):
+        for test, suite in (("shots.04", "first"), ("text.tree", "first"), ("variants.04", "engine"), ("window.common.window", "platform"),
+                            ("python.common.knobs.04", "field"), ("text.grade_slurm", "field"), ("text.grade", "platform")):
+            self.assertEqual(suites.line_of(test)[0], suite, test)
+
+    def test_a_change_concerns_the_tests_of_its_part(self):
+        tests = ["text.grade_book", "text.live", "window.common.window", "window.18_playground.window_tour"]
+        self.assertEqual(suites.concerned(tests, ["common/course/live/files.py", "README.md"]), ["text.live"])
+        self.assertEqual(suites.concerned(tests, ["chapters/18_playground/main.cpp"]), ["window.18_playground.window_tour"])
+        self.assertEqual(suites.concerned(tests, ["common/judge/wire.h", "common/window/run.cpp"]), [tests[0], *tests[2:]])
+        self.assertEqual(suites.concerned(tests, ["chapters/04_surface_maps/main.cpp"]), [])
+        self.assertEqual(suites.concerned(tests, None), tests)
+
+    def test_what_changed_is_asked_of_git(self):
+        self.assertIsNone(suites.changed_since("no such commit"))
+
+    def test_times_are_told_by_suite(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".xml") as file:
+            file.write(JUNIT)
+            file.flush()
+            self.assertEqual(suites.times(Path(file.name)), [
+                "time of tests, some at once: first 2 s in 1 tests, engine 1 s in 1 tests, platform 70 s in 1 tests",
+                "slowest: text.grade_book 70 s, shots.01 2 s, unit.common 1 s"])
+
+
+if __name__ == "__main__":
+    unittest.main()
