@@ -45,7 +45,7 @@ class Options(BadInput):
     def test_a_chapter_that_there_is_not(self):
         for words in (["run", "77"], ["run", "no_such"], ["nonsense"], ["check", "77"], ["accept", "02.none"],
                       ["run\n"], ["check", "02.phong\n"], ["shader", "a\nb"], ["accept", ""], ["accept", "02."], ["accept", "."],
-                      ["study", ""], ["grade", ""], ["slides", ""]):
+                      ["study", ""], ["grade", ""], ["docs", "--slides", ""]):
             with self.subTest(words=words):
                 done = self.run_program(ROOT / "course", *words)
                 self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)

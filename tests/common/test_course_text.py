@@ -22,7 +22,7 @@ class Text(Course):
     def test_quotes(self):
         self.put("docs/01_obj.md", LESSON.replace("twice", "thrice"))
         self.assertIn("docs/01_obj.md:3: the block is not what chapters/01_obj/main.cpp says", self.wrong())
-        self.course("quote")
+        self.course("docs", "--quote")
         self.assertEqual((self.root / "docs/01_obj.md").read_text(), LESSON)
         self.put("docs/01_obj.md", LESSON.replace("#frame", "#gone"))
         self.assertIn("has no lines from [gone] to [/gone]", self.wrong())
@@ -51,7 +51,7 @@ class Text(Course):
         self.put(file, "// [one]\n// What it does.\n// [/one]\nright\n")
         self.put("docs/01_obj.md", lesson.format(file))
         self.restore_afterwards(self.root / "tests/starters.txt")
-        self.course("quote")  # another starter
+        self.course("docs", "--quote")  # another starter
         self.assertEqual(self.wrong(), "")
         self.put("docs/01_obj.md", "# One\n## Exercises\n### 01.one (easy)\n")
         self.assertIn(f"docs/01_obj.md: it does not quote {file}#one", self.wrong())

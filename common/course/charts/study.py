@@ -35,6 +35,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study 02 --size 480x270  pixels, instead of the study's own size
   ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
   ./course study 14 --timings      the passes that a lesson quotes (chapters/NN_name/timings.json), into docs/studies/tables
+  ./course study 02 --stretch      the stretch task: an exercise with the reference's error in less time; --stretch --help
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
 The files are docs/studies/NN_name.DEVICE.json and .md, with the charts that a lesson shows as PNG; all charts are in
