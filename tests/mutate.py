@@ -87,14 +87,13 @@ class Bench:
                 raise Failure(f"without any change: {program}: {failed}")
 
     def programs(self):
-        return (("check_" + self.chapter, ["--use", "solution"]), ("test_" + self.chapter, ["~*loaders*"]))
+        return (("check_" + self.chapter, ["--use", "solution", "--probe-log", self.folder / "probes"]), ("test_" + self.chapter, ["~*loaders*"]))
 
     def run(self, command):
         environment = os.environ | {"LIGHTWALK_BUILD": str(self.build), "LD_LIBRARY_PATH": str(self.build),
                                     "LIGHTWALK_ROOT": str(ROOT),
                                     "LIGHTWALK_OVERLAY": str(self.overlay), "LIGHTWALK_TIMEOUT_S": "20",
-                                    "LIGHTWALK_CACHE": str(self.folder / "cache"),
-                                    "LIGHTWALK_PROBE_LOG": str(self.folder / "probes")}
+                                    "LIGHTWALK_CACHE": str(self.folder / "cache")}
         (self.folder / "probes").write_text("")
         return subprocess.run([str(word) for word in command], cwd=ROOT, capture_output=True, text=True,
                               errors="replace", stdin=subprocess.DEVNULL, timeout=TIMEOUT_S, env=environment)

@@ -9,6 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/run_checks.h"
 #include "common/check/undefined.h"
 #include "common/gpu/frame.h"
 #include "common/gpu/glsl.h"
@@ -135,8 +136,7 @@ Table run_probe(Gpu& gpu, const Probe& probe, size_t outputs) {
     const Signature s = parse(probe.signature);
     const std::string source = shader_text(s, text_of(probe), "", "    probe_outputs[i].value = CALL;\n");
     const std::vector<uint32_t> words = run(gpu, probe, s, source, outputs * probe.inputs.size());
-    // For tests/mutate.py: records whether a probe's results changed at all.
-    if (const char* log = std::getenv("LIGHTWALK_PROBE_LOG"))
+    if (const std::string& log = check_options().probe_log; !log.empty())
         std::ofstream(log, std::ios::app)
             << s.function << " " << hash_bytes({reinterpret_cast<const char*>(words.data()), 4 * words.size()}) << "\n";
     Table table(probe.inputs.size(), Row(outputs));
@@ -167,7 +167,7 @@ std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe
                                                "int what; float a, b; ", call);
         words = run(gpu, probe, s, source, stride * kinds * probe.inputs.size());
     } catch (const ShaderError& e) {
-        if (std::getenv("LIGHTWALK_PROBE_STRICT")) throw;
+        if (check_options().strict) throw;
         return std::nullopt;  // instrumented() does not follow every text
     }
     std::vector<Undefined> found;

@@ -9,7 +9,9 @@
 #include "common/base/freed_memory.h"
 #include "common/base/guarded.h"
 #include "common/base/text.h"
+#include "common/gpu/sealed.h"
 #include "common/study/study.h"
+#include "common/window/event_log.h"
 #include "common/window/stream.h"
 #include "common/window/window.h"
 
@@ -24,6 +26,8 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         chapter->name = name;
         const std::optional<Options> options = read_options(argc, argv, *chapter);
         if (!options) return 0;
+        log_events(options->events);
+        use_sealed(options->shaders_into, options->shaders_from);
         if (!options->list.empty()) return print_list(*options, *chapter);
         if (!options->compile_shaders.empty())
             return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);

@@ -1,6 +1,5 @@
 """Pictures of chapter 07 that must agree with others, or differ by a known amount; how much they flicker; its bench."""
 import json
-import os
 import pathlib
 import subprocess
 import sys
@@ -29,7 +28,7 @@ class PicturesTest(ChapterPictures):
                  "curves": [{"method": "none"}, {"method": "box"}, {"method": "single_pass"}, {"method": "kaiser"}]}
         file, out = self.folder / "asked.json", self.folder / "found.json"
         file.write_text(json.dumps(asked))
-        self.run_program("--study", out, silent=False, LIGHTWALK_STUDY_FILE=str(file))
+        self.run_program("--study", out, "--study-file", file, silent=False)
         flicker = {point["method"]: point["error"]["flicker"] for point in json.loads(out.read_text())["points"]}
         for method in ("box", "single_pass", "kaiser"):
             self.assertLess(flicker[method], 0.75 * flicker["none"], flicker)
@@ -56,7 +55,7 @@ class PicturesTest(ChapterPictures):
 
     def test_the_bench_writes_a_study(self):
         out = self.folder / "bench.json"
-        self.run_program("--mip-bench", out, silent=False, LIGHTWALK_MOST_TEXELS="64", LIGHTWALK_STUDY_ROUNDS="1")
+        self.run_program("--mip-bench", out, "--size", "64x64", "--study-rounds", "1", silent=False)
         points = {(point["scene"], point["method"]): point["error"] for point in json.loads(out.read_text())["points"]
                   if "level" not in point["knobs"]}
         odd = "city lights, 1366x683, sRGB"
@@ -67,8 +66,7 @@ class PicturesTest(ChapterPictures):
                         0.1 * points["normals, 512x512, RGBA8", "blit"]["level_rmse"])
 
     def test_a_bad_request_is_one_line(self):
-        done = subprocess.run([self.program, "--mip-bench", self.folder / "x.json"], capture_output=True, text=True,
-                              env=os.environ | {"LIGHTWALK_STUDY_ROUNDS": "none"})
+        done = subprocess.run([self.program, "--mip-bench", self.folder / "x.json", "--study-rounds", "0"], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
         self.assertFalse((self.folder / "x.json").exists())
 

@@ -76,7 +76,7 @@ class RoundTrip(ChapterPictures):
             file.write_text(json.dumps(scene))
             made[name] = file, file.with_name("out.gltf")
         done = subprocess.run([BUILD / "tests" / "test_18_playground", "[.exported]"], capture_output=True, text=True,
-                              env={**os.environ, "LIGHTWALK_EXPORTED": "\n".join(str(f) for f, _ in made.values())})
+                              input="\n".join(str(f) for f, _ in made.values()))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return made
 

@@ -46,7 +46,7 @@ def has_pages() -> bool:
 class LivePage(unittest.TestCase):
     """A server of the course's own pages."""
 
-    environment: dict[str, str] = {}
+    refine = "off"
 
     @classmethod
     def setUpClass(cls):
@@ -55,7 +55,7 @@ class LivePage(unittest.TestCase):
         cls.addClassCleanup(made.cleanup)
         cls.root = Path(made.name).resolve() / "course"
         copy_of_course(cls.root)
-        cls.server = Server(cls.root, LIGHTWALK_ROOT=str(cls.root), **cls.environment)
+        cls.server = Server(cls.root, refine=cls.refine, LIGHTWALK_ROOT=str(cls.root))
         cls.addClassCleanup(cls.server.__exit__)
 
     def opened(self, browser, lesson: str):

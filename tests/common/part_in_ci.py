@@ -1,12 +1,15 @@
 """Of many like cases ./course test tries a part, another with each commit; ./course test --all, and a test by itself, all."""
-import os
 import subprocess
+import sys
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
+from tree import test_run  # noqa: E402
 
 
 def in_part() -> bool:
     """Whether a run of ./course test without --all asks."""
-    return os.environ.get("LIGHTWALK_TESTS") == "part"
+    return test_run().get("part", False)
 
 
 def part(cases, of: int) -> list:

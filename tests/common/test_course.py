@@ -215,7 +215,7 @@ class Shots(Course):
         return json.loads((self.root / "build/results/shot.01.bunny.json").read_text())["limits"]
 
     def test_limits_are_three_times_what_accept_measured_and_never_less_than_the_usual(self):
-        self.assertIn("LIGHTWALK_SECOND_DRIVER is not set", self.accept())
+        self.assertIn("no second driver is measured", self.accept())
         self.assertEqual(self.limits(), LIMITS)
         self.put("drift.sse4.1", "!")
         self.assertIn("01.bunny is allowed more than others: flip_mean 1.5, flip_p99 1.5, max_diff 300", self.accept())
@@ -225,10 +225,10 @@ class Shots(Course):
         self.assertEqual(self.limits(), LIMITS | {"flip_mean": 0.003})
 
     def test_a_second_driver_is_measured_and_remembered_while_the_golden_stays(self):
-        self.assertIn("which is not a file", self.course("accept", "--yes", code=2, LIGHTWALK_SECOND_DRIVER="/no/such"))
+        self.assertIn("is not a file", self.course("accept", "--yes", "--second-driver", "/no/such", code=2))
         self.put("second")
         self.put("drift.second", "!")
-        self.course("accept", "--yes", LIGHTWALK_SECOND_DRIVER=str(self.root / "second"))
+        self.course("accept", "--yes", "--second-driver", str(self.root / "second"))
         self.assertEqual(self.limits()["max_diff"], 300)
         self.accept()
         self.assertEqual(self.limits()["max_diff"], 300)

@@ -11,7 +11,7 @@ IMAGE = f"{PICTURE}.sides[0].image.src"
 
 
 class Refining(LivePage):
-    environment = {"LIGHTWALK_REFINE": "on"}
+    refine = "on"
 
     def test_a_picture_at_rest_gathers_sixteen_samples(self):
         with Browser(1400, 1000, server=self.server.base) as browser:

@@ -54,7 +54,7 @@ class Newcomer(unittest.TestCase):
         return subprocess.run(["git", "-C", cls.root, "status", "--porcelain"], check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def environment(self, **more) -> dict:
-        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "LIGHTWALK_CACHE", "CI", "LIGHTWALK_TESTS", "XDG_STATE_HOME")
+        outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "LIGHTWALK_CACHE", "CI", "XDG_STATE_HOME")
         return {name: value for name, value in os.environ.items() if name not in outer} | self.home | more
 
     def start(self, *words, **more) -> subprocess.Popen:
@@ -77,7 +77,7 @@ class Newcomer(unittest.TestCase):
         window_session.PATIENCE_S = PATIENCE_S
         began = time.monotonic()
         inside = self.environment()
-        menu = Session(server, self.root / "course", ["run"], self.folder,
+        menu = Session(server, self.root / "course", ["run", "--menu"], self.folder,
                        LIGHTWALK_BUILD=str(self.root / "build"),  # a test's own is another
                        **{name: inside[name] for name in ("HOME", "CCACHE_DIR")}, **own_cache(self.folder))
         self.addCleanup(menu.close)

@@ -3,7 +3,6 @@
 
 import hashlib
 import itertools
-import os
 import subprocess
 import sys
 import unittest
@@ -20,7 +19,7 @@ CASES = list("abcdefghij")
 
 
 def at(commit: str, of: int, cases=CASES) -> list:
-    with mock.patch.dict(os.environ, {"LIGHTWALK_TESTS": "part"}), \
+    with mock.patch("part_in_ci.in_part", return_value=True), \
             mock.patch.object(subprocess, "run", return_value=mock.Mock(stdout=commit + "\n")):
         return part(cases, of)
 
@@ -39,7 +38,7 @@ class Part(unittest.TestCase):
         self.assertEqual(at("1", 3, []), [])
 
     def test_with_all_all(self):
-        with mock.patch.dict(os.environ, {"LIGHTWALK_TESTS": ""}):
+        with mock.patch("part_in_ci.in_part", return_value=False):
             self.assertEqual(part(CASES, 3), CASES)
 
     def test_each_test_that_takes_turns_is_there_and_has_one_turn(self):

@@ -105,7 +105,7 @@ class Answer(Guarded):
 
 class Course(Answer):
     def get(self):
-        self.say(answers.catalogue() | {"progress": self.application.verdicts.progress()})
+        self.say(answers.catalogue(self.application.refine) | {"progress": self.application.verdicts.progress()})
 
 
 class Knobs(Answer):

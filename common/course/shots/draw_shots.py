@@ -7,20 +7,17 @@ A partial run of ./course test has no teeth: only the shots are drawn.
 All pictures of a program are drawn by one process (rendering.render_many). A picture's failure is reported by its own
 test, which finds it in build/shots/NN_name/drawn.json:
 
-    {"run": $LIGHTWALK_RUN, "pictures": {path from the root: its failure, or ""}}
+    {"run": the name of the run, "pictures": {path from the root: its failure, or ""}}
 
 The run is one of ./course test; a test that is run alone, or after another such run, draws for itself.
 """
 
 import json
-import os
 import time
 from pathlib import Path
 
 from shots.rendering import render, render_many, text
-from tree import BUILD, Failure, exercises, find_shots, is_edited, relative, run_on_chapter, say, write_atomically
-
-RUN = "LIGHTWALK_RUN"
+from tree import BUILD, Failure, exercises, find_shots, is_edited, relative, run_on_chapter, say, test_run, write_atomically
 
 
 def picture_path(chapter: str, name: str, wrong: int | None = None) -> Path:
@@ -62,7 +59,7 @@ def drawn_path(chapter: str) -> Path:
 
 def drawn_in_this_run(chapter: str) -> dict[str, str]:
     """The failure ("" for none) of each picture drawn in this run of ./course test, by its path from the root."""
-    run, path = os.environ.get(RUN), drawn_path(chapter)
+    run, path = test_run().get("name"), drawn_path(chapter)
     drawn = json.loads(path.read_text()) if run and path.exists() else {"run": None}
     return drawn["pictures"] if run and drawn["run"] == run else {}
 
@@ -85,10 +82,10 @@ def main(chapter: str, teeth: bool) -> list[str]:
             by_program.setdefault(program, []).append((options, picture))
     for program, pictures in by_program.items():
         found |= {relative(picture): words for (_, picture), words in zip(pictures, render_many(program, pictures))}
-    write_atomically(drawn_path(chapter), json.dumps({"run": os.environ.get(RUN), "pictures": found}, indent=1) + "\n")
+    write_atomically(drawn_path(chapter), json.dumps({"run": test_run().get("name"), "pictures": found}, indent=1) + "\n")
     say(f"{len(found)} pictures in {time.monotonic() - start:.1f} s")
     return []
 
 
 if __name__ == "__main__":
-    run_on_chapter(lambda chapter: main(chapter, teeth=os.environ.get("LIGHTWALK_TESTS") != "part"))
+    run_on_chapter(lambda chapter: main(chapter, teeth=not test_run().get("part")))

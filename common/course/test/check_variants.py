@@ -45,7 +45,7 @@ def run_variant(chapter: str, variant: Variant, known: dict[str, Path]) -> str:
             overlaid = Path(made) / known[exercise].relative_to(ROOT)
             overlaid.parent.mkdir(parents=True)
             overlaid.write_text(variant.text)
-            found = check_numbers(chapter, exercise, LIGHTWALK_OVERLAY=made, LIGHTWALK_PROBE_STRICT="1")
+            found = check_numbers(chapter, exercise, options=("--strict",), LIGHTWALK_OVERLAY=made)
             if found.get("ok") is True and variant.verdict == DRAWN:
                 with drawing:
                     why = drawn_wrong(chapter, exercise, made)

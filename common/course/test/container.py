@@ -95,7 +95,7 @@ def contained(root: Path, command: list[str], folder: str = TREE) -> list[str]:
     words = ["bwrap", "--bind", str(root), "/", "--dev", "/dev", "--proc", "/proc", "--die-with-parent", "--unshare-pid",
              "--unshare-ipc", "--unshare-uts", "--hostname", root.parent.name, "--cap-add", "ALL", "--clearenv"]
     environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "LANG": "C.UTF-8"}
-    for name in ("CI", "TERM", "LIGHTWALK_TESTS"):
+    for name in ("CI", "TERM"):
         if name in os.environ:
             environment[name] = os.environ[name]
     for name, value in environment.items():

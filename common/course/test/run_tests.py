@@ -1,5 +1,6 @@
 """Builds the tests' programs, runs them, writes the report."""
 
+import json
 import os
 import re
 import shutil
@@ -11,12 +12,11 @@ from pathlib import Path
 
 from many import shards
 from pages.report import write_report
-from shots.draw_shots import RUN
 from test import test_shards
 from test.container import test_on
 from test.needs import build_for
 from test.test_shards import closing_line
-from tree import BUILD, Failure, UsageError, chapters, git, relative, say
+from tree import BUILD, RUN, Failure, UsageError, chapters, git, relative, say, write_atomically
 
 ALONE = True
 HELP = """Builds what the tests need, runs them and writes build/report/index.html.
@@ -39,7 +39,6 @@ PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 STUDIES = ["-LE", "study"]
 SANITIZED = ["-LE", "window|text|study"]  # studies draw the same pictures as shots, many times
-PART = "LIGHTWALK_TESTS"  # "part": a test of many like cases tries some of them (tests/common/part_in_ci.py)
 LEFT_OUT = r"^teeth\.[0-9]+\.|common\.knobs\.|\.(need|stretch|newcomer|window_built|page_firefox)$"
 SHARE = 4  # variants of answers are tried in one chapter of so many
 # The longest tests take turns: a commit runs those of one line.
@@ -82,9 +81,7 @@ def run(arguments, rest) -> int:
         shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True, exist_ok=True)
     in_part = not arguments.all and not selection
-    os.environ.pop(PART, None)
-    if not arguments.all and (in_part or os.environ.get("CI") == "true"):
-        os.environ[PART] = "part"
+    tries_part = not arguments.all and (in_part or os.environ.get("CI") == "true")
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
     selection = part() if in_part else selection
@@ -93,11 +90,11 @@ def run(arguments, rest) -> int:
         return test_shards.words(folder, chosen, arguments.shard)
 
     folder, options = build_for(selection, of_shard, also=["every_shader"] if arguments.all else [])
-    runs = [run_ctest(folder, results / "tests.xml", options)]
+    runs = [run_ctest(folder, results / "tests.xml", options, tries_part)]
     if arguments.sanitize:
         say("\nunder the sanitizers:")
         folder, options = build_for(SANITIZED + (selection[len(STUDIES):] if in_part else selection), of_shard, "sanitizer")
-        runs.append(run_ctest(folder, results / "sanitizer.xml", options))
+        runs.append(run_ctest(folder, results / "sanitizer.xml", options, tries_part))
     if file:
         return test_shards.write(file, arguments.shard, results, runs, rest)
     report = BUILD / "report" / "index.html"
@@ -127,14 +124,15 @@ def part() -> list[str]:
     return [*STUDIES, "-E", LEFT_OUT + rf"|\.({waiting})$" + (rf"|^variants\.({'|'.join(others)})$" if others else "")]
 
 
-def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
+def run_ctest(folder: Path, junit: Path, selection: list[str], tries_part: bool) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
-    environment = os.environ | {RUN: f"{os.getpid()} {time.time()}"}
+    write_atomically(folder / RUN, json.dumps({"pid": os.getpid(), "name": f"{os.getpid()} {time.time()}", "part": tries_part}) + "\n")
     command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
-    code = subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
+    code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
+    (folder / RUN).unlink()
     if not junit.exists():
         if code:
             raise Failure(f"{' '.join(command)} ended with {code}")
