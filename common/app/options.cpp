@@ -155,9 +155,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         ->type_name("STAMP");
     app.add_flag("--default-variants", o.default_variants, "with --compile-shaders: the default knobs alone");
     app.add_flag("--pictures", o.pictures,
-                 "For tests: draw a picture for each line of standard input, its arguments as a JSON list");
-    app.add_flag("--stream", o.stream,
-                 "For ./course serve: draw what each line of standard input asks for, to standard output");
+                 "For tests and ./course serve: draw what each line of standard input asks for");
     app.add_option("--refine", refine, "Whether a window's picture at rest gathers samples (on)")
         ->check(CLI::IsMember({"on", "off"}).description(""))
         ->type_name("{on,off}");

@@ -18,7 +18,6 @@ struct Options {
     bool frames_given = false, json = false, validate = false, explain = false;
     bool default_variants = false;  ///< for compile_shaders
     bool pictures = false;          ///< standard input says which
-    bool stream = false;            ///< the same, of one chapter that stays, to standard output
     bool refine = true;             ///< a window's picture at rest gathers samples
     std::string events;             ///< log of a window's events: "on", "layout"; default: none
     std::string study_file;         ///< default: the chapter's own

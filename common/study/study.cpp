@@ -309,8 +309,9 @@ void run_subject_study(const Options& options, Chapter& chapter, const std::file
 
 int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu) {
     check_writable(options.study);
-    const std::filesystem::path file =
-        options.study_file.empty() ? course_root() / "chapters" / chapter.name / "study.json" : options.study_file;
+    const std::filesystem::path file = options.study_file.empty()
+                                           ? course_root() / "chapters" / chapter.name / "study.json"
+                                           : std::filesystem::path(options.study_file);
     if (chapter.subject) {
         run_subject_study(options, chapter, file);
         return 0;

@@ -3,7 +3,6 @@
 #include "common/app/compile_shaders.h"
 #include "common/app/headless.h"
 #include "common/app/lists.h"
-#include "common/app/pictures.h"
 #include "common/base/crash.h"
 #include "common/base/files.h"
 #include "common/base/freed_memory.h"
@@ -12,7 +11,7 @@
 #include "common/gpu/sealed.h"
 #include "common/study/study.h"
 #include "common/window/event_log.h"
-#include "common/window/stream.h"
+#include "common/window/pictures.h"
 #include "common/window/window.h"
 
 namespace lightwalk {
@@ -32,7 +31,6 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         if (!options->compile_shaders.empty())
             return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
         if (options->pictures) return draw_pictures(*options, name, make, gpu);
-        if (options->stream) return stream_pictures(*options, name, make, gpu);
         if (options->command) return options->command(*options, gpu);
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
         const bool foreign = !options->scene.empty() && !lies_below(options->scene, course_root());

@@ -84,7 +84,7 @@ class Warm(unittest.TestCase):
         """The pictures of one program, asked for one after the other; `between` is called before the last."""
         name = next(name for name in CHAPTERS if name.startswith(chapter))
         pictures = []
-        with subprocess.Popen([BUILD / "chapters" / name, "--stream", "--validate", "on"], cwd=ROOT,
+        with subprocess.Popen([BUILD / "chapters" / name, "--pictures", "--validate", "on"], cwd=ROOT,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE) as program:
             for request in requests:
                 if request is requests[-1]:

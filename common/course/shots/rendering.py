@@ -101,7 +101,8 @@ class Drawing:
         self.stderr.seek(begin)
         said = self.stderr.read()
         if answer.startswith("{"):
-            return *json.loads(answer).values(), said
+            found = json.loads(answer)
+            return found["code"], found["error"], said
         self.program.kill()
         return self.program.wait(), last_words(said), said
 
