@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM
+from browser import WHY_NONE
 from live_server import Server
 from small_course import REAL
 
@@ -42,7 +42,7 @@ def has_pages() -> bool:
     return True
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipIf(WHY_NONE, WHY_NONE)
 class LivePage(unittest.TestCase):
     """A server of the course's own pages."""
 

@@ -58,7 +58,7 @@ class Lessons(LivePage):
                 for page in lesson_pages(chapter):
                     self.opened(browser, page.stem)
                     self.check_live(browser, page)
-                    browser.evaluate("document.querySelectorAll('.live-open')[0]?.click()")
+                    browser.evaluate("document.querySelectorAll('.run-open')[0]?.click()")
                     browser.evaluate("document.querySelectorAll('article details').forEach(one => { one.open = true; })")
                     self.assertEqual(hard_to_read(browser), {}, page.stem)
                     count += self.check_links(browser, chapter, page.stem, takes)
@@ -67,7 +67,7 @@ class Lessons(LivePage):
     def check_live(self, browser: Browser, page: Path):
         # Images other than charts and diagrams are drawn by a chapter.
         browser.wait(f"Boolean(![...{IMAGES}].some(i => !i.closest('.live-frame')))")
-        opened = browser.evaluate("[...document.querySelectorAll('.live-open')].map(button => button.dataset.exercise)")
+        opened = browser.evaluate("[...document.querySelectorAll('.run-open')].map(button => button.dataset.exercise)")
         self.assertEqual(opened, re.findall(r"^### (\d\d\.\w+)", (REAL / page).read_text(encoding="utf-8"), re.M), page)
         # A specification is read without scrolling sideways.
         cut = "[...document.querySelectorAll('.spec pre > code')].map(c => c.scrollWidth > c.clientWidth + 1)"

@@ -13,8 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM, Browser
-from firefox import Firefox
+from browser import WHY_NONE, Browser, Firefox
 from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -94,7 +93,7 @@ class InChromium(Comparing):
         self.assertEqual(sorted(path.stem for path in EXPECTED.glob("*.webp")), sorted(running.scenes()))
         self.assertEqual(sorted(json.loads(DISTANCES.read_text())), sorted(running.scenes()))
 
-    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    @unittest.skipIf(WHY_NONE, WHY_NONE)
     def test_programs_look_like_their_pictures(self):
         with Browser(webgl=True) as browser:
             self.compare(browser, part(sorted(running.scenes()), 3))

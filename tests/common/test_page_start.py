@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from browser import CHROMIUM, Browser
+from browser import WHY_NONE, Browser
 from site_page import DRAWN_BY, LAMBERT, SQUARE, Solving, remove, site
 
 from pages import publish
@@ -31,7 +31,7 @@ def difference(a: list, b: list) -> float:
     return sum(abs(x - y) for x, y in zip(a, b)) / len(a)
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipIf(WHY_NONE, WHY_NONE)
 class FromTheStartPage(Solving):
     def test_a_shader_is_changed_and_two_first_exercises_are_solved_and_seen(self):
         with Browser(webgl=True) as browser:
@@ -64,7 +64,7 @@ class FromTheStartPage(Solving):
     def write(self, browser, editor: str, text: str):
         """As one pastes it."""
         browser.evaluate(f"{editor}.focus(), {editor}.execCommand('selectAll')")
-        browser.call("Input.insertText", text=text)
+        browser.call("keyboard.insertText", text)
         self.assertEqual(browser.evaluate(f"{editor}.getValue()").split(), text.split())
 
     def picture(self, browser, program: int) -> list:

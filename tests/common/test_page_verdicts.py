@@ -11,8 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM, Browser
-from firefox import Firefox
+from browser import WHY_NONE, Browser, Firefox
 from part_in_ci import part
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -68,7 +67,7 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines) + "\n"
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipIf(WHY_NONE, WHY_NONE)
 class Verdicts(unittest.TestCase):
     def test_every_answer_has_the_verdict_of_the_check(self):
         with tempfile.TemporaryDirectory() as folder:
