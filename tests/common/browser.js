@@ -7,6 +7,7 @@ const {name, launch, page: look, server} = JSON.parse(process.argv[2]);
 
 async function main() {
   const browser = await playwright[name].launch(launch), page = await (await browser.newContext(look)).newPage(), complaints = [];
+  page.setDefaultTimeout(110000); // on a busy machine a page that draws by software takes half a minute
   page.on("pageerror", error => complaints.push(error.message));
   page.on("console", said => {
     if (!["error", "warning", "assert"].includes(said.type())) return;

@@ -158,7 +158,7 @@ class InBrowser(LivePage):
         self.browser.wait("Boolean(document.querySelector('.run-message'))")
         line = next(i for i, line in enumerate(file.read_text().splitlines()) if "oops" in line)
         self.assertIn(self.browser.evaluate("[...document.querySelectorAll('.run-mark')].length"), (1, 2))
-        self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.marks[0].line.lineNo()") - line), 1)
+        self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.editor.marks[0].line.lineNo()") - line), 1)
         self.browser.evaluate(f"{EDITOR}.editor.setValue('')")
         self.type_text(answer)
         self.browser.wait("!document.querySelector('.run-message')")

@@ -87,7 +87,7 @@ class AChapterInTheBrowser(unittest.TestCase):
             self.write(page, starter.replace("{\n", "{\n    oops\n", 1), by_keys=False)
             self.assertIn("open", self.check(page))
             line = starter.replace("{\n", "{\n    oops\n", 1).split("\n").index("    oops")
-            self.assertLessEqual(abs(self.browser.evaluate(f"{page}.marks[0].line.lineNo()") - line), 1)
+            self.assertLessEqual(abs(self.browser.evaluate(f"{page}.editor.marks[0].line.lineNo()") - line), 1)
         answer = answer_of(file)
         self.write(page, answer, exercise == BY_KEYS)
         self.assertIn("ok", self.check(page), self.browser.evaluate(f"{page}.verdict.textContent"))

@@ -48,7 +48,7 @@ class Programs:
     def __init__(self, browser):
         self.browser, self.folder = browser, tempfile.TemporaryDirectory()
         page = Path(self.folder.name, "programs.html")
-        scripts = "".join(f'<script src="{(running.OWN / name).as_uri()}"></script>' for name in ("gl.js", "program.js", "answers.js"))
+        scripts = "".join(f'<script src="{(running.OWN / name).as_uri()}"></script>' for name in ("gl.js", "program.js", "exercise.js", "answers.js"))
         page.write_text(PAGE % (scripts, json.dumps(running.scenes())), encoding="utf-8")
         browser.open(page)
         self.folder.cleanup()

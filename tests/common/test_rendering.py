@@ -9,7 +9,8 @@ from unittest import mock
 
 from pictures import ROOT, ChapterPictures
 
-from shots import draw_shots  # which pictures.py has made importable
+import tree  # which pictures.py has made importable
+from shots import draw_shots
 from shots.rendering import render, render_many
 from tree import Failure
 
@@ -64,15 +65,23 @@ class Many(ChapterPictures):
             render(self.chapter, SMALL, self.folder / "y.png", LIGHTWALK_TIMEOUT_S="0.000001")
 
 
+class Runs(unittest.TestCase):
+    def test_a_run_is_known_while_its_process_lives(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(tree, "BUILD", Path(folder)):
+            self.assertEqual(tree.test_run(), {})
+            for pid, known in ((os.getpid(), True), (2**22 + 1, False)):  # no process has that number
+                run = {"pid": pid, "name": "1", "part": True}
+                Path(folder, tree.RUN).write_text(json.dumps(run))
+                self.assertEqual(tree.test_run(), run if known else {})
+
+
 class Drawn(unittest.TestCase):
     """A shot's test: it draws for itself, unless its run has drawn for it."""
 
     def draws(self, run, drawn) -> bool:
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(draw_shots, "render") as render, \
                 mock.patch.object(draw_shots, "drawn_path", lambda _: Path(folder, "drawn.json")), \
-                mock.patch.dict(os.environ, {} if run is None else {draw_shots.RUN: run}):
-            if run is None:
-                os.environ.pop(draw_shots.RUN, None)
+                mock.patch.object(draw_shots, "test_run", lambda: {"name": run} if run else {}):
             if drawn is not None:
                 Path(folder, "drawn.json").write_text(json.dumps(drawn))
             draw_shots.render_unless_drawn("04", "04", [], ROOT / "a.png")

@@ -132,7 +132,7 @@ def run_ctest(folder: Path, junit: Path, selection: list[str], tries_part: bool)
     command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str((os.cpu_count() or 1) + 1),
                "--output-junit", str(junit), *(["--progress"] if sys.stdout.isatty() else []), *selection]
     code = subprocess.run(command, stdin=subprocess.DEVNULL).returncode
-    (folder / RUN).unlink()
+    (folder / RUN).unlink(missing_ok=True)
     if not junit.exists():
         if code:
             raise Failure(f"{' '.join(command)} ended with {code}")
