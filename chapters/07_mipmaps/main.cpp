@@ -36,7 +36,7 @@ struct Mipmaps : ModelChapter {
         objects.maps.method.change_default("normal");
         commands = {{"mip-bench", "FILE",
                      "measures every method from 64x64 to 8192x8192 texels and writes the result as a study",
-                     [](const std::string& file, const Options&, auto&) { return run_mip_bench(file); }}};
+                     [](const std::string& file, const Options& o, auto&) { return run_mip_bench(file, o); }}};
     }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }
     bool animated() const override { return walk_m_s != 0 || ModelChapter::animated(); }

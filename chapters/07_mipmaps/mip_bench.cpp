@@ -23,14 +23,6 @@ constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr uint32_t most_measured = 1366;  // texels a side up to which errors are computed on the host
 const std::vector<std::string> methods{"copy", "blit", "box", "single_pass", "bilinear", "polyphase", "kaiser"};
 
-int number_from_environment(const char* name, int otherwise) {
-    const char* text = std::getenv(name);
-    if (!text) return otherwise;
-    const int number = std::atoi(text);
-    if (number < 1) throw InputError("{}: '{}' is not an integer of at least 1", name, text);
-    return number;
-}
-
 truth::Texels noise(glm::uvec2 size) {
     truth::Texels texels{size, {}};
     uint32_t n = 1;
@@ -55,7 +47,7 @@ truth::Texels picture(const char* asset) {
 // One image, every method in turn.
 class Bench {
   public:
-    Bench(Gpu& gpu, json& result) : gpu_(gpu), result_(result) {}
+    Bench(Gpu& gpu, json& result, int rounds) : gpu_(gpu), result_(result), rounds_(rounds) {}
 
     void measure(const std::string& scene, const json& knobs, const truth::Texels& texels, VkFormat format,
                  Content content, bool by_level = false) {
@@ -153,16 +145,17 @@ class Bench {
     MipChain chain_{owner_, "mips"};
     Buffer from_, to_;
     int done_ = 0;
-    const int rounds_ = number_from_environment("LIGHTWALK_STUDY_ROUNDS", 7);
+    const int rounds_;
 };
 
 }  // namespace
 
-int run_mip_bench(const std::string& file) {
+int run_mip_bench(const std::string& file, const Options& options) {
     check_writable(file);
-    const char* device = std::getenv("LIGHTWALK_DEVICE");
-    Gpu gpu({.name = device ? device : "", .surface_extensions = {}});
-    const auto most = static_cast<uint32_t>(number_from_environment("LIGHTWALK_MOST_TEXELS", 8192));
+    const int rounds = options.study_rounds.value_or(7);
+    if (rounds < 1) throw InputError("--study-rounds {}: expected 1 or more", rounds);
+    const uint32_t most = options.size_given ? std::max(options.size.x, options.size.y) : 8192;
+    Gpu gpu({.name = options.device, .surface_extensions = {}});
     json result = {
         {"chapter", "07_mipmaps"},
         {"title", "Levels: time against error"},
@@ -178,7 +171,7 @@ int run_mip_bench(const std::string& file) {
          {{"level_rmse", "error of the levels, RMSE, linear"}, {"gb_per_s", "GB/s of what must be read and written"}}},
         {"scenes", json::object()},
         {"points", json::array()}};
-    Bench bench(gpu, result);
+    Bench bench(gpu, result, rounds);
     bench.measure("noise, 1024x1024, RGBA16F", json::object(), noise({1024, 1024}), half4, Content::linear);
     bench.measure("city lights, 1366x683, sRGB", json::object(), picture("textures/city_lights.jpg"),
                   VK_FORMAT_R8G8B8A8_SRGB, Content::srgb, true);

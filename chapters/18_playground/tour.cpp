@@ -43,16 +43,10 @@ constexpr TourStep tour_steps[] = {
      [](const Facts&, const Facts& now) { return now.saved; }}};
 // [/tour]
 
-bool is_wanted() {
-    const char* const said = std::getenv("LIGHTWALK_TOUR");
-    if (said && *said) return said != std::string_view("off");
-    return !read_panel_memory(memory)["left"];
-}
-
 }  // namespace
 
 Tour::Tour(EditorView& view) : EditorPart(view) {
-    if (is_wanted()) step_ = 1;
+    if (!read_panel_memory(memory)["left"]) step_ = 1;
 }
 
 void Tour::begin() { go_to(1); }

@@ -9,7 +9,7 @@ class Tour : public EditorPart {
   public:
     static constexpr const char* scene = "scenes/terrace.json";
 
-    /// Shown unless it was left before, which panel_memory.h keeps. LIGHTWALK_TOUR: "on" or "off" whatever was before.
+    /// Shown unless it was left before, which panel_memory.h keeps.
     explicit Tour(EditorView& view);
 
     void begin();

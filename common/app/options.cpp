@@ -108,7 +108,7 @@ InputError unrecognised(const CLI::App& app) {
 
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     Options o;
-    std::string size, validate = "off", method;
+    std::string size, validate = "off", refine = "on", method;
     std::vector<std::string> list;
     CLI::App app("Lightwalk, chapter " + chapter.name);
     app.add_option("--scene", o.scene, "Scene file or model file (" + chapter.default_scene() + ")")->type_name("FILE");
@@ -138,6 +138,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         ->type_name("FILE");
     app.add_option("--timings", o.timings, "Write GPU milliseconds per pass as JSON, exit")->type_name("FILE");
     app.add_option("--study", o.study, "Run the chapter's study, write it as JSON, exit")->type_name("FILE");
+    app.add_option("--study-file", o.study_file, "With --study: another study than the chapter's")->type_name("FILE");
+    app.add_option("--study-rounds", o.study_rounds, "With --study: how often each method is timed")->type_name("N");
     app.add_flag("--explain", o.explain, "With --method auto: print the measurements, the rule and the choice");
     app.add_option("--list", list, "Print a list, or what was read of a model file and what was left out, exit")
         ->expected(1, 2)
@@ -153,9 +155,17 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         ->type_name("STAMP");
     app.add_flag("--default-variants", o.default_variants, "with --compile-shaders: the default knobs alone");
     app.add_flag("--pictures", o.pictures,
-                 "For tests: draw a picture for each line of standard input, its arguments as a JSON list");
-    app.add_flag("--stream", o.stream,
-                 "For ./course serve: draw what each line of standard input asks for, to standard output");
+                 "For tests and ./course serve: draw what each line of standard input asks for");
+    app.add_option("--refine", refine, "Whether a window's picture at rest gathers samples (on)")
+        ->check(CLI::IsMember({"on", "off"}).description(""))
+        ->type_name("{on,off}");
+    app.add_option("--events", o.events, "For tests: log a window's events, or its widgets too, to standard output")
+        ->check(CLI::IsMember({"on", "layout"}).description(""))
+        ->type_name("{on,layout}");
+    app.add_option("--shaders-into", o.shaders_into, "For ./course grade: write each compiled shader to this folder")
+        ->type_name("FOLDER");
+    app.add_option("--shaders-from", o.shaders_from, "For ./course grade: read compiled shaders from this folder alone")
+        ->type_name("FOLDER");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();
     add_knobs(app, knobs, by_knob);
@@ -180,6 +190,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
+    o.refine = refine == "on";
     chapter.camera_of_file = o.camera_of_file;
     read_list(list, o);
     o.frames_given = !frames->empty();

@@ -18,8 +18,12 @@ struct Options {
     bool frames_given = false, json = false, validate = false, explain = false;
     bool default_variants = false;  ///< for compile_shaders
     bool pictures = false;          ///< standard input says which
-    bool stream = false;            ///< the same, of one chapter that stays, to standard output
-    bool automatic = false;         ///< --method auto: the need rule chooses
+    bool refine = true;             ///< a window's picture at rest gathers samples
+    std::string events;             ///< log of a window's events: "on", "layout"; default: none
+    std::string study_file;         ///< default: the chapter's own
+    std::optional<int> study_rounds;
+    std::string shaders_into, shaders_from;  ///< common/gpu/sealed.h
+    bool automatic = false;                  ///< --method auto: the need rule chooses
     std::optional<double> budget;
     unsigned seed = 0;
     std::function<int(const Options&, std::unique_ptr<Gpu>&)> command;  ///< a chapter's own, where one was asked for

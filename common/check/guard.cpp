@@ -47,7 +47,7 @@ void give_up(int signal) {
 }  // namespace
 
 int call_limit_s() {
-    static const char* const given = std::getenv("LIGHTWALK_CALL_LIMIT_S");
+    static const char* const given = std::getenv("LIGHTWALK_TIMEOUT_S");
     static const int limit = given ? std::atoi(given) : 0;
     return limit > 0 ? limit : 5;
 }

@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Of a call: 5, or $LIGHTWALK_CALL_LIMIT_S.
+/// Of a call: $LIGHTWALK_TIMEOUT_S, else 5.
 int call_limit_s();
 
 /// From here on, a call that crashes or does not return within call_limit_s() ends the program with code 1, after a

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/check/run_checks.h"
 #include "common/check/undefined.h"
 #include "common/gpu/frame.h"
 #include "common/gpu/glsl.h"
@@ -162,7 +163,7 @@ std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe
                                                "int what; float a, b; ", call);
         words = run(gpu, probe, s, source, stride * kinds * probe.inputs.size());
     } catch (const ShaderError& e) {
-        if (std::getenv("LIGHTWALK_PROBE_STRICT")) throw;
+        if (check_options().strict) throw;
         return std::nullopt;  // instrumented() does not follow every text
     }
     std::vector<Undefined> found;

@@ -1,10 +1,10 @@
 #include "common/check/run_checks.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
@@ -18,6 +18,8 @@
 namespace lightwalk {
 namespace {
 
+CheckOptions given;
+
 void print_check(const ExerciseCheck& exercise, const Check& check) {
     nlohmann::ordered_json line = {{"exercise", exercise.id}, {"ok", check.failed == 0},  {"passed", check.passed},
                                    {"failed", check.failed},  {"first_failure", nullptr}, {"hint", nullptr}};
@@ -26,8 +28,7 @@ void print_check(const ExerciseCheck& exercise, const Check& check) {
         line["hint"] = check.hint.empty() ? exercise.hint : check.hint;
     }
     if (!check.note.empty()) line["note"] = check.note;
-    // The grader's, which says that this line is of this program.
-    if (const char* nonce = std::getenv("LIGHTWALK_NONCE")) line["nonce"] = nonce;
+    if (!given.nonce.empty()) line["nonce"] = given.nonce;
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }
@@ -68,36 +69,26 @@ void answer_requests() {
 }
 
 struct Options {
-    std::string exercise, tables;
-    bool solution = false, requests = false;
+    std::string exercise, tables, use = "exercise";
+    bool requests = false;
 };
 
-Options parse(std::span<char*> words) {
+int run(int argc, char** argv) {
     Options options;
-    for (size_t i = 1; i < words.size(); ++i) {
-        const std::string word = words[i], value = i + 1 < words.size() ? words[i + 1] : "";
-        if (word == "--requests") {
-            options.requests = true;
-            continue;
-        }
-        if (word == "--exercise" && !value.empty())
-            options.exercise = value;
-        else if (word == "--tables" && !value.empty())
-            options.tables = value;
-        else if (word == "--use" && (value == "exercise" || value == "solution"))
-            options.solution = value == "solution";
-        else
-            throw InputError(
-                "'{} {}'; usage: check_NN_name [--exercise NN.name] [--use exercise|solution] [--tables FOLDER, which "
-                "gets "
-                "the probes of each check, for pages] [--requests, which takes them from standard input]",
-                word, value);
-        ++i;
+    CLI::App app("Checks the exercises of a chapter; one JSON object a line");
+    app.add_option("--exercise", options.exercise, "NN.name; default: all of the chapter");
+    app.add_option("--use", options.use, "whose version")->check(CLI::IsMember({"exercise", "solution"}));
+    app.add_option("--tables", options.tables, "write the probes of each check to this folder, for pages, and check nothing");
+    app.add_flag("--requests", options.requests, "check what standard input asks for, a line of JSON each");
+    app.add_option("--nonce", given.nonce, "for ./course grade: a word that each line repeats");
+    app.add_option("--worker", given.worker, "for ./course grade: pipes to the process that has the answer");
+    app.add_flag("--strict", given.strict, "an exercise that cannot be instrumented is a failure");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) return app.exit(e);
+        throw InputError(e.what());
     }
-    return options;
-}
-
-int run(const Options& options) {
     // A student's loop without an end must not hold everything up for a minute.
     setenv("LIGHTWALK_TIMEOUT_S", std::to_string(call_limit_s()).c_str(), 0);
     bool ok = true;
@@ -106,7 +97,7 @@ int run(const Options& options) {
     for (const ExerciseCheck& exercise : all_checks()) {
         if (options.requests || (!options.exercise.empty() && exercise.id != options.exercise)) continue;
         if (options.tables.empty())
-            ok = check(exercise, options.solution) && ok;
+            ok = check(exercise, options.use == "solution") && ok;
         else
             write_tables(exercise, options.tables);
     }
@@ -118,9 +109,11 @@ int run(const Options& options) {
 
 }  // namespace
 
+const CheckOptions& check_options() { return given; }
+
 int run_checks(int argc, char** argv) {
     try {
-        return run(parse({argv, static_cast<size_t>(argc)}));
+        return run(argc, argv);
     } catch (const std::exception& e) { return report_exception(e); }
 }
 

@@ -14,7 +14,7 @@ import signal
 import sys
 
 from build.build import alone
-from commands import COMMANDS
+from commands import COMMANDS, MOVED, names, selected
 from tree import BUILD, Failure, UsageError, nearest, warn
 
 
@@ -25,24 +25,26 @@ class Parser(argparse.ArgumentParser):
 
 def main(words: list[str]) -> int:
     command = words[0] if words else ""
-    if command not in COMMANDS:
-        raise UsageError(f"there is no command '{command}'; {nearest(command, COMMANDS)}; ./course --help lists all")
+    if command in MOVED:
+        raise UsageError(f"'{command}' is now ./course {MOVED[command]}")
+    if command not in names():
+        raise UsageError(f"there is no command '{command}'; {nearest(command, names())}; ./course --help lists all")
     if "" in words:  # as of a variable that is not set; without the word, a command may mean all there is
         raise UsageError(f"an argument is empty; see ./course {command} --help")
-    module = importlib.import_module(COMMANDS[command])
+    key = selected(command, words[1:])
+    module = importlib.import_module(COMMANDS[key])
     if hasattr(module, "run_words"):
         return module.run_words(words[1:])
     parser = Parser(prog=f"./course {command}", formatter_class=argparse.RawDescriptionHelpFormatter,
                     description=module.HELP, allow_abbrev=False)
-    parser.command = command
+    parser.command = key
     module.add_arguments(parser)
     arguments, rest = parser.parse_known_args(words[1:])
-    arguments.command = command
     if rest and not getattr(module, "PASSES_OPTIONS", False):
         parser.error(f"unrecognised argument '{rest[0]}'")
     if getattr(module, "ALONE", False):
         shard = getattr(module, "SHARDS_APART", False) and arguments.shard
-        with alone(BUILD, COMMANDS[command] + (f".{shard.number}-of-{shard.of}" if shard else "")):
+        with alone(BUILD, COMMANDS[key] + (f".{shard.number}-of-{shard.of}" if shard else "")):
             return module.run(arguments, rest)
     return module.run(arguments, rest)
 

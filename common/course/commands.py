@@ -1,31 +1,55 @@
-"""The commands of ./course and the module of each."""
+"""The commands of ./course and the module of each; of a command with an option behind it, the module that the option selects."""
 
 # The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
     "run": "run",
+    "run --models": "models",
+    "run --film": "film",
+    "run --table": "film",
+    "run --page": "film",
     "test": "test.run_tests",
     "accept": "shots.accept",
     "check": "check.check",
-    "progress": "check.check",
-    "next": "check.next_step",
+    "check --next": "check.next_step",
     "reset": "check.reset",
     "study": "charts.study",
-    "figures": "test.figures",
-    "stretch": "check.stretch",
-    "models": "models",
+    "study --stretch": "check.stretch",
     "shader": "pages.shader",
-    "film": "film",
-    "quote": "pages.quotes",
     "new": "new",
     "format": "build.format_tree",
     "fuzz": "build.fuzz",
     "handout": "grading.handout",
+    "handout --autograder": "grading.autograder",
     "grade": "grading.grade",
-    "autograder": "grading.autograder",
     "docs": "pages.docs",
+    "docs --check": "test.figures",
+    "docs --quote": "pages.quotes",
+    "docs --slides": "pages.slides",
+    "docs --book": "pages.book",
     "serve": "live.serve",
-    "slides": "pages.slides",
-    "book": "pages.book",
     "doctor": "build.doctor",
     "clean": "build.clean",
 }
+# Names of earlier versions.
+MOVED = {
+    "progress": "check --progress",
+    "next": "check --next",
+    "figures": "docs --check",
+    "quote": "docs --quote",
+    "slides": "docs --slides",
+    "book": "docs --book",
+    "stretch": "study 02 --stretch",
+    "models": "run --models",
+    "film": "run 19 --film OUT.mp4",
+    "autograder": "handout FOLDER --autograder",
+}
+
+
+def names() -> list[str]:
+    return [name for name in COMMANDS if " " not in name]
+
+
+def selected(command: str, words: list[str]) -> str:
+    """The key of COMMANDS that the words behind a command select."""
+    keys = (f"{command} {word.partition('=')[0]}" for word in words)
+    return next((key for key in keys if key in COMMANDS), command)

@@ -16,12 +16,12 @@ from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
 
 HELP = """Writes the film of chapter 19.
 
-  ./course film OUT.mp4 [options]               all of it
-  ./course film OUT.mp4 --shard 3/16 [options]  the third of sixteen parts, into the folder OUT.parts
-  ./course film OUT.mp4 --merge                 joins the parts of OUT.parts, with the sound
-  ./course film OUT.mp4 --slurm [options]       Slurm makes the parts, and they are joined; --slurm='--partition=short'
-  ./course film --table A.json B.json ...       benchmarks (chapter 19's --benchmark) as one table
-  ./course film --page PAGE.html A.json ...     the same as a page with charts
+  ./course run 19 --film OUT.mp4 [options]               all of it
+  ./course run 19 --film OUT.mp4 --shard 3/16 [options]  the third of sixteen parts, into the folder OUT.parts
+  ./course run 19 --film OUT.mp4 --merge                 joins the parts of OUT.parts, with the sound
+  ./course run 19 --film OUT.mp4 --slurm [options]       Slurm makes the parts, and they are joined; --slurm='--partition=short'
+  ./course run 19 --table A.json B.json ...              benchmarks (--benchmark) as one table
+  ./course run 19 --page PAGE.html A.json ...            the same as a page with charts
 
 The options are the chapter's: --size 1920x1080, --fps 60, --samples 8, --shutter 0.5, --codec av1. A part that failed is made
 again by the same command; one that is there already and whole is left as it is."""
@@ -31,29 +31,32 @@ KIND = "film"
 
 
 def add_arguments(parser):
-    parser.add_argument("out", nargs="?", metavar="OUT.mp4")
+    parser.add_argument("chapter", metavar="19")
+    parser.add_argument("--film", nargs="?", metavar="OUT.mp4", help="write the film")
     parser.add_argument("--shard", type=shards.argument, metavar="K/N", help="write part K of N")
     parser.add_argument("--merge", action="store_true", help="join the parts")
-    parser.add_argument("--out", dest="parts", type=Path, metavar="FOLDER", help="folder of the parts (OUT.parts)")
+    parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder of the parts (OUT.parts)")
     parser.add_argument("--table", nargs="+", metavar="FILE", default=[])
     parser.add_argument("--page", nargs="+", metavar="FILE", default=[])
     slurm.add_arguments(parser)
 
 
 def run(arguments, rest) -> int:
+    if find_chapter(arguments.chapter) != find_chapter("19"):
+        raise UsageError("only chapter 19 writes a film: ./course run 19 --film OUT.mp4")
     if arguments.table:
         say(table(read_systems(arguments.table)))
         return 0
     if arguments.page:
         return write_page(arguments.page)
-    if not arguments.out:
-        raise UsageError("name the file that the film is written to; see ./course film --help")
+    if not arguments.film:
+        raise UsageError("name the file that the film is written to: ./course run 19 --film OUT.mp4")
     shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
-    out = Path(arguments.out)
+    out = Path(arguments.film)
     if out.suffix not in (".mp4", ".mkv", ".raw"):
         raise UsageError(f"{out}: expected a name that ends with .mp4, .mkv or .raw")
-    parts = arguments.parts or out.with_suffix(".parts")
+    parts = arguments.out or out.with_suffix(".parts")
     if arguments.merge:
         return merge(out, shards.merge([parts], KIND))
     if arguments.slurm is not None:

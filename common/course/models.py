@@ -1,4 +1,4 @@
-"""./course models: a contact sheet of the course's own conformance set, with a verdict for each file."""
+"""./course run --models: a contact sheet of the course's own conformance set, with a verdict for each file."""
 
 import argparse
 import json
@@ -11,7 +11,9 @@ from shots.rendering import run_program
 from tree import BUILD, ROOT, chapter_program, relative, write_atomically
 
 HELP = """Draws one small model file for each property that glTF, MTL, OBJ, PLY or STL can state, and says of each whether
-the picture is right. Writes build/models/index.html."""
+the picture is right. Writes build/models/index.html.
+
+  ./course run --models [NAME...]"""
 
 CHAPTER = "04_surface_maps"
 SET = ROOT / "assets" / "conformance"
@@ -21,7 +23,7 @@ STEPS = 3  # of 255, by which a colour may differ
 
 
 def add_arguments(parser: argparse.ArgumentParser):
-    parser.add_argument("name", nargs="*", help="cases by name; all if none is given")
+    parser.add_argument("--models", nargs="*", dest="name", default=[], metavar="NAME", help="cases by name; all if none is given")
 
 
 class Picture:

@@ -16,8 +16,11 @@ HELP = """Builds the course and starts it.
                                 display, build/gallery/index.html, which grows while the course is built
   ./course run 02 [options]     chapter 02, by its number or its name, with the chapter's own options
   ./course run 02 --help        a list of these options
+  ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
   ./course run --gallery        the pictures, with or without a display
+  ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
   ./course run --gallery --shard 3/16 --out F    part 3 of 16 of them, into the folder F; --merge F writes the page
+  ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
   ./course run --gallery --slurm                 Slurm draws the parts"""
 
 
@@ -25,16 +28,18 @@ def run_words(words: list[str]) -> int:
     if words and words[0] in ("--help", "-h"):
         say(HELP)
         return 0
-    if words and words[0].startswith("-") and words[0] != "--gallery":
+    if words and words[0].startswith("-") and words[0] not in ("--gallery", "--menu"):
         raise UsageError(f"name the chapter first, as in ./course run 01 {' '.join(words)}")
     if words[1:] and words[0] == "--gallery":
         return gallery_in_shards(words[1:])
+    if words[:1] == ["--menu"]:
+        return open_menu(words[1:])
     if words and words != ["--gallery"]:
         return start(find_chapter(words[0]), words[1:])
     if words or not has_display():
         with alone(BUILD, "gallery"):
             return draw_gallery()
-    return open_menu()
+    return open_menu([])
 
 
 def start(chapter: str, options: list[str]) -> int:
@@ -42,11 +47,11 @@ def start(chapter: str, options: list[str]) -> int:
     return execute(chapter_program(chapter), options)
 
 
-def open_menu() -> int:
+def open_menu(options: list[str]) -> int:
     """The menu, as soon as the first chapter stands; the others are built beside it, the one that was clicked first."""
     build([chapters()[0], "menu"])
     if not unbuilt():
-        return execute(BUILD / "menu", [])
+        return execute(BUILD / "menu", options)
     folder = BUILD / "menu_of_chapters"
     folder.mkdir(parents=True, exist_ok=True)
     wanted = folder / "wanted"
@@ -59,7 +64,7 @@ def open_menu() -> int:
     programs = Programs(say_states, lambda: wanted.read_text().strip() if wanted.exists() else None)
     say_states()
     try:
-        menu = subprocess.Popen([BUILD / "menu"], env=os.environ | {"LIGHTWALK_MENU": str(folder)})
+        menu = subprocess.Popen([BUILD / "menu", "--programs", folder, *options])
     except OSError as error:
         raise Failure(f"{relative(BUILD / 'menu')}: {error.strerror}") from None
     try:

@@ -1,6 +1,5 @@
 #include "common/gpu/sealed.h"
 
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -12,15 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder(const char* variable) {
-    const char* const given = std::getenv(variable);
-    return given ? fs::path(given) : fs::path();
-}
-
-const fs::path& from() {
-    static const fs::path found = folder("LIGHTWALK_SHADERS_FROM");
-    return found;
-}
+fs::path into_folder, from_folder;
 
 }  // namespace
 
@@ -30,11 +21,16 @@ std::string sealed_name(const std::string& shader, const Macros& macros, const s
     return fmt::format("{:016x}{:016x}.spv", hash_bytes(key), hash_bytes(key, 7));
 }
 
-bool only_sealed() { return !from().empty(); }
+void use_sealed(std::string into, std::string from) {
+    into_folder = std::move(into);
+    from_folder = std::move(from);
+}
+
+bool only_sealed() { return !from_folder.empty(); }
 
 std::vector<uint32_t> read_sealed(const std::string& name) {
     std::error_code error;
-    const fs::path file = from() / name;
+    const fs::path file = from_folder / name;
     if (!fs::is_regular_file(file, error)) throw ShaderError("a shader is asked for that the picture does not need");
     const std::string bytes = read_file(file);
     std::vector<uint32_t> spirv(bytes.size() / 4);
@@ -43,8 +39,8 @@ std::vector<uint32_t> read_sealed(const std::string& name) {
 }
 
 void seal(const std::string& name, const std::vector<uint32_t>& spirv) {
-    static const fs::path into = folder("LIGHTWALK_SHADERS_INTO");
-    if (!into.empty()) write_file(into / name, {reinterpret_cast<const char*>(spirv.data()), 4 * spirv.size()});
+    if (!into_folder.empty())
+        write_file(into_folder / name, {reinterpret_cast<const char*>(spirv.data()), 4 * spirv.size()});
 }
 
 }  // namespace lightwalk

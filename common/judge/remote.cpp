@@ -16,6 +16,7 @@
 #include <random>
 
 #include "common/check/guard.h"
+#include "common/check/run_checks.h"
 #include "common/judge/channel.h"
 
 namespace lightwalk {
@@ -32,8 +33,7 @@ bool writes_commas() {
 class Asking {
   public:
     Asking() {
-        const char* const given = std::getenv("LIGHTWALK_WORKER");
-        if (!given || std::sscanf(given, "%d,%d", &to_, &from_) != 2)
+        if (std::sscanf(check_options().worker.c_str(), "%d,%d", &to_, &from_) != 2)
             throw Failure("there is no process to ask: the grader starts this program (./course grade)");
         for (const int fd : {to_, from_}) fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
         std::signal(SIGPIPE, SIG_IGN);

@@ -27,11 +27,9 @@ namespace {
 
 using nlohmann::json;
 
-int rounds_of(int rounds_of_study) {
-    const char* override = std::getenv("LIGHTWALK_STUDY_ROUNDS");
-    if (!override) return rounds_of_study;
-    const int rounds = std::atoi(override);
-    if (rounds < 1) throw InputError(std::string("LIGHTWALK_STUDY_ROUNDS is ") + override + ", expected 1 or more");
+int rounds_of(const Options& options, int rounds_of_study) {
+    const int rounds = options.study_rounds.value_or(rounds_of_study);
+    if (rounds < 1) throw InputError("--study-rounds {}: expected 1 or more", rounds);
     return rounds;
 }
 
@@ -43,6 +41,7 @@ class SceneStudy {
           chapter_(chapter),
           frame_(frame),
           scene_(scene),
+          rounds_(rounds_of(options, plan.rounds)),
           picture_{
               options.size_given ? options.size : plan.size.value_or(options.size), options.time_s, options.seed, {}} {}
 
@@ -145,17 +144,16 @@ class SceneStudy {
     }
     json time(const std::vector<json>& errors) {
         const std::vector<StudyPoint>& points = points_;
-        const int rounds = rounds_of(plan_.rounds);
         std::vector<std::map<std::string, std::vector<double>>> samples(points.size());
         std::vector<std::vector<double>> totals(points.size());
         // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
         // frames.
         GpuLoad load(frame_.gpu);
-        load.run(std::chrono::milliseconds(rounds > 1 ? 1500 : 0));
-        if (rounds > 1)  // one is a test's, for which the pictures of the errors have warmed up
+        load.run(std::chrono::milliseconds(rounds_ > 1 ? 1500 : 0));
+        if (rounds_ > 1)  // one is a test's, for which the pictures of the errors have warmed up
             for (const StudyPoint& point : points) draw(point);
-        for (int round = 0; round < rounds; ++round) {
-            show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds));
+        for (int round = 0; round < rounds_; ++round) {
+            show_progress(scene_.label + ": times", static_cast<size_t>(round), static_cast<size_t>(rounds_));
             for (size_t i = 0; i < points.size(); ++i) {
                 double total = 0;
                 for (const auto& [name, ms] : times_of(points[i], load)) {
@@ -177,7 +175,7 @@ class SceneStudy {
                  {"knobs", knobs},
                  {"error", errors[i]},
                  {"time_ms",
-                  {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds}, {"per_pass", per_pass}}}});
+                  {{"median", q.median}, {"q1", q.q1}, {"q3", q.q3}, {"rounds", rounds_}, {"per_pass", per_pass}}}});
         }
         return result;
     }
@@ -202,6 +200,7 @@ class SceneStudy {
     Chapter& chapter_;
     Frame& frame_;
     const StudyScene& scene_;
+    const int rounds_;
     const Picture picture_;
     std::vector<StudyPoint> points_;  // the plan's points for this scene
 };
@@ -220,7 +219,9 @@ std::string text_of(glm::uvec2 size) { return std::to_string(size.x) + "x" + std
 
 // The command that repeats the measurement.
 std::string command_of(const Options& options, const Chapter& chapter) {
-    return "./course study " + chapter.name.substr(0, 2) +
+    return (options.study_file.empty()
+                ? "./course study " + chapter.name.substr(0, 2)
+                : "build/chapters/" + chapter.name + " --study FILE --study-file " + options.study_file) +
            (options.device.empty() ? "" : " --device " + options.device) +
            (options.size_given ? " --size " + text_of(options.size) : "");
 }
@@ -249,8 +250,8 @@ json measure_study(const std::string& text, const std::string& file, const Optio
     const glm::uvec2 size = options.size_given ? options.size : plan.size.value_or(options.size);
     const std::filesystem::path partial = options.study + ".partial";
     const std::string identity = "2 " + gpu.device.info.name + " " + gpu.device.info.driver + " " +
-                                 std::to_string(hash_bytes(text)) + " " + std::to_string(rounds_of(plan.rounds)) + " " +
-                                 text_of(size);
+                                 std::to_string(hash_bytes(text)) + " " +
+                                 std::to_string(rounds_of(options, plan.rounds)) + " " + text_of(size);
     json done = {{"identity", identity}, {"scenes", json::object()}};
     if (std::filesystem::exists(partial)) {
         const json before = json::parse(read_file(partial), nullptr, false);
@@ -294,7 +295,7 @@ namespace {
 // Of something else than frames, without a device.
 void run_subject_study(const Options& options, Chapter& chapter, const std::filesystem::path& file) {
     json study = parse_json(read_file(file), file.string()).root;
-    study["rounds"] = rounds_of(study.value("rounds", 11));
+    study["rounds"] = rounds_of(options, study.value("rounds", 11));
     json result;
     chapter.subject->measure(study, result);
     result["chapter"] = chapter.name;
@@ -308,8 +309,9 @@ void run_subject_study(const Options& options, Chapter& chapter, const std::file
 
 int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu) {
     check_writable(options.study);
-    const char* other = std::getenv("LIGHTWALK_STUDY_FILE");
-    const std::filesystem::path file = other ? other : course_root() / "chapters" / chapter.name / "study.json";
+    const std::filesystem::path file = options.study_file.empty()
+                                           ? course_root() / "chapters" / chapter.name / "study.json"
+                                           : std::filesystem::path(options.study_file);
     if (chapter.subject) {
         run_subject_study(options, chapter, file);
         return 0;

@@ -15,12 +15,11 @@ nlohmann::json study_errors(const ImageRgb& truth, const ImageRgb& test);
 
 /// Measures the study `text` of `file` and returns it in the format of docs/study_format.md. After each scene it
 /// saves progress in options.study + ".partial", so that an interrupted study can go on. options.size overrides the
-/// study's "size"; LIGHTWALK_STUDY_ROUNDS in the environment, an integer from 1, its "rounds" (tests need errors, not
-/// times). Throws InputError or, if the truth has not converged, Failure.
+/// study's "size"; options.study_rounds, from 1, its "rounds" (tests need errors, not times). Throws InputError or, if the truth has not converged, Failure.
 nlohmann::json measure_study(const std::string& text, const std::string& file, const Options& options, Chapter& chapter,
                              Gpu& gpu);
 
-/// Measures chapters/NN_name/study.json, or the file that LIGHTWALK_STUDY_FILE in the environment names, and writes
+/// Measures chapters/NN_name/study.json, or options.study_file, and writes
 /// options.study; makes the device in `gpu`, which must outlive the chapter. Returns the exit code. Throws as
 /// measure_study.
 int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu);

@@ -3,32 +3,16 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // the room of a window
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace lightwalk {
 namespace {
 
-bool is_asked_for(std::initializer_list<std::string_view> any) {
-    const char* given = std::getenv("LIGHTWALK_LOG");
-    return given && std::find(any.begin(), any.end(), given) != any.end();
-}
-
-bool wanted() {
-    static const bool on = is_asked_for({"1", "layout"});
-    return on;
-}
-
-bool layout_wanted() {
-    static const bool on = is_asked_for({"layout"});
-    return on;
-}
+bool wanted = false, layout_wanted = false;
 
 // Of this frame and the one before.
 std::vector<std::string> widgets_drawn, widgets_before;
@@ -50,8 +34,13 @@ void note_layout(const std::string& name, const std::string& text) {
 
 }  // namespace
 
+void log_events(const std::string& what) {
+    wanted = !what.empty();
+    layout_wanted = what == "layout";
+}
+
 void log_layout() {
-    if (!layout_wanted()) return;
+    if (!layout_wanted) return;
     if (widgets_drawn != widgets_before) {
         std::printf("layout %zu\n", widgets_drawn.size());
         for (const std::string& line : widgets_drawn) std::printf("%s\n", line.c_str());
@@ -61,14 +50,14 @@ void log_layout() {
 }
 
 void log_event(const std::string& text) {
-    if (!wanted()) return;
+    if (!wanted) return;
     std::printf("%s\n", text.c_str());
     std::fflush(stdout);
 }
 
 void log_place(const std::string& name, const std::string& text) {
-    if (!wanted()) return;
-    if (layout_wanted()) note_layout(name, text);
+    if (!wanted) return;
+    if (layout_wanted) note_layout(name, text);
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     char place[64];
     std::snprintf(place, sizeof place, "%.0f %.0f %.0f %.0f", double(a.x), double(a.y), double(b.x), double(b.y));
@@ -80,7 +69,7 @@ void log_place(const std::string& name, const std::string& text) {
 }
 
 void log_mouse() {
-    if (!wanted()) return;
+    if (!wanted) return;
     const ImGuiIO& io = ImGui::GetIO();
     static float wheel = 0.0f;
     wheel += io.MouseWheel;
@@ -97,7 +86,7 @@ void log_mouse() {
 }
 
 void log_frame(bool keys_wait, bool picture_is_new) {
-    if (!wanted()) return;
+    if (!wanted) return;
     log_layout();
     static uint64_t count = 0;
     log_event("frame " + std::to_string(++count) + (keys_wait ? " keys" : "") +

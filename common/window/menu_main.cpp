@@ -19,13 +19,14 @@ constexpr float least_width = 295.0f, most_width = 470.0f;  ///< of a tile, at s
 
 class Menu {
   public:
-    Menu(Gpu& gpu, Display& display, std::vector<std::string> options)
+    Menu(Gpu& gpu, Display& display, const std::string& programs, std::vector<std::string> options)
         : gpu_(gpu),
           display_(display),
           options_(std::move(options)),
           swapchain_(gpu, display),
           overlay_(gpu, display, swapchain_),
           screen_(gpu),
+          programs_(programs),
           entries_(find_chapters(gpu, display.scale(), programs_)) {}
 
     void run() {
@@ -231,17 +232,23 @@ class Menu {
     int drawn_ = 0;
 };
 
-int run_menu(const std::vector<std::string>& options) {
+int run_menu(std::vector<std::string> options) {
+    std::string programs;
+    if (options.size() > 1 && options[0] == "--programs") {
+        programs = options[1];
+        options.erase(options.begin(), options.begin() + 2);
+    }
     const auto value_of = [&](const char* name) {
         for (size_t i = 0; i + 1 < options.size(); ++i)
             if (options[i] == name) return options[i + 1];
         return std::string();
     };
+    log_events(value_of("--events"));
     Display display("Lightwalk", {.scaled = {1040, 720}}, "without one: ./course run draws every chapter's pictures");
     Gpu gpu({.name = value_of("--device"),
              .validate = value_of("--validate") == "on",
              .surface_extensions = Display::surface_extensions()});
-    Menu(gpu, display, options).run();
+    Menu(gpu, display, programs, options).run();
     gpu.device.check_validation();
     return 0;
 }
@@ -249,7 +256,8 @@ int run_menu(const std::vector<std::string>& options) {
 }  // namespace
 }  // namespace lightwalk
 
-/// Every option is passed on to the chapters; --device and --validate are the menu's own too.
+/// --programs FOLDER comes first (menu_programs.h). All other options are passed on to the chapters; --device, --validate and
+/// --events are the menu's own too.
 int main(int argc, char** argv) {
     try {
         return lightwalk::run_menu({argv + 1, argv + argc});

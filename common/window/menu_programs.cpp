@@ -1,15 +1,12 @@
 #include "common/window/menu_programs.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
+#include <utility>
 
 namespace lightwalk {
 
-MenuPrograms::MenuPrograms() {
-    if (const char* folder = std::getenv("LIGHTWALK_MENU")) folder_ = folder;
-    poll();
-}
+MenuPrograms::MenuPrograms(std::filesystem::path folder) : folder_(std::move(folder)) { poll(); }
 
 bool MenuPrograms::poll() {
     if (folder_.empty()) return false;

@@ -15,8 +15,8 @@ struct ProgramState {
 
 class MenuPrograms {
   public:
-    /// The folder in LIGHTWALK_MENU, through which the build and the menu talk; without it, all chapters are built.
-    MenuPrograms();
+    /// A folder through which the build and the menu talk; "": all chapters are built.
+    explicit MenuPrograms(std::filesystem::path folder);
 
     /// Reads the states again. True if one has changed.
     bool poll();

@@ -3,14 +3,15 @@
 #include "common/app/compile_shaders.h"
 #include "common/app/headless.h"
 #include "common/app/lists.h"
-#include "common/app/pictures.h"
 #include "common/base/crash.h"
 #include "common/base/files.h"
 #include "common/base/freed_memory.h"
 #include "common/base/guarded.h"
 #include "common/base/text.h"
+#include "common/gpu/sealed.h"
 #include "common/study/study.h"
-#include "common/window/stream.h"
+#include "common/window/event_log.h"
+#include "common/window/pictures.h"
 #include "common/window/window.h"
 
 namespace lightwalk {
@@ -24,11 +25,12 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         chapter->name = name;
         const std::optional<Options> options = read_options(argc, argv, *chapter);
         if (!options) return 0;
+        log_events(options->events);
+        use_sealed(options->shaders_into, options->shaders_from);
         if (!options->list.empty()) return print_list(*options, *chapter);
         if (!options->compile_shaders.empty())
             return compile_all_shaders(*chapter, options->compile_shaders, !options->default_variants);
         if (options->pictures) return draw_pictures(*options, name, make, gpu);
-        if (options->stream) return stream_pictures(*options, name, make, gpu);
         if (options->command) return options->command(*options, gpu);
         if (!options->study.empty()) return run_study(*options, *chapter, gpu);
         const bool foreign = !options->scene.empty() && !lies_below(options->scene, course_root());

@@ -147,11 +147,7 @@ bool Window::picture_is_due() const {
 bool Window::is_still() const { return !clock_.runs && activity_.is_still() && !refines(); }
 
 bool Window::refines() const {
-    static const bool wanted = [] {
-        const char* const said = std::getenv("LIGHTWALK_REFINE");
-        return !said || said != std::string_view("off");  // tests compare pictures of one sample
-    }();
-    return wanted && !tool_ && activity_.is_still() && !picture_is_due() && logged_errors_.empty() &&
+    return options_.refine && !tool_ && activity_.is_still() && !picture_is_due() && logged_errors_.empty() &&
            picture_.can_refine();
 }
 

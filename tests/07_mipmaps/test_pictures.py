@@ -27,7 +27,7 @@ class PicturesTest(ChapterPictures):
                  "curves": [{"method": "none"}, {"method": "box"}, {"method": "single_pass"}, {"method": "kaiser"}]}
         file, out = self.folder / "asked.json", self.folder / "found.json"
         file.write_text(json.dumps(asked))
-        self.run_program("--study", out, silent=False, LIGHTWALK_STUDY_FILE=str(file))
+        self.run_program("--study", out, "--study-file", file, silent=False)
         flicker = {point["method"]: point["error"]["flicker"] for point in json.loads(out.read_text())["points"]}
         for method in ("box", "single_pass", "kaiser"):
             self.assertLess(flicker[method], 0.75 * flicker["none"], flicker)
@@ -54,7 +54,7 @@ class PicturesTest(ChapterPictures):
 
     def test_the_bench_writes_a_study(self):
         out = self.folder / "bench.json"
-        self.run_program("--mip-bench", out, silent=False, LIGHTWALK_MOST_TEXELS="64", LIGHTWALK_STUDY_ROUNDS="1")
+        self.run_program("--mip-bench", out, "--size", "64x64", "--study-rounds", "1", silent=False)
         points = {(point["scene"], point["method"]): point["error"] for point in json.loads(out.read_text())["points"]
                   if "level" not in point["knobs"]}
         odd = "city lights, 1366x683, sRGB"

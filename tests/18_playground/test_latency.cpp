@@ -1,7 +1,5 @@
-// Latency of an edit, to the end of the frame that shows it, against the number of objects. With LIGHTWALK_EDITS=FILE
-// the figures go to a study (docs/study_format.md), with the share of pixels that differ from the saved and reloaded
-// scene as error.
-#include <cstdlib>
+// Latency of an edit, to the end of the frame that shows it, against the number of objects. It writes build/edits.json,
+// a study (docs/study_format.md), with the share of pixels that differ from the saved and reloaded scene as error.
 #include <nlohmann/json.hpp>
 
 #include "18_playground/playground.h"
@@ -107,7 +105,7 @@ TEST_CASE("milliseconds from an edit to its picture, and of a frame without one"
         {"driver", device.driver},
         {"stage", "processor"},
         {"size", {size.x, size.y}},
-        {"command", "LIGHTWALK_EDITS=FILE build/tests/test_18_playground \"[.latency]\""},
+        {"command", "build/tests/test_18_playground \"[.latency]\""},
         {"error_metric", "wrong_pixels"},
         {"metrics", {{"wrong_pixels", "share of wrong pixels"}}},
         {"charts",
@@ -126,5 +124,5 @@ TEST_CASE("milliseconds from an edit to its picture, and of a frame without one"
         add("undo of one more", [&](int) { field.document.undo(); });
         CHECK(field.chapter.scene.items.size() == static_cast<size_t>(count) + 1);  // a bare model stands on ground
     }
-    if (const char* file = std::getenv("LIGHTWALK_EDITS")) write_file(file, study.dump(1, '\t') + "\n");
+    write_file(course_root() / "build/edits.json", study.dump(1, '\t') + "\n");
 }

@@ -5,7 +5,6 @@ The validator is of npm; where there is no npm, or no network, that part is pass
 # Builds: 04_surface_maps test_18_playground
 import json
 import os
-import shutil
 import subprocess
 import sys
 import unittest
@@ -14,9 +13,9 @@ from pathlib import Path
 from PIL import Image, ImageChops
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+import npm  # noqa: E402
 from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
 
-VALIDATOR = "gltf-validator@2.0.0-dev.3.10"
 VALIDATE = """
 const validator = require('gltf-validator'), fs = require('fs'), path = require('path');
 (async () => {
@@ -52,18 +51,6 @@ MIXED = {**SCENE, "objects": [
                {"type": "spot", "position": [2, 2, 2], "direction": [-1, -1, -1], "inner_deg": 10, "outer_deg": 20}]}
 
 
-def why_no_validator(folder: Path) -> str:
-    """Why it cannot be installed into a folder; empty where it is."""
-    if (folder / "node_modules" / "gltf-validator").exists():
-        return ""
-    if not shutil.which("npm"):
-        return "there is no npm"
-    folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run(["npm", "install", "--prefix", folder, "--no-audit", "--no-fund", VALIDATOR], capture_output=True,
-                          text=True, timeout=120)
-    return done.stderr.strip()[-200:] if done.returncode else ""
-
-
 class RoundTrip(ChapterPictures):
     chapter = "04_surface_maps"
 
@@ -76,7 +63,7 @@ class RoundTrip(ChapterPictures):
             file.write_text(json.dumps(scene))
             made[name] = file, file.with_name("out.gltf")
         done = subprocess.run([BUILD / "tests" / "test_18_playground", "[.exported]"], capture_output=True, text=True,
-                              env={**os.environ, "LIGHTWALK_EXPORTED": "\n".join(str(f) for f, _ in made.values())})
+                              input="\n".join(str(f) for f, _ in made.values()))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return made
 
@@ -96,12 +83,11 @@ class RoundTrip(ChapterPictures):
         return far[-len(far) // 1000]
 
     def test_the_validator_accepts_it(self):
-        folder = BUILD / "npm"
-        if why := why_no_validator(folder):
+        if why := npm.why_not("gltf-validator"):
             self.skipTest(why)
         files = [out for _, out in self.exported(mixed=MIXED, **self.conformance()).values()]
         done = subprocess.run(["node", "-e", VALIDATE, *files], capture_output=True, text=True, check=True,
-                              env={**os.environ, "NODE_PATH": str(folder / "node_modules")})
+                              env={**os.environ, "NODE_PATH": str(npm.FOLDER / "node_modules")})
         reports = [json.loads(line) for line in done.stdout.splitlines()]
         self.assertEqual(len(reports), len(files))
         for report in reports:

@@ -30,7 +30,7 @@ FIELDS = ("number", "numbers", "choice", "field", "knob")
 
 
 class Panels(unittest.TestCase):
-    def start(self, program: str, size: tuple, *options: str, **environment: str) -> Session:
+    def start(self, program: str, size: tuple, *options: str, tour: bool = False, **environment: str) -> Session:
         width, height, self.scale = size
         server = XServer(width + 100, height + 100)
         self.addCleanup(server.close)
@@ -43,7 +43,7 @@ class Panels(unittest.TestCase):
         (memory / "05_shadow_maps.panel.json").write_text(json.dumps(dict.fromkeys(SECTIONS, True)))
         options = ("--scene", str(scene), "--size", "300x200", *options) if program != "menu" else ()
         session = Session(server, BUILD / program, list(options), folder,
-                          **({"LIGHTWALK_ROOT": str(ROOT), "LIGHTWALK_LOG": "layout"} | own_cache(folder) | environment))
+                          events="layout", tour=tour, LIGHTWALK_ROOT=str(ROOT), **own_cache(folder), **environment)
         self.addCleanup(session.close)
         session.xdotool("windowmove", session.window, "0", "0")
         session.resize(width, height)
@@ -75,7 +75,7 @@ class Panels(unittest.TestCase):
 
     def test_the_editor(self):
         for size in SIZES:
-            session = self.start("chapters/18_playground", size, LIGHTWALK_TOUR="on")
+            session = self.start("chapters/18_playground", size, tour=True)
             self.check(session, "tour")
             session.tap("tool.leave the tour")
             for entry in ENTRIES:

@@ -18,7 +18,7 @@ class Tour(EditorTest):
     def start(cls, scene):
         session = Session(cls.server, BUILD / "chapters" / "18_playground",
                           ["--validate", "on", "--size", "{}x{}".format(*cls.size), "--scene", str(scene)], cls.folder,
-                          LIGHTWALK_ROOT=str(ROOT), LIGHTWALK_TOUR="")  # as a person starts it
+                          tour=True, LIGHTWALK_ROOT=str(ROOT))
         cls.addClassCleanup(session.close)
         return session
 
@@ -64,8 +64,9 @@ class Tour(EditorTest):
         self.assertNotIn("tool.leave the tour", self.session.areas)
 
     def test_5_a_first_start_without_a_scene_has_one_to_play_with(self):
+        (self.folder / "state/lightwalk/18_playground.tour.panel.json").unlink()
         session = Session(self.server, BUILD / "chapters" / "18_playground", ["--validate", "on", "--size", "460x700"],
-                          self.folder, LIGHTWALK_ROOT=str(ROOT), LIGHTWALK_TOUR="on")
+                          self.folder, tour=True, LIGHTWALK_ROOT=str(ROOT))
         self.addCleanup(session.close)
         session.wait(lambda: "entry.terrace" in session.areas, "the scene of the tour")
         self.assertEqual([line for line in session.errors if line], [])

@@ -24,7 +24,7 @@ class Filmed(unittest.TestCase):
     def test_by_slurm_and_by_hand(self):
         made = Path(self.enterContext(tempfile.TemporaryDirectory()))
         with slurm_cluster.Cluster() as cluster:
-            running = subprocess.Popen([sys.executable, REAL / "common/course/cli.py", "film", made / "slurm.raw", *WORDS, "--slurm",
+            running = subprocess.Popen([sys.executable, REAL / "common/course/cli.py", "run", "19", "--film", made / "slurm.raw", *WORDS, "--slurm",
                                         "--shards", str(PARTS)], text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE)
             _, said = slurm_cluster.kill_and_drain(cluster, running, PARTS)

@@ -1,44 +1,82 @@
-"""A headless Chromium that a test drives through its debugging pipe: no driver, no sockets, no packages.
+"""Debian's Chromium and Firefox, which a test drives with Playwright (browser.js)."""
 
-The pipe protocol is JSON, each message ended by a zero byte, on descriptors 3 (to the browser) and 4 (from it):
-https://chromedevtools.github.io/devtools-protocol/.
-"""
-
-import base64
 import json
 import os
 import select
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
+
+import npm
+from x_server import XServer
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
 from pages.book import find_browser  # noqa: E402
 
-CHROMIUM = find_browser()
-TIMEOUT_S = 60
+FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
+WHY_NONE = npm.why_not("playwright-core") if find_browser() else "Chromium is not installed"
+TIMEOUT_S = 120
+# WebGL by software, no requests to the network.
+PREFERENCES = {"webgl.force-enabled": True, "webgl.disable-fail-if-major-performance-caveat": True, "gfx.webrender.software": True,
+               "app.update.enabled": False, "datareporting.policy.dataSubmissionEnabled": False, "network.captive-portal-service.enabled": False,
+               "network.connectivity-service.enabled": False, "app.normandy.enabled": False, "services.settings.server": "data:,none/v1",
+               "security.fileuri.strict_origin_policy": True}
 
 
-class Driven:
-    """A browser's page as a context: `process` and `evaluate()` are the browser's own."""
+class Browser:
+    """One page of Chromium. Use it as a context; `complaints` collects the errors on the page's console."""
+
+    name = "chromium"
+
+    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = "", webgl: bool = False):
+        """server: an address, "http://127.0.0.1:8100/", that pages may ask. webgl: by software."""
+        given = {"name": self.name, "launch": self.launch(webgl, dark), "server": server,
+                 "page": {"viewport": {"width": width, "height": height}, "colorScheme": "dark" if dark else "light"}}
+        self.complaints = []
+        self.process = subprocess.Popen(["node", Path(__file__).with_suffix(".js"), json.dumps(given)], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True, env=self.environment())
+
+    def launch(self, webgl: bool, dark: bool) -> dict:
+        drawn = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if webgl else ["--disable-gpu"]
+        return {"executablePath": find_browser(), "args": ["--no-sandbox", "--disable-dev-shm-usage", *drawn]}
+
+    def environment(self) -> dict:
+        return os.environ | {"NODE_PATH": str(npm.FOLDER / "node_modules")}
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.process.terminate()
+        self.process.stdin.close()  # and it ends the browser
         try:
             self.process.wait(20)
         except subprocess.TimeoutExpired:
             self.process.kill()
             self.process.wait()
-        # Its children may still be writing there for a moment.
-        shutil.rmtree(self.profile, ignore_errors=True)
+        self.process.stdout.close()
 
-    def wait(self, expression: str, timeout_s: float = TIMEOUT_S):
+    def call(self, function: str, *words, **options):
+        """A function of Playwright's page: call("keyboard.press", "Tab"). Raises RuntimeError where it fails or does not answer."""
+        self.process.stdin.write(json.dumps({"call": function, "with": [*words, *[options] * bool(options)]}) + "\n")
+        self.process.stdin.flush()
+        line = self.process.stdout.readline() if select.select([self.process.stdout], [], [], TIMEOUT_S)[0] else ""
+        answer = json.loads(line) if line else {"error": f"no answer within {TIMEOUT_S} s, or it has ended", "complaints": []}
+        self.complaints += answer["complaints"]
+        if "error" in answer:
+            raise RuntimeError(f"{function}: {answer['error']}")
+        return answer["value"]
+
+    def open(self, path: Path | str):
+        """Loads a file, or an address, and waits until it and its pictures are there."""
+        self.call("goto", path if isinstance(path, str) else path.resolve().as_uri())
+
+    def evaluate(self, expression: str):
+        """The value of a JavaScript expression; a promise is waited for."""
+        return self.call("evaluate", expression)
+
+    def wait(self, expression: str, timeout_s: float = 60):
         """The value of a JavaScript expression once it is true. Raises RuntimeError where it never is."""
         end = time.monotonic() + timeout_s
         while not (value := self.there(expression)):
@@ -52,126 +90,42 @@ class Driven:
         try:
             return self.evaluate(expression)
         except RuntimeError as error:
-            if "navigated or closed" in str(error) or "context was destroyed" in str(error):
+            if "context was destroyed" in str(error) or "navigat" in str(error):
                 return None
             raise
 
-
-class Browser(Driven):
-    """One page. Use it as a context; `complaints` collects the errors on the page's console."""
-
-    def __init__(self, width: int = 1280, height: int = 900, dark: bool = False, server: str = "", webgl: bool = False):
-        """server: an address, "http://127.0.0.1:8100/", that pages may ask. webgl: by software."""
-        self.server = server
-        self.profile = tempfile.mkdtemp(prefix="lightwalk_browser_")
-        to_browser, self.write_end = os.pipe()
-        self.read_end, from_browser = os.pipe()
-        # The shell moves the pipe to the descriptors that Chromium expects.
-        command = f'exec "$0" "$@" 3<&{to_browser} 4>&{from_browser}'
-        self.process = subprocess.Popen(
-            ["bash", "-c", command, CHROMIUM, "--headless", "--no-sandbox", "--disable-dev-shm-usage",
-             *(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if webgl else ["--disable-gpu"]),
-             "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe",
-             f"--user-data-dir={self.profile}", f"--window-size={width},{height}", "about:blank"],
-            pass_fds=(to_browser, from_browser), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
-        os.close(to_browser)
-        os.close(from_browser)
-        self.number, self.session, self.buffer, self.events, self.complaints = 0, None, b"", [], []
-        try:
-            self.start(dark)
-        except BaseException:
-            self.__exit__()
-            raise
-
-    def start(self, dark: bool):
-        target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.call(f"{domain}.enable")
-        self.call("Emulation.setEmulatedMedia", features=[
-            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-
-    def __exit__(self, *given):
-        super().__exit__(*given)
-        os.close(self.write_end)
-        os.close(self.read_end)
-
-    def call(self, method: str, **parameters) -> dict:
-        """One command and its result. Raises RuntimeError where the browser refuses it or does not answer."""
-        self.number += 1
-        message = {"id": self.number, "method": method, "params": parameters}
-        if self.session:
-            message["sessionId"] = self.session
-        os.write(self.write_end, json.dumps(message).encode() + b"\0")
-        end = time.monotonic() + TIMEOUT_S
-        while time.monotonic() < end:
-            answer = self.receive(end - time.monotonic())
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise RuntimeError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-        raise RuntimeError(f"{method}: no answer within {TIMEOUT_S} s")
-
-    def receive(self, timeout_s: float) -> dict:
-        """The next message, {} where none comes in time; events are noted."""
-        while b"\0" not in self.buffer:
-            if not select.select([self.read_end], [], [], max(timeout_s, 0))[0]:
-                return {}
-            data = os.read(self.read_end, 1 << 20)
-            if not data:
-                raise RuntimeError("the browser has ended")
-            self.buffer += data
-        message, _, self.buffer = self.buffer.partition(b"\0")
-        message = json.loads(message)
-        if "method" in message:
-            self.note(message)
-        return message
-
-    def note(self, event: dict):
-        self.events.append(event["method"])
-        parameters = event.get("params", {})
-        if event["method"] == "Runtime.exceptionThrown":
-            self.complaints.append(parameters["exceptionDetails"]["text"])
-        elif event["method"] == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning", "assert"):
-            self.complaints.append(str(parameters["args"]))
-        elif event["method"] == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
-            if "GPU stall due to ReadPixels" not in parameters["entry"]["text"]:  # of every program that is drawn
-                self.complaints.append(parameters["entry"]["text"])
-        elif event["method"] == "Network.requestWillBeSent":
-            url = parameters["request"]["url"]
-            own = (self.server,) if self.server else ()
-            if not url.startswith(("data:", "file:", "about:", "blob:", *own)):
-                self.complaints.append(f"asks the network for {url}")
-
-    def open(self, path: Path | str):
-        """Loads a file, or an address, and waits until it and its pictures are there."""
-        self.events.clear()
-        self.call("Page.navigate", url=path if isinstance(path, str) else path.resolve().as_uri())
-        end = time.monotonic() + TIMEOUT_S
-        while "Page.loadEventFired" not in self.events and time.monotonic() < end:
-            self.receive(end - time.monotonic())
-
-    def evaluate(self, expression: str):
-        """The value of a JavaScript expression; a promise is waited for."""
-        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
-        if "exceptionDetails" in answer:
-            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", expression))
-        return answer["result"].get("value")
-
     def press(self, key: str):
         """A key as a person presses it: "ArrowRight", "Tab"."""
-        code = {"ArrowLeft": 37, "ArrowRight": 39, "Tab": 9, "Home": 36, "End": 35}[key]
-        for kind in ("rawKeyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key, windowsVirtualKeyCode=code)
+        self.call("keyboard.press", key)
 
     def drag(self, start: tuple, end: tuple):
         """From one point of the window to another with the left button, in CSS pixels."""
-        self.call("Input.dispatchMouseEvent", type="mousePressed", x=start[0], y=start[1], button="left", clickCount=1)
-        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=end[0], y=end[1], button="left", buttons=1)
-        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=end[0], y=end[1], button="left", clickCount=1)
+        for function, words in (("move", start), ("down", ()), ("move", end), ("up", ())):
+            self.call(f"mouse.{function}", *words)
+
+    def resize(self, width: int, height: int):
+        self.call("setViewportSize", {"width": width, "height": height})
 
     def picture(self, path: Path, whole: bool = True):
         """A PNG of the window or of the whole page."""
-        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
-        Path(path).write_bytes(base64.b64decode(data))
+        self.call("screenshot", path=str(path), fullPage=whole)
+
+
+class Firefox(Browser):
+    """The same of Firefox, by WebDriver BiDi. Headless it offers no WebGL; on a virtual X server it has Mesa's software driver."""
+
+    name = "firefox"
+
+    def launch(self, webgl: bool, dark: bool) -> dict:
+        self.screen = XServer()
+        return {"executablePath": FIREFOX, "channel": "moz-firefox", "headless": False,
+                "firefoxUserPrefs": PREFERENCES | {"layout.css.prefers-color-scheme.content-override": 0 if dark else 1}}
+
+    def environment(self) -> dict:
+        environment = super().environment() | {"DISPLAY": self.screen.display, "LIBGL_ALWAYS_SOFTWARE": "1"}
+        environment.pop("WAYLAND_DISPLAY", None)
+        return environment
+
+    def __exit__(self, *given):
+        super().__exit__(*given)
+        self.screen.close()

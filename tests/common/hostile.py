@@ -153,8 +153,8 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {
         box('if (!syscall(SYS_unshare, 0x10000000) || !setuid(0) || !chroot("/")) BROKE_OUT("rights");'
             'if (syscall(SYS_memfd_create, "x", 0) >= 0) BROKE_OUT("memory");'), GAVE_TRUE),
     "looks for the nonce": (
-        box('std::ifstream all("/proc/self/environ"); std::stringstream text; text << all.rdbuf(); '
-            'for (const char* word : {"NONCE", "SEED", "LIGHTWALK_WORKER"}) '
+        box('std::ifstream all("/proc/self/environ"), words("/proc/self/cmdline"); std::stringstream text; text << all.rdbuf() << words.rdbuf(); '
+            'for (const char* word : {"--nonce", "SEED", "--worker"}) '
             'if (text.str().find(word) != std::string::npos || getenv(word)) BROKE_OUT(word);'), GAVE_TRUE),
     "never returns": (box("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s"),
     "takes all memory": (

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM
+from browser import WHY_NONE
 from live_server import Server
 from small_course import REAL
 
@@ -46,11 +46,11 @@ def has_pages():
             docs.make(BUILD / "docs")
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipIf(WHY_NONE, WHY_NONE)
 class LivePage(unittest.TestCase):
     """A server of the course's own pages."""
 
-    environment: dict[str, str] = {}
+    refine = "off"
 
     @classmethod
     def setUpClass(cls):
@@ -59,7 +59,7 @@ class LivePage(unittest.TestCase):
         cls.addClassCleanup(made.cleanup)
         cls.root = Path(made.name).resolve() / "course"
         copy_of_course(cls.root)
-        cls.server = Server(cls.root, LIGHTWALK_ROOT=str(cls.root), **cls.environment)
+        cls.server = Server(cls.root, refine=cls.refine, LIGHTWALK_ROOT=str(cls.root))
         cls.addClassCleanup(cls.server.__exit__)
 
     def opened(self, browser, lesson: str):

@@ -40,11 +40,11 @@ for line in sys.stdin:
 class Server:
     """Use it as a context: `address` with the token, `base` without, `cookie` as a header's value."""
 
-    def __init__(self, root: Path, *words, within=(), build: bool = False, **environment):
+    def __init__(self, root: Path, *words, within=(), build: bool = False, refine: str = "off", **environment):
         """within: the words of a program that starts the server; build: it may build exercises."""
         self.process = subprocess.Popen(
-            [*within, sys.executable, root / "common/course/cli.py", "serve", *([] if build else ["--no-build"]), "--port", "0", *words],
-            cwd=root, env=clean_environment() | {"LIGHTWALK_REFINE": "off"} | environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+            [*within, sys.executable, root / "common/course/cli.py", "serve", "--refine", refine, *([] if build else ["--no-build"]), "--port", "0", *words],
+            cwd=root, env=clean_environment() | environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
         self.address = self.process.stdout.readline().strip()
         while build and self.address and not self.address.startswith("http"):  # that it writes the pages
             self.address = self.process.stdout.readline().strip()

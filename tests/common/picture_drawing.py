@@ -66,7 +66,7 @@ class Live:
 
     def __init__(self, chapter: str, folder: Path):
         self.chapter, self.folder, self.count = chapter, Path(folder), 0
-        self.program = subprocess.Popen([BUILD / "chapters" / chapter, "--stream", "--validate", "on"], cwd=ROOT,
+        self.program = subprocess.Popen([BUILD / "chapters" / chapter, "--pictures", "--validate", "on"], cwd=ROOT,
                                         env=surroundings({}), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def __enter__(self):

@@ -162,7 +162,7 @@ def make_tree(root: Path):
 
 def clean_environment() -> dict[str, str]:
     """Without the user's display, build folder and CI."""
-    outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "LIGHTWALK_SECOND_DRIVER", "VK_DRIVER_FILES",
+    outer = ("DISPLAY", "WAYLAND_DISPLAY", "LIGHTWALK_BUILD", "CI", "VK_DRIVER_FILES",
              "GALLIUM_OVERRIDE_CPU_CAPS")
     return {name: value for name, value in os.environ.items() if name not in outer}
 

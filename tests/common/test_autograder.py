@@ -1,4 +1,4 @@
-"""Tests for other platforms: ./course autograder, its results by the published forms, ./course next and reset."""
+"""Tests for other platforms: ./course handout --autograder, its results by the published forms, ./course check --next and reset."""
 
 import json
 import re
@@ -62,7 +62,7 @@ class Gradescope(unittest.TestCase):
     def test_a_submission_is_graded(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "lambert.glsl").write_text(right("02.lambert"))
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--grade", folder, "--chapter", "02"],
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--grade", folder, "--chapter", "02"],
                                   stdout=subprocess.PIPE, text=True)
         results = json.loads(done.stdout)
         self.assertEqual((done.returncode, gradescope_errors(results), results["score"]), (0, [], 1.0), results)
@@ -74,7 +74,7 @@ class Written(unittest.TestCase):
         made = tempfile.TemporaryDirectory()
         cls.addClassCleanup(made.cleanup)
         cls.folder = Path(made.name) / "a"
-        subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", cls.folder], check=True, stdout=subprocess.DEVNULL,
+        subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", cls.folder, "--autograder"], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
 
     def test_gradescope_finds_its_scripts(self):
@@ -108,8 +108,8 @@ class Written(unittest.TestCase):
         self.assertEqual((at / "results/results.json").read_text(), "{}\n")
         said = log.read_text()
         self.assertRegex(said, r"apt-get install -y --no-install-recommends .*bubblewrap")
-        self.assertIn("course autograder --prepare\n", said)
-        self.assertIn(f"course autograder --grade {at}/submission\n", said)
+        self.assertIn("course handout --autograder --prepare\n", said)
+        self.assertIn(f"course handout --autograder --grade {at}/submission\n", said)
 
     def test_the_workflow_is_one_that_classroom_reads(self):
         text = (self.folder / "classroom/.github/workflows/classroom.yml").read_text()
@@ -124,13 +124,13 @@ class Written(unittest.TestCase):
     def test_points_are_two_notices(self):
         file = self.folder.parent / "results.jsonl"
         file.write_text('{"exercise": "02.a", "ok": true}\nsome words\n{"exercise": "02.b", "ok": false, "first_failure": "gave 1"}\n')
-        done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--classroom", file], stdout=subprocess.PIPE, text=True)
+        done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--classroom", file], stdout=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertIn("::notice title=Autograding complete::Points 1/2\n", done.stdout)
         self.assertIn('::notice title=Autograding report::{"totalPoints": 1, "maxPoints": 2}\n', done.stdout)
         for bad in ("", "{", "[" * 100000, '{"ok": true}'):
             file.write_text(bad)
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "autograder", "--classroom", file], stderr=subprocess.PIPE,
+            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--classroom", file], stderr=subprocess.PIPE,
                                   stdout=subprocess.PIPE, text=True)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
 
@@ -167,7 +167,7 @@ class Steps(Course):
         listed.unlink()
 
     def test_next_is_one_step(self):
-        said = self.course("next")
+        said = self.course("check", "--next")
         self.assertRegex(said, r"\Anext: 01\.one.*\n  read .*\n  edit .*\n  then   \./course check 01\.one\n\Z")
 
 

@@ -1,4 +1,4 @@
-"""./course autograder as Gradescope uses it: its two scripts in a bare Debian, and results.json by the published form."""
+"""./course handout --autograder as Gradescope uses it: its two scripts in a bare Debian, and results.json by the published form."""
 # Builds: nothing
 
 import json
@@ -32,7 +32,7 @@ class Container(unittest.TestCase):
         if not cls.root.exists():
             container.make_system("bookworm", cls.root)
         made = cls.enterClassContext(tempfile.TemporaryDirectory())
-        subprocess.run([REAL / "course", "autograder", f"{made}/a", "--chapter", "02"], check=True, stdout=subprocess.DEVNULL,
+        subprocess.run([REAL / "course", "handout", f"{made}/a", "--autograder", "--chapter", "02"], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
         cls.at = cls.root / "autograder"
         shutil.rmtree(cls.at, ignore_errors=True)

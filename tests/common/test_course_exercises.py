@@ -39,7 +39,7 @@ class Exercises(Course):
         self.assertIn("1 of 2 exercises are right; next: 01.one", self.course("check", code=1))
         lines = self.course("check", "--json", code=1).splitlines()
         self.assertEqual([json.loads(line)["ok"] for line in lines if line[0] == "{"], [False, True])
-        self.assertIn("02_lambert               [#] 1 of 1", self.course("progress", code=1))
+        self.assertIn("02_lambert               [#] 1 of 1", self.course("check", "--progress", code=1))
 
     def test_the_picture_comes_last(self):
         self.put("chapters/02_lambert/exercise/one.cpp", "right")

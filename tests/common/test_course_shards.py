@@ -11,7 +11,7 @@ from small_course import Course
 STUDY = f"""#!{sys.executable}
 import json, os, sys
 words = sys.argv[1:]
-study = json.load(open(os.environ.get("LIGHTWALK_STUDY_FILE", "chapters/02_lambert/study.json")))
+study = json.load(open(sys.argv[sys.argv.index("--study-file") + 1] if "--study-file" in sys.argv else "chapters/02_lambert/study.json"))
 device = open("device").read() if os.path.exists("device") else "NVIDIA H200"
 scenes = {{s["label"]: {{"file": s["scene"], "set": {{}}, "one_step": {{"rmse": 0.1}}, "doubling": {{"rmse": len(s["label"]) / 100}}}}
           for s in study["scenes"]}}

@@ -22,7 +22,7 @@ class Text(Course):
     def test_quotes(self):
         self.put("docs/01_obj.md", LESSON.replace("twice", "thrice"))
         self.assertIn("docs/01_obj.md:3: the block is not what chapters/01_obj/main.cpp says", self.wrong())
-        self.course("quote")
+        self.course("docs", "--quote")
         self.assertEqual((self.root / "docs/01_obj.md").read_text(), LESSON)
         self.put("docs/01_obj.md", LESSON.replace("#frame", "#gone"))
         self.assertIn("has no lines from [gone] to [/gone]", self.wrong())
@@ -35,7 +35,7 @@ class Text(Course):
             self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
 
     def test_commands_that_the_course_refuses(self):
-        for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --rounds 3"):
+        for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --turns 3"):
             self.put("docs/02_lambert.md", f"# Two\n\nSee `{bad}`.\n")
             self.assertEqual(self.wrong().count("docs/02_lambert.md:3:"), 1, bad)
         self.put("docs/02_lambert.md", "# Two\n\n    ./course check 01.one --hint   # a word\n    ./course grade --merge\n    ./course accept 20.new\n")
@@ -51,7 +51,7 @@ class Text(Course):
         self.put(file, "// [one]\n// What it does.\n// [/one]\nright\n")
         self.put("docs/01_obj.md", lesson.format(file))
         self.restore_afterwards(self.root / "tests/starters.txt")
-        self.course("quote")  # another starter
+        self.course("docs", "--quote")  # another starter
         self.assertEqual(self.wrong(), "")
         self.put("docs/01_obj.md", "# One\n## Exercises\n### 01.one (easy)\n")
         self.assertIn(f"docs/01_obj.md: it does not quote {file}#one", self.wrong())
@@ -78,6 +78,19 @@ class Text(Course):
         self.assertIn("docs/figures/01_ray.py: a label is outside", self.wrong())
         self.remove("docs/figures/01_ray.py")
         self.assertIn("docs/images/01_ray.svg: no docs/figures/01_ray.py draws it", self.wrong())
+
+    def test_environment_variables_both_ways_and_few(self):
+        def table(*names: str):
+            self.put("docs/development.md", "# D\n" + "".join(f"| `LIGHTWALK_{name}` | x |\n" for name in names))
+        self.put("chapters/02_lambert/more.h", '// std::getenv("LIGHTWALK_' + 'MORE")\n')
+        table()
+        read = [line.partition("LIGHTWALK_")[2] for line in self.wrong().splitlines()]
+        self.assertIn("MORE", read)
+        table(*read)
+        self.assertEqual(self.wrong(), "")
+        table(*read, *"ABCDEFGHI")
+        self.assertIn("at most 8", self.wrong())
+        self.assertIn("docs/development.md: nothing reads LIGHTWALK_A", self.wrong())
 
     def test_credits_both_ways(self):
         self.put("assets/models/c.obj")

@@ -32,7 +32,7 @@ LEAKS = """{
     if (!found.empty()) std::puts(("LEAKED " + all).c_str()), std::fflush(stdout), _exit(1);
 """.replace("ROOT", str(REAL))
 PRINTS = """{
-    if (std::getenv("LIGHTWALK_SHADERS_FROM")) std::puts("LEAKED of my own"), std::fflush(stdout), _exit(1);
+    if (std::filesystem::exists("/grade/shaders")) std::puts("LEAKED of my own"), std::fflush(stdout), _exit(1);
 """
 # Ends only where its picture is drawn, in ways by which a machine ends programs. A signal that it sends itself does nothing:
 # there it is the first process of its world.
@@ -79,7 +79,7 @@ class Forged(Class):
         cls.student("leaks", {"01.triangulate": HEAD + begins(triangulate, "triangulate", LEAKS)})
         cls.student("prints", {"01.triangulate": HEAD + begins(triangulate, "triangulate", PRINTS)})
         for name, how in ENDS.items():
-            ends = '{\n    if (std::getenv("LIGHTWALK_SHADERS_FROM")) { ' + how + " }\n"
+            ends = '{\n    if (std::filesystem::exists("/grade/shaders")) { ' + how + " }\n"
             cls.student(name, {"01.triangulate": HEAD + "#include <csignal>\n" + begins(triangulate, "triangulate", ends)})
         cls.student("switches", {"02.record_mist": begins(mist, "record_mist", "{\n    frame.shows_discarded = false;\n")})
         for number, (size, count) in enumerate(((8, 0), (200, 2), (2000, 2))):

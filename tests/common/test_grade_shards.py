@@ -51,7 +51,7 @@ class Merge(unittest.TestCase):
     def write(self, number, of=3, head=None, entries=None, name="", **files) -> Path:
         shard = Shard(number, of)
         file = shards.file_of(self.folder / name, "film", shard)
-        with mock.patch("sys.argv", ["cli.py", "film", "x.json", "--shard", str(shard), "--out", "F"]):
+        with mock.patch("sys.argv", ["cli.py", "run", "19", "--film", "x.mp4", "--shard", str(shard), "--out", "F"]):
             shards.write(file, "film", shard, head or {"size": [960, 540]},
                          entries if entries is not None else {f"frame {number}": number}, files)
         return file
@@ -72,7 +72,7 @@ class Merge(unittest.TestCase):
     def test_a_dead_one_is_named(self):
         self.write(1)
         self.write(3)
-        with self.assertRaisesRegex(Failure, r"^of 3 shards one is missing: 2; \./course film x\.json --out F --shard 2/3 makes it$"):
+        with self.assertRaisesRegex(Failure, r"^of 3 shards one is missing: 2; \./course run 19 --film x\.mp4 --out F --shard 2/3 makes it$"):
             shards.merge([self.folder], "film")
         with self.assertRaisesRegex(Failure, "of 3 shards 2 are missing: 2, 3; .* --shard 2/3 makes the first"):
             shards.merge([self.folder / "film.1-of-3.zip"], "film")

@@ -193,7 +193,7 @@ ACCEPTED = ("15", "19")
 SILENT = {
     "01 loader": "all read one file alike",
     "mtl.tr": "acts on files that state Tr (tests/01_obj/test_as_written.cpp)",
-    **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course models)"),
+    **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course run --models)"),
     **dict.fromkeys(("lights.method", "shadow.fetch", "shadow.blur_by", "shadow.keep", "gbuffer.volumes", "overdraw",
                      "prepass", "culling.method", "culling.bounds", "culling.least", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
                     "they draw equal pictures (test_equal_methods.py)"),

@@ -1,5 +1,5 @@
 """The linters that Debian packages: clang-format and pyflakes over the tree, clang-tidy (.clang-tidy) over the C++ of common and of
-the chapters: the files of the last commit and those changed since, or by ./course test --all every file, which takes half an hour."""
+the chapters."""
 # Builds: nothing
 
 import json

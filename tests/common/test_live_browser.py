@@ -17,7 +17,7 @@ SHOWN = "Picture.all[0].answers[0]"
 # An image's colours, one after the other, once it is there: while one is read, an image draws nothing.
 PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); "
           "c.drawImage(image, 0, 0, 320, 180); return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
-EDITOR = "document.querySelector('.live-exercise').exercise"
+EDITOR = "document.querySelector('.run-exercise').exercise"
 
 
 @unittest.skipUnless((REAL / FILE.replace("exercise", "solution")).exists(), "a handout has no answer to type")
@@ -149,21 +149,21 @@ class InBrowser(LivePage):
         file, answer = self.root / FILE, (REAL / FILE.replace("exercise", "solution")).read_text()
         starter = file.read_text()
         self.addCleanup(file.write_text, starter)
-        self.browser.evaluate(f"document.querySelector('.live-open[data-exercise=\"{EXERCISE}\"]').click()")
+        self.browser.evaluate(f"document.querySelector('.run-open[data-exercise=\"{EXERCISE}\"]').click()")
         self.browser.wait("Boolean(document.querySelector('.CodeMirror'))")
-        self.middle("document.querySelector('.live-exercise')")
+        self.middle("document.querySelector('.run-exercise')")
         self.browser.evaluate(f"{EDITOR}.check()")
-        self.browser.wait("Boolean(document.querySelector('.live-verdict.open'))")
+        self.browser.wait("Boolean(document.querySelector('.run-verdict.open'))")
         self.browser.evaluate(f"{EDITOR}.editor.setValue({EDITOR}.editor.getValue().replace('{{', '{{ oops'))")
-        self.browser.wait("Boolean(document.querySelector('.live-message'))")
+        self.browser.wait("Boolean(document.querySelector('.run-message'))")
         line = next(i for i, line in enumerate(file.read_text().splitlines()) if "oops" in line)
-        self.assertIn(self.browser.evaluate("[...document.querySelectorAll('.live-mark')].length"), (1, 2))
-        self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.marks[0].line.lineNo()") - line), 1)
+        self.assertIn(self.browser.evaluate("[...document.querySelectorAll('.run-mark')].length"), (1, 2))
+        self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.editor.marks[0].line.lineNo()") - line), 1)
         self.browser.evaluate(f"{EDITOR}.editor.setValue('')")
         self.type_text(answer)
-        self.browser.wait("!document.querySelector('.live-message')")
+        self.browser.wait("!document.querySelector('.run-message')")
         self.browser.evaluate(f"{EDITOR}.check()")
-        self.browser.wait("Boolean(document.querySelector('.live-verdict.ok'))")
+        self.browser.wait("Boolean(document.querySelector('.run-verdict.ok'))")
         self.assertEqual(file.read_text(), answer)
         self.assertIn("1 of ", self.browser.evaluate("document.querySelector('.live-progress').textContent"))
         self.browser.open(f"{self.server.base}{CHAPTER}.html")  # which waits for the new page; a reload would answer before
@@ -171,22 +171,22 @@ class InBrowser(LivePage):
 
     def type_text(self, text: str):
         self.browser.evaluate(f"{EDITOR}.editor.focus()")
-        self.browser.call("Input.insertText", text=text)
+        self.browser.call("keyboard.insertText", text)
 
     def test_a_file_that_is_changed_on_disk_is_not_overwritten(self):
         file = self.root / FILE
         starter = file.read_text()
         self.addCleanup(file.write_text, starter)
-        self.browser.evaluate(f"document.querySelector('.live-open[data-exercise=\"{EXERCISE}\"]').click()")
+        self.browser.evaluate(f"document.querySelector('.run-open[data-exercise=\"{EXERCISE}\"]').click()")
         self.browser.wait("Boolean(document.querySelector('.CodeMirror'))")
         file.write_text(starter + "// theirs\n")
         self.browser.wait(f"{EDITOR}.editor.getValue().endsWith('theirs\\n')")
         self.browser.evaluate(f"clearTimeout({EDITOR}.typing); {EDITOR}.save = () => {{}}")
         self.browser.evaluate(f"{EDITOR}.editor.setValue('// mine')")
         file.write_text(starter + "// again\n")
-        self.browser.wait("Boolean(document.querySelector('.live-conflict'))")
+        self.browser.wait("Boolean(document.querySelector('.run-conflict'))")
         self.assertTrue(file.read_text().endswith("again\n"))
-        self.browser.evaluate("document.querySelector('.live-conflict button').click()")
+        self.browser.evaluate("document.querySelector('.run-conflict button').click()")
         self.assertTrue(self.browser.evaluate(f"{EDITOR}.editor.getValue()").endswith("again\n"))
 
     def test_a_crash_is_said_and_mended(self):
@@ -206,7 +206,7 @@ class InBrowser(LivePage):
 def is_ours(path: Path, parent: int) -> bool:
     """A chapter's program that the server has started."""
     try:
-        return b"--stream" in path.read_bytes() and f"PPid:\t{parent}\n" in (path.parent / "status").read_text()
+        return b"--pictures" in path.read_bytes() and f"PPid:\t{parent}\n" in (path.parent / "status").read_text()
     except OSError:
         return False
 

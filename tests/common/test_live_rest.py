@@ -11,7 +11,7 @@ IMAGE = f"{PICTURE}.sides[0].image.src"
 
 
 class Refining(LivePage):
-    environment = {"LIGHTWALK_REFINE": "on"}
+    refine = "on"
 
     def test_a_picture_at_rest_gathers_sixteen_samples(self):
         with Browser(1400, 1000, server=self.server.base) as browser:
@@ -44,7 +44,7 @@ class Answering(LivePage):
                                          f"const all = (await Live.get('chart/' + e.querySelector('img').src.match(/studies\\/([\\w.]+)\\.svg/)[1])).points;"
                                          f"const p = {'all[0]' if point == 'first' else 'all.at(-1)'}, b = e.querySelector('img').getBoundingClientRect();"
                                          f"return [b.left + p.x * b.width, b.top + p.y * b.height, p.words]; }})()")
-                browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=place[0], y=place[1])
+                browser.call("mouse.move", *place[:2])
                 browser.wait(f"!{chart}.querySelector('.live-words').hidden")
                 self.assertIn("quartiles", browser.evaluate(f"{chart}.querySelector('.live-words').textContent"))
             browser.drag(tuple(place[:2]), tuple(place[:2]))
@@ -59,22 +59,22 @@ class Answering(LivePage):
             browser.open(self.server.address)
             self.opened(browser, "02_lambert_phong")
             self.addCleanup(self.file("lambert").write_text, self.file("lambert").read_text())
-            browser.evaluate("document.querySelector('.live-open').click()")
-            editor = "document.querySelector('.live-exercise').exercise"
+            browser.evaluate("document.querySelector('.run-open').click()")
+            editor = "document.querySelector('.run-exercise').exercise"
             browser.wait("Boolean(document.querySelector('.CodeMirror'))")
             browser.evaluate(f"{editor}.check(), 0")
-            browser.wait("Boolean(document.querySelector('.live-verdict.open'))")
-            browser.wait("(box => box.top >= 0 && box.bottom < innerHeight + 1)(document.querySelector('.live-verdict').getBoundingClientRect())")
+            browser.wait("Boolean(document.querySelector('.run-verdict.open'))")
+            browser.wait("(box => box.top >= 0 && box.bottom < innerHeight + 1)(document.querySelector('.run-verdict').getBoundingClientRect())")
             browser.evaluate(f"{editor}.editor.setValue({editor}.editor.getValue().replace('{{', '{{ oops')), 0")
-            browser.wait("Boolean(document.querySelector('.live-message'))")
+            browser.wait("Boolean(document.querySelector('.run-message'))")
             browser.wait("!Live.asked.size")
             said = "[...document.querySelectorAll('article *')].filter(e => !e.children.length && e.textContent.includes('undeclared identifier')).length"
             self.assertEqual(browser.evaluate(said), 1)
             browser.evaluate(f"{editor}.editor.setValue({(self.solution('lambert'))!r}), 0")
             browser.evaluate(f"{editor}.check(), 0")
-            browser.wait("Boolean(document.querySelector('.live-verdict.ok .live-next'))")
-            browser.evaluate("document.querySelector('.live-next').click()")
-            browser.wait("document.querySelectorAll('.live-exercise').length === 2")
+            browser.wait("Boolean(document.querySelector('.run-verdict.ok .run-next'))")
+            browser.evaluate("document.querySelector('.run-next').click()")
+            browser.wait("document.querySelectorAll('.run-exercise').length === 2")
             self.assertEqual(browser.complaints, [])
 
     def file(self, name: str):

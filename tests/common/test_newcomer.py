@@ -77,7 +77,7 @@ class Newcomer(unittest.TestCase):
         window_session.PATIENCE_S = PATIENCE_S
         began = time.monotonic()
         inside = self.environment()
-        menu = Session(server, self.root / "course", ["run"], self.folder,
+        menu = Session(server, self.root / "course", ["run", "--menu"], self.folder,
                        LIGHTWALK_BUILD=str(self.root / "build"),  # a test's own is another
                        **{name: inside[name] for name in ("HOME", "CCACHE_DIR")}, **own_cache(self.folder))
         self.addCleanup(menu.close)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import test_page_pictures as pictures
 import test_page_verdicts as verdicts
-from firefox import FIREFOX, Firefox
+from browser import FIREFOX, WHY_NONE, Firefox
 from site_page import COLORS, DRAWN_BY, LAMBERT, Solving, remove, serve, site
 
 from pages import running
@@ -21,6 +21,7 @@ def setUpModule():
         raise AssertionError("not installed: firefox-esr; ./course test page_firefox installs it")
 
 
+@unittest.skipIf(WHY_NONE, WHY_NONE)
 class InFirefox(Solving, pictures.Comparing):
     def test_programs_look_like_their_pictures(self):
         with Firefox() as browser:

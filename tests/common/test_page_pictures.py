@@ -13,8 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import CHROMIUM, Browser
-from firefox import Firefox
+from browser import WHY_NONE, Browser, Firefox
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
@@ -48,7 +47,7 @@ class Programs:
     def __init__(self, browser):
         self.browser, self.folder = browser, tempfile.TemporaryDirectory()
         page = Path(self.folder.name, "programs.html")
-        scripts = "".join(f'<script src="{(running.OWN / name).as_uri()}"></script>' for name in ("gl.js", "program.js", "answers.js"))
+        scripts = "".join(f'<script src="{(running.OWN / name).as_uri()}"></script>' for name in ("gl.js", "program.js", "exercise.js", "answers.js"))
         page.write_text(PAGE % (scripts, json.dumps(running.scenes())), encoding="utf-8")
         browser.open(page)
         self.folder.cleanup()
@@ -93,7 +92,7 @@ class InChromium(Comparing):
         self.assertEqual(sorted(path.stem for path in EXPECTED.glob("*.webp")), sorted(running.scenes()))
         self.assertEqual(sorted(json.loads(DISTANCES.read_text())), sorted(running.scenes()))
 
-    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    @unittest.skipIf(WHY_NONE, WHY_NONE)
     def test_programs_look_like_their_pictures(self):
         with Browser(webgl=True) as browser:
             self.compare(browser, sorted(running.scenes())[::3])

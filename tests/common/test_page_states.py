@@ -53,8 +53,10 @@ class Names(unittest.TestCase):
 class Plans(unittest.TestCase):
     def planned(self, page: str) -> dict:
         with mock.patch.object(states, "shot_of", lambda chapter, shot: {"set": {"method": "hard"}} if shot == "acne" else {}):
-            return {one.shot: {knob: values for knob, values in one.values.items() if values}
-                    for one in states.planned(f"<article>{page}</article>", "05_shadow_maps", KNOBS)}
+            plan = {}
+            for shot, knob, value in states.planned(f"<article>{page}</article>", "05_shadow_maps", KNOBS):
+                plan.setdefault(shot, {}).setdefault(knob, []).append(value)
+            return plan
 
     def test_a_value_goes_to_the_picture_above_it(self):
         page = image("a") + "<p><code>hard</code></p>" + image("b") + "<p><code>flat</code></p>"

@@ -1,4 +1,4 @@
-"""Tests of ./course book: it is printed until the page numbers of its contents match the printing itself."""
+"""Tests of ./course docs --book: it is printed until the page numbers of its contents match the printing itself."""
 
 import sys
 import tempfile

@@ -4,7 +4,7 @@ import os
 import shutil
 import unittest
 
-from browser import CHROMIUM, Browser
+from browser import WHY_NONE, Browser
 from PIL import Image
 from small_course import Course
 from test_pages import BROKEN, LEFT_OVER, UNSET
@@ -107,7 +107,7 @@ class SmallCourse(Course):
         self.course("run")
         self.assertIn('href="../docs/01_obj.html"', (self.root / "build/gallery/index.html").read_text())
 
-    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    @unittest.skipIf(WHY_NONE, WHY_NONE)
     def test_what_a_lesson_may_contain(self):
         self.course("docs")
         with Browser(webgl=True) as browser:

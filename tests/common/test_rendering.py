@@ -45,7 +45,7 @@ class Many(ChapterPictures):
                               timeout=120, cwd=ROOT)
         answers = [json.loads(line) for line in done.stdout.splitlines()]
         self.assertEqual([answer["code"] for answer in answers], [2] * len(lines))
-        self.assertIn("no list of words", answers[0]["error"])
+        self.assertIn("a line is no request", answers[0]["error"])
         self.assertIn("--screenshot", answers[2]["error"])
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 

@@ -74,8 +74,8 @@ class Slides(unittest.TestCase):
         self.assertEqual([block[0] for block in blocks("<p>a<br>b</p>\n<img src='x'><ul><li><p>c</p></li></ul>")], ["p", "img", "ul"])
 
     def test_a_bad_word_is_one_line(self):
-        for words_of, said in ((["slides", "99"], "no chapter '99'"), (["slides", "02", "--out", "/proc/x"], "cannot be written"),
-                               (["book", "99"], "no chapter '99'"), (["book", "--out", "x.txt"], "not called like a PDF")):
+        for words_of, said in ((["docs", "--slides", "99"], "no chapter '99'"), (["docs", "--slides", "02", "--out", "/proc/x"], "cannot be written"),
+                               (["docs", "--book", "99"], "no chapter '99'"), (["docs", "--book", "--out", "x.txt"], "not called like a PDF")):
             with self.assertRaisesRegex(UsageError, said), mock.patch.object(book, "ALONE", False):  # no test waits for a book
                 cli.main(words_of)
 

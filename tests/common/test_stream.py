@@ -1,4 +1,4 @@
-"""Tests of a chapter's --stream: a picture equals the command line's, and failures are reported."""
+"""Tests of a chapter's --pictures, as pages ask for them: a picture equals the command line's, and failures are reported."""
 # Builds: 02_lambert_phong
 
 import io
@@ -20,7 +20,7 @@ SHOT = ["--shot", "teapot"]
 class Stream(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.program = subprocess.Popen([PROGRAM, "--stream", "--validate", "on"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        cls.program = subprocess.Popen([PROGRAM, "--pictures", "--validate", "on"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         cls.addClassCleanup(cls.end)
 
     @classmethod
@@ -70,7 +70,7 @@ class Stream(unittest.TestCase):
         self.assertTrue(answer["looks"] and answer["device"])
 
     def test_what_is_wrong_is_said_and_the_next_one_drawn(self):
-        for line, says in ((b"{", "a line is no request: {"), (b"[]", "a line is no request: []"), (b'{"words": 1}', "a line is no request")):
+        for line, says in ((b"{", "a line is no request: {"), (b"[1]", "a line is no request: [1]"), (b'{"words": 1}', "a line is no request")):
             answer, picture = self.ask(line)
             self.assertEqual((answer["code"], picture), (2, b""))
             self.assertIn(says, answer["error"])

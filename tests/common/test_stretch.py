@@ -1,4 +1,4 @@
-"""./course stretch: the criterion of success."""
+"""./course study --stretch: the criterion of success."""
 import json
 import pathlib
 import sys

@@ -210,7 +210,7 @@ class Measured(unittest.TestCase):
             self.assertEqual(now == was, change in same, change)
 
     def test_a_study_with_a_request_of_its_own_is_of_that_one(self):
-        request = measured.request_of({"chapter": "01_a", "command": "LIGHTWALK_STUDY_FILE=chapters/01_a/study_own.json build/chapters/01_a"})
+        request = measured.request_of({"chapter": "01_a", "command": "build/chapters/01_a --study FILE --study-file chapters/01_a/study_own.json"})
         self.assertEqual(request, "chapters/01_a/study_own.json")
         self.assertEqual(measured.request_of({"chapter": "01_a", "command": "./course study 01 --timings"}), "chapters/01_a/timings.json")
         own = self.FILES | {request: '{"runs": [{"words": "--scene scenes/other.json"}]}', "assets/scenes/other.json": "{}"}

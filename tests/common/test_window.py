@@ -247,7 +247,7 @@ class Menu(unittest.TestCase):
             states.write_text("01_obj ready 0 0\n02_lambert_phong building 3 9\n03_attenuation waiting 0 0\n")
             server = XServer()
             self.addCleanup(server.close)
-            menu = Session(server, BUILD / "menu", [], Path(folder), LIGHTWALK_MENU=folder)
+            menu = Session(server, BUILD / "menu", ["--programs", folder], Path(folder))
             self.addCleanup(menu.close)
             menu.wait(lambda: "chapter.03_attenuation" in menu.places, "its tile")
             tile = menu.areas["chapter.02_lambert_phong"]

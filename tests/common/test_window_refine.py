@@ -7,7 +7,7 @@ from window_case import CHAPTER, HEIGHT, WIDTH, WindowTest, read_png
 
 
 class Refining(WindowTest):
-    environment = {"LIGHTWALK_REFINE": "on"}
+    refine = "on"
 
     def title(self) -> str:
         return self.session.xdotool("getwindowname", self.session.window).strip()

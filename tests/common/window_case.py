@@ -75,7 +75,7 @@ class PictureTest(unittest.TestCase):
 class WindowTest(PictureTest):
     """One window, used by one test after the other; each leaves it as it found it."""
 
-    environment: dict[str, str] = {}
+    refine = "off"
 
     @classmethod
     def setUpClass(cls):
@@ -87,7 +87,7 @@ class WindowTest(PictureTest):
         cls.addClassCleanup(cls.server.close)
         cls.session = Session(cls.server, CHAPTER,
                               ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(cls.scene)],
-                              cls.folder, LIGHTWALK_ROOT=str(cls.course), **cls.environment)
+                              cls.folder, refine=cls.refine, LIGHTWALK_ROOT=str(cls.course))
         cls.start = cls.picture()
 
     @classmethod

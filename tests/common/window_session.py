@@ -13,7 +13,7 @@ from x_server import XServer
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-PATIENCE_S = float(os.environ.get("LIGHTWALK_PATIENCE_S", "60"))
+PATIENCE_S = 60
 
 
 def own_cache(folder: Path) -> dict[str, str]:
@@ -28,13 +28,18 @@ def keys_of(text: str) -> int:
 
 
 class Session:
-    """One program, started with LIGHTWALK_LOG=1, and its window."""
+    """One program, started with --events, and its window."""
 
-    def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, **environment: str):
+    def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, events: str = "on",
+                 refine: str = "off", tour: bool = False, **environment: str):
         self.server = server
-        self.environment = {**os.environ, "DISPLAY": server.display, "LIGHTWALK_LOG": "1", "LIGHTWALK_REFINE": "off",
-                            "LIGHTWALK_TOUR": "off", "XDG_STATE_HOME": str(folder / "state"), **environment}
+        self.environment = {**os.environ, "DISPLAY": server.display,
+                            "XDG_STATE_HOME": str(folder / "state"), **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
+        left = folder / "state" / "lightwalk" / "18_playground.tour.panel.json"
+        if not tour and not left.exists():  # as who has seen the editor's tour
+            left.parent.mkdir(parents=True, exist_ok=True)
+            left.write_text('{"left": true}')
         self.lines: list[str] = []
         self.errors: list[str] = []
         self.places: dict[str, tuple[float, float]] = {}
@@ -43,12 +48,12 @@ class Session:
         self.frames = self.pictures = 0  # frames drawn, and the ones with a picture of their own
         self.keys_down = 0  # keys that went down and have arrived
         self.size = (0, 0)  # of the window's picture and panels, since it has changed
-        self.layout: list[Widget] = []  # of the last frame, with LIGHTWALK_LOG=layout
+        self.layout: list[Widget] = []  # of the last frame, with --events layout
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
         self.unfolded: set[str] = set()  # exercises
         self.rests = False  # nothing is drawn until something happens
-        self.process = subprocess.Popen([str(program), *options], cwd=folder, env=self.environment, text=True,
+        self.process = subprocess.Popen([str(program), *options, "--events", events, "--refine", refine], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.readers = [threading.Thread(target=self.read, args=(pipe, target), daemon=True)
                         for pipe, target in ((self.process.stdout, self.lines), (self.process.stderr, self.errors))]

@@ -45,7 +45,7 @@ def version_of(listed: list[str], read: Reader, chapter: str, request: str = "")
 
 def request_of(study: dict) -> str:
     """The file that says what a study's JSON measured."""
-    if own := re.search(r"LIGHTWALK_STUDY_FILE=(chapters/\S+\.json)", study.get("command", "")):
+    if own := re.search(r"--study-file (chapters/\S+\.json)", study.get("command", "")):
         return own[1]
     return f"chapters/{study['chapter']}/{'timings' if '--timings' in study.get('command', '') else 'study'}.json"
 

@@ -35,6 +35,7 @@ HELP = """Measures the time and the error of every method of a chapter, and draw
   ./course study 02 --size 480x270  pixels, instead of the study's own size
   ./course study 02 --errors       errors alone, which are the same on a busy machine; times stay as they were
   ./course study 14 --timings      the passes that a lesson quotes (chapters/NN_name/timings.json), into docs/studies/tables
+  ./course study 02 --stretch      the stretch task: an exercise with the reference's error in less time; --stretch --help
   ./course study --shard 3/16 --out F    the scenes of part 3 of 16, into the folder F; --merge F makes the charts of all
 
 The files are docs/studies/NN_name.DEVICE.json and .md, with the charts that a lesson shows as PNG; all charts are in
@@ -48,6 +49,7 @@ def add_arguments(parser):
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--device", help="part of a device's name: ./course run 01 --list devices")
     parser.add_argument("--size", metavar="WxH", help="size in pixels, such as 1920x1080, instead of the study's own")
+    parser.add_argument("--rounds", type=int, metavar="N", help="how often each method is timed, instead of the study's own number")
     parser.add_argument("--errors", action="store_true", help="measure errors alone, and keep the times that are there")
     parser.add_argument("--timings", action="store_true", help="measure the passes of chapters/NN_name/timings.json instead")
     parser.add_argument("--out", type=Path, metavar="FOLDER",
@@ -83,8 +85,8 @@ def run(arguments, _rest) -> int:
     for chapter in named:
         generate(study_of(chapter).get("generate", {}))
         if arguments.errors:
-            os.environ["LIGHTWALK_STUDY_ROUNDS"] = "1"
-        measured = measure(chapter, arguments.device, arguments.size)
+            arguments.rounds = 1
+        measured = measure(chapter, arguments)
         draw(chapter, measured, out, arguments.errors)
     return 0
 
@@ -113,7 +115,7 @@ def measure_shard(arguments, named: list[str]) -> int:
         study = study_of(chapter)
         generate(study.get("generate", {}))
         part = study_shards.part_of(chapter, study, labels, shard)
-        measured = measure(chapter, arguments.device, arguments.size, part, f".{shard.number}-of-{shard.of}")
+        measured = measure(chapter, arguments, part, f".{shard.number}-of-{shard.of}")
         entries |= study_shards.entries(chapter, json.loads(measured.read_text()))
     head = {"chapters": named, "size": arguments.size, "course": shards.course_version()}
     shards.write(file, "study", shard, head, entries)
@@ -165,9 +167,10 @@ def generate(files: dict):
             beside.unlink(missing_ok=True)
 
 
-def measure(chapter: str, device: str | None = None, size: str | None = None, study: Path | None = None, part: str = "") -> Path:
+def measure(chapter: str, arguments, study: Path | None = None, part: str = "") -> Path:
     """Runs the study with its progress on the terminal, and returns the file of its result. `study`: replaces the
     chapter's own study.json, for a part called `part`."""
+    device, size, rounds = arguments.device, arguments.size, arguments.rounds
     key = part + ("." + re.sub(r"[^a-z0-9]+", "_", device.lower()) if device else "")
     file = BUILD / "study" / f"{chapter}{key}.json"
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -175,11 +178,11 @@ def measure(chapter: str, device: str | None = None, size: str | None = None, st
     if partial.exists():
         warn(f"going on with the study of {chapter} that was interrupted")
     command = [chapter_program(chapter), "--study", file, *(["--device", device] if device else []),
-               *(["--size", size] if size else [])]
+               *(["--size", size] if size else []), *(["--study-rounds", str(rounds)] if rounds else []),
+               *(["--study-file", study] if study else [])]
     code = None
     try:
-        environment = os.environ | ({"LIGHTWALK_STUDY_FILE": str(study)} if study else {})
-        code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL, env=environment).returncode
+        code = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL).returncode
     except OSError as error:
         raise Failure(f"{relative(command[0])}: {error.strerror}") from None
     finally:

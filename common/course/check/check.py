@@ -50,7 +50,8 @@ HELP = """Checks your exercises: lists the solved ones, and the first error of e
   ./course check 02            one chapter
   ./course check 02.phong      one exercise
   ./course check 02 --hint     with a hint for each unsolved exercise
-  ./course progress            one line per chapter
+  ./course check --progress    one line per chapter: how many exercises are solved
+  ./course check --next        one next step: the first unsolved exercise
 
 Exit code 1 while an exercise is unsolved."""
 TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
@@ -62,6 +63,8 @@ PICTURE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.25}
 def add_arguments(parser):
     parser.add_argument("what", nargs="?", default="all", metavar="NN | NN.name | all")
     parser.add_argument("--hint", action="store_true", help="print a hint for each unsolved exercise")
+    parser.add_argument("--progress", action="store_true", help="print one line per chapter")
+    parser.add_argument("--next", action="store_true", help="name one next step")
     parser.add_argument("--json", action="store_true", help="print one JSON object per exercise")
 
 
@@ -72,15 +75,15 @@ def run(arguments, _rest) -> int:
     results, verdicts = [], Verdicts()
     with Progress("checking") as progress:
         for number, (chapter, exercise) in enumerate(selected):
-            if progress.terminal or arguments.command == "progress":  # elsewhere each result is a line
+            if progress.terminal or arguments.progress:  # elsewhere each result is a line
                 progress.show(number, len(selected), exercise)
             of = version(exercises(chapter)[exercise].read_bytes())
             results.append(check(chapter, exercise))
             verdicts.keep(exercise, of, results[-1])
-            if arguments.command == "check":
+            if not arguments.progress:
                 progress.clear()
                 show(results[-1], arguments)
-    if arguments.command == "progress":
+    if arguments.progress:
         show_progress(named, results, arguments.json)
     elif not arguments.json:
         say(summary(results))
@@ -152,11 +155,11 @@ def compiler_said(chapter: str, exercise: str, root: Path) -> str:
 
 
 def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
-                  **environment) -> dict:
+                  options=(), **environment) -> dict:
     """The protocol's object, or a substitute if the program (the chapter's own) gave none."""
     program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
     try:
-        done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
+        done = subprocess.run([program, "--exercise", exercise, "--use", use, *options], cwd=root, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                               env=os.environ | environment, timeout=TIMEOUT_S)
     except OSError as error:

@@ -12,8 +12,8 @@ HELP = """Names one next step: the first exercise that is not solved, its lesson
 An exercise that you have changed since it was checked last is checked now. Exit code 0."""
 
 
-def add_arguments(_parser):
-    pass
+def add_arguments(parser):
+    parser.add_argument("--next", action="store_true", help="name one next step")
 
 
 def run(_arguments, _rest) -> int:

@@ -1,4 +1,4 @@
-"""The starters as they were handed out, by their digests: tests/starters.txt, which ./course quote writes.
+"""The starters as they were handed out, by their digests: tests/starters.txt, which ./course docs --quote writes.
 
 A student's own commits do not matter to it, and a handout without git has it too. A digest leaves white space out,
 because an editor may end lines or the file in its own way."""
@@ -48,4 +48,4 @@ def check_starters(write: bool = False) -> list[str]:
         write_atomically(ROOT / LIST, is_so)
         return []
     new = sorted({line.split()[-1] for line in set(is_so.splitlines()) ^ set(there.splitlines())})
-    return [f"{LIST}: the starter {name} is not in it; ./course quote writes it" for name in new]
+    return [f"{LIST}: the starter {name} is not in it; ./course docs --quote writes it" for name in new]

@@ -23,7 +23,7 @@ from tree import BUILD, ROOT, Failure, UsageError, exercises, find_chapter, has_
 
 HELP = """Judges a chapter's stretch task: an exercise that reaches the error of the reference, in less time.
 
-  ./course stretch 02           your version against the reference, drawn alternately
+  ./course study 02 --stretch   your version against the reference, drawn alternately
 
 It prints the error and the time of both, and what is still missing. Exit code 1 while the task is not met."""
 ROUNDS, FRAMES = 7, 5
@@ -31,6 +31,7 @@ ROUNDS, FRAMES = 7, 5
 
 def add_arguments(parser):
     parser.add_argument("chapter", metavar="NN")
+    parser.add_argument("--stretch", action="store_true", help="judge the stretch task")
     parser.add_argument("--json", action="store_true", help="print a JSON object")
 
 

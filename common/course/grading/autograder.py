@@ -12,14 +12,14 @@ from tree import ROOT, Failure, UsageError, chapters, exercises, find_chapter, g
 
 HELP = """Writes an autograder for platforms that collect answers themselves.
 
-  ./course autograder FOLDER                  FOLDER/gradescope and FOLDER/classroom, each with a README
-  ./course autograder FOLDER --chapter 02     of one chapter's exercises
+  ./course handout FOLDER --autograder                  FOLDER/gradescope and FOLDER/classroom, each with a README
+  ./course handout FOLDER --autograder --chapter 02     of one chapter's exercises
 
 What these run on their machines:
 
-  ./course autograder --prepare               build what grading takes
-  ./course autograder --grade SUBMISSION      grade one student's files, and print Gradescope's results.json
-  ./course autograder --classroom FILE        from what ./course check --json printed: GitHub Classroom's points
+  ./course handout --autograder --prepare               build what grading takes
+  ./course handout --autograder --grade SUBMISSION      grade one student's files, and print Gradescope's results.json
+  ./course handout --autograder --classroom FILE        from what ./course check --json printed: GitHub Classroom's points
 
 Gradescope's container must allow namespaces: students' code runs in bubblewrap alone, and where that cannot be there are no
 results, which Gradescope reports to you. A classroom's workflow runs in the student's repository, without references: what it
@@ -31,6 +31,7 @@ CHECKOUT = "actions/checkout@08c6903cd8c0fde910a37f88322edcfb5dd907a8"
 
 
 def add_arguments(parser):
+    parser.add_argument("--autograder", action="store_true", help="write an autograder")
     parser.add_argument("folder", nargs="?", type=Path, metavar="FOLDER")
     parser.add_argument("--chapter", metavar="NN", help="only the exercises of this chapter")
     parser.add_argument("--rules", type=Path, metavar="FILE", help="weights and points, as ./course grade takes them")
@@ -41,7 +42,7 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     if sum(map(bool, (arguments.folder, arguments.prepare, arguments.grade, arguments.classroom))) != 1:
-        raise UsageError("one of FOLDER, --prepare, --grade and --classroom; see ./course autograder --help")
+        raise UsageError("one of FOLDER, --prepare, --grade and --classroom; see ./course handout --autograder --help")
     if arguments.classroom:
         return say_points(arguments.classroom)
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
@@ -151,7 +152,7 @@ apt-get install -y --no-install-recommends {packages()}
 mkdir -p /autograder/course
 tar -xzf /autograder/source/course.tar.gz -C /autograder/course
 cd /autograder/course
-./course autograder --prepare{chapter}
+./course handout --autograder --prepare{chapter}
 chmod -R o+rX /autograder/course
 """, "gradescope/run_autograder": f"""#!/usr/bin/env bash
 # Run for each submission, which lies in /autograder/submission. What this machine fails at leaves no results, which
@@ -159,7 +160,7 @@ chmod -R o+rX /autograder/course
 set -e
 cd /autograder/course
 {'cp /autograder/source/rules.json .' if rules else ':'}
-./course autograder --grade /autograder/submission{chapter}{rules} >/autograder/results/results.json.part
+./course handout --autograder --grade /autograder/submission{chapter}{rules} >/autograder/results/results.json.part
 mv /autograder/results/results.json.part /autograder/results/results.json
 """, "gradescope/README.md": """# The course as a Gradescope autograder
 
@@ -190,7 +191,7 @@ jobs:
       - name: The checks
         run: ./course check {what} --json >results.jsonl || true
       - name: The points
-        run: ./course autograder --classroom results.jsonl
+        run: ./course handout --autograder --classroom results.jsonl
 """, "classroom/README.md": """# A starter repository
 
     ./course handout starter                the course without its solutions, into a folder of its own

@@ -26,7 +26,9 @@ need a reference for drawing are left out. Only files known to git are handed ou
 answers are not copied.
 
 Code that would give answers away (the checks and their references) is handed out compiled: the students' machines need the
-same kind of processor and the same release of the system as this one. --sources hands it out as source."""
+same kind of processor and the same release of the system as this one. --sources hands it out as source.
+
+  ./course handout FOLDER --autograder    an autograder for Gradescope and a workflow for GitHub Classroom; --autograder --help"""
 
 # Compiled on this machine, as an object beside where the source was.
 COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/read_floats.cpp",

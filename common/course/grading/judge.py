@@ -269,10 +269,11 @@ class Judge:
         except ToolFailed as failed:
             return {"ok": False, "first_failure": str(failed), "suspect": str(failed)}
         ends = [*os.pipe(), *os.pipe()]  # questions: read, write; answers: read, write
-        draws = self.has_trial(exercise)
+        draws = self.has_trial(exercise)  # and looks after the time of its calls itself
+        limit = {} if draws else {"LIGHTWALK_TIMEOUT_S": self.call_s}
         with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
                           Limits((6 if draws else 1) * GIB, JUDGE_S + 5, device=draws),
-                          {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CALL_LIMIT_S": self.call_s},
+                          {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp"} | limit,
                           pass_fds=(ends[0], ends[3]), out=False):
             found = self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
             if not found["ok"] and "suspect" not in found and " ended the program" in found["first_failure"]:
@@ -319,9 +320,9 @@ class Judge:
     def decide(self, exercise: str, seed: int, source: Path | None, worker=(), ours=()) -> dict:
         """Runs the checks, on a shader or on a process that answers, and reads their verdict."""
         nonce = secrets.token_hex(16)
-        environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_NONCE": nonce,
-                       "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_CALL_LIMIT_S": self.call_s, "LIGHTWALK_WORKER": ",".join(map(str, worker))}
-        with self.started(["/grade/judge", "--exercise", exercise], self.judge_mounts(exercise, source),
+        environment = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp", "LIGHTWALK_CHECK_SEED": seed, "LIGHTWALK_TIMEOUT_S": self.call_s}
+        ends = ["--worker", ",".join(map(str, worker))] if worker else []
+        with self.started(["/grade/judge", "--exercise", exercise, "--nonce", nonce, *ends], self.judge_mounts(exercise, source),
                           Limits(6 * GIB, JUDGE_S, device=True), environment, pass_fds=worker) as running:
             for end in ours:  # so that each side sees the other's end
                 os.close(end)

@@ -75,7 +75,7 @@ class Pictures:
                     start_s = time.monotonic()
                     sealed = folder / f"{name}.shaders"
                     sealed.mkdir(parents=True, exist_ok=True)
-                    render(chapter, ["--shot", name, "--size", SIZE], picture, LIGHTWALK_SHADERS_INTO=str(sealed))
+                    render(chapter, ["--shot", name, "--size", SIZE, "--shaders-into", sealed], picture)
                     write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
                 times_s[name] = float(took.read_text())
         return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
@@ -101,13 +101,12 @@ class Pictures:
     def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
         """The fault in one shot; empty for none. Raises DriverEnded."""
         picture = source.parent / f"{shot}.png"
-        surroundings = {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S}
-        if source.suffix == ".cpp":
-            surroundings["LIGHTWALK_SHADERS_FROM"] = "/grade/shaders"
+        sealed = ["--shaders-from", "/grade/shaders"] if source.suffix == ".cpp" else []
         with picture.open("w+b") as out:
             with judge.started(["/grade/program", "--shot", shot, "--size", SIZE, "--use",
-                                f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}"],
-                               self.drawing_mounts(exercise, source, program, expected, judge), DRAWING, surroundings,
+                                f"solution,{exercise}=exercise", "--screenshot", f"/dev/fd/{out.fileno()}", *sealed],
+                               self.drawing_mounts(exercise, source, program, expected, judge), DRAWING,
+                               {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_TIMEOUT_S": PASS_S},
                                pass_fds=(out.fileno(),)) as running:
                 done = running.finish()
         if done.late:

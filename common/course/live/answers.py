@@ -16,7 +16,7 @@ from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shot
 MOST_BYTES = 1 << 18  # of an exercise; the longest starter has 4 KiB
 CHECK_S = 900  # with a build from nothing
 # A picture at rest is drawn with four times the samples where that takes at most so long: never, or however long, as asked.
-REFINE_MS = {"off": 0, "on": 1_000_000}
+REFINE_MS = {"off": 0, "auto": 4000, "on": 1_000_000}  # longest picture of which a finer one is drawn
 
 
 class Refused(Exception):
@@ -77,7 +77,7 @@ def write(exercise: str, text, base) -> dict:
     return {"exercise": exercise, "version": version(data)}
 
 
-def catalogue() -> dict:
+def catalogue(refine: str = "auto") -> dict:
     """The pages' data about the course: shots and exercises by chapter, and the lessons' other pictures."""
     def one(chapter: str) -> dict:
         return {"shots": {shot["name"]: {key: shot[key] for key in ("caption", "size", "time_s", "set", "exercises")
@@ -86,7 +86,7 @@ def catalogue() -> dict:
                               for name in in_order(chapter)]}
     pictures = {name: {"columns": made()[name]["columns"], "cells": cells(name)} for name in made()}
     return {"chapters": {chapter: one(chapter) for chapter in chapters()}, "pictures": pictures, "solutions": has_solutions(),
-            "refine_ms": REFINE_MS.get(os.environ.get("LIGHTWALK_REFINE"), 4000)}
+            "refine_ms": REFINE_MS[refine]}
 
 
 async def run(words: list, say, limit_s: float = CHECK_S) -> tuple[int, str]:

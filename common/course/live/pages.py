@@ -15,23 +15,19 @@ from tornado.web import HTTPError
 from tree import ROOT, chapter_program, chapters, shots
 
 SITE = Path(__file__).parent / "site"
-CODEMIRROR = Path("/usr/share/javascript/codemirror")
-EDITOR = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js",
-          "addon/edit/closebrackets.js", "addon/comment/comment.js"]
 SCRIPTS = ["client.js", "picture.js", "knobs.js", "panel.js", "exercise.js", "chart.js", "start.js"]
 STYLES = ["live.css"]
-OURS = {f"cm/{name}": CODEMIRROR / name for name in EDITOR} | {name: SITE / name for name in [*SCRIPTS, *STYLES]}
+OURS = {name: SITE / name for name in [*SCRIPTS, *STYLES]}
 LIST_S = 60
-# Scripts that edit and draw without a server, named like ours.
-ALONE = re.compile(rb'<script src="[^"]*assets/run/[^"]*"></script>')
+# Scripts that check and draw without a server.
+ALONE = re.compile(rb'<script src="[^"]*assets/run/(?!exercise)[^"]*"></script>')
 
 
 def head(depth: int) -> str:
     """Additions to a page where the server answers; without them it equals the one on disk."""
     up = "../" * depth
-    names = [*(f"cm/{name}" for name in EDITOR), *STYLES, *SCRIPTS]
-    return "".join(f'<link rel="stylesheet" href="{up}live/{name}">' if name.endswith(".css") else
-                   f'<script defer src="{up}live/{name}"></script>' for name in names)
+    return "".join(f'<link rel="stylesheet" href="{up}live/{name}">' for name in STYLES) + \
+           "".join(f'<script defer src="{up}live/{name}"></script>' for name in SCRIPTS)
 
 
 class Page(Guarded):
@@ -105,7 +101,7 @@ class Answer(Guarded):
 
 class Course(Answer):
     def get(self):
-        self.say(answers.catalogue() | {"progress": self.application.verdicts.progress()})
+        self.say(answers.catalogue(self.application.refine) | {"progress": self.application.verdicts.progress()})
 
 
 class Knobs(Answer):

@@ -68,7 +68,7 @@ class Program:
     async def start(self):
         self.started_from = self.version()
         self.process = await asyncio.create_subprocess_exec(
-            chapter_program(self.chapter), "--stream", cwd=ROOT, limit=LINE_BYTES, stdin=asyncio.subprocess.PIPE,
+            chapter_program(self.chapter), "--pictures", cwd=ROOT, limit=LINE_BYTES, stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE, start_new_session=True)
         self.said.clear()
         self.reader = asyncio.ensure_future(self.listen(self.process.stderr))

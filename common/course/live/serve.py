@@ -36,6 +36,8 @@ def add_arguments(parser):
     parser.add_argument("--behind", metavar="HOST", help="the name, with its port if it has one, that a proxy in front is "
                         "reached by; without a token only with --socket")
     parser.add_argument("--open", action="store_true", help="open the pages in the browser")
+    parser.add_argument("--refine", choices=("auto", "on", "off"), default="auto", help="whether pictures at rest gather samples: "
+                        "if that takes at most 4 s (auto), always, or never")
     parser.add_argument("--no-build", action="store_true", help="serve what is built")
 
 
@@ -109,7 +111,7 @@ def answers_at(path: Path) -> bool:
         return True
 
 
-def application(folder: Path, guard, can_build: bool):
+def application(folder: Path, guard, can_build: bool, refine: str):
     import tornado.web
     from live import charts, pages
     from live.answers import Verdicts
@@ -123,6 +125,7 @@ def application(folder: Path, guard, can_build: bool):
         (r"/(.*)", pages.Page, {"folder": folder})], websocket_max_message_size=MESSAGE_BYTES, websocket_ping_interval=20,
         websocket_ping_timeout=60)
     made.guard, made.programs, made.verdicts, made.knobs, made.charts, made.closing = guard, Programs(), Verdicts(), {}, {}, False
+    made.refine = refine
     made.waiting = collections.OrderedDict()  # connections on which nobody has shown a token
     made.work = Work(made, can_build)
     made.check = lambda exercise: made.work.start("check", exercise)
@@ -168,7 +171,7 @@ async def serve(arguments, listening, where, folder: Path) -> int:
         hosts |= {f"{name}:{where[1]}" for name in (where[0], "localhost", "127.0.0.1")}
     elif not hosts:
         hosts = {"localhost"}
-    made = application(folder, Guard(token, hosts), not arguments.no_build)
+    made = application(folder, Guard(token, hosts), not arguments.no_build, arguments.refine)
     server = server_class()(made, max_body_size=BODY_BYTES, max_header_size=1 << 15, body_timeout=30, idle_connection_timeout=120)
     server.add_socket(listening)
     address = f"http://{where[0]}:{where[1]}/?token={token}" if where else f"unix:{arguments.socket}"

@@ -15,9 +15,9 @@ from tree import BUILD, Failure, UsageError, find_lesson, lesson_pages, lessons,
 ALONE = True
 HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents, numbered figures and the answers at its end.
 
-  ./course book                 all chapters
-  ./course book 02 05           some of them
-  ./course book --out FILE"""
+  ./course docs --book          all chapters
+  ./course docs --book 02 05           some of them
+  ./course docs --book --out FILE"""
 # Debian's Chromium without windows (its command in /usr/bin is a script that outlives its child), or any with them.
 BROWSERS = ("/usr/lib/chromium/chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 PRINTING_S = 1800
@@ -26,6 +26,7 @@ MOST_SIDE, QUALITY = 1100, 80  # of pictures, in pixels and as JPEG: 9 cm at 300
 
 
 def add_arguments(parser):
+    parser.add_argument("--book", action="store_true", help="make a PDF")
     parser.add_argument("chapters", nargs="*", metavar="NN", help="numbers or names of chapters")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the PDF (build/book/lightwalk.pdf)")
 

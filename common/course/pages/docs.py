@@ -27,7 +27,14 @@ They open without a server and without a network, with typeset formulas, coloure
 
   ./course docs                 write the pages
   ./course docs --open          write the pages and open them in the browser
-  ./course docs --site FOLDER   write a site for any static host (docs/publish.md)"""
+  ./course docs --site FOLDER   write a site for any static host (docs/publish.md)
+
+What else is made of lessons; each takes --help:
+
+  ./course docs --slides [02]   slides of a lesson, one HTML file that needs no network
+  ./course docs --book          one PDF of all lessons
+  ./course docs --quote         fill the code and tables that lessons quote from the source
+  ./course docs --check [02]    run what lessons name, and compare the output with the text"""
 KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",

@@ -1,7 +1,7 @@
 """Charts of chapter 19's film: each scene's cost on each system, on a page; and the savings if each scene is drawn by the cheapest
 sufficient way.
 
-    ./course film --page PAGE.html A.json B.json          benchmarks (chapter 19's --benchmark)
+    ./course run 19 --page PAGE.html A.json B.json        benchmarks (chapter 19's --benchmark)
     python3 common/course pages.film_page WAYS.json OUT  OUT.svg and OUT.png of chapter 19's --ways; OUT.budgets.json
 
 The scenes' ways are judged by their mean FLIP against the first one with many samples a pixel, at three times of the scene.

@@ -59,7 +59,7 @@ def start_film() -> Path | None:
         film, drawn, made = (Path(folder, name) for name in ("start.film", "drawn.mp4", "made.mp4"))
         film.write_text(cut)
         # The film's own command, as a person would type it: it knows the codecs.
-        for command in (["./course", "film", drawn, "--scene", film, *DRAWN_AS], ["ffmpeg", "-v", "error", "-i", drawn, *ENCODED_AS, made]):
+        for command in (["./course", "run", "19", "--film", drawn, "--scene", film, *DRAWN_AS], ["ffmpeg", "-v", "error", "-i", drawn, *ENCODED_AS, made]):
             if subprocess.run(command, cwd=docs.ROOT, stdout=subprocess.DEVNULL).returncode:
                 raise Failure(f"the start page's film could not be written: {command[0]} failed; --no-film leaves it out")
         made.replace(out)

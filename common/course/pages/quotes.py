@@ -4,7 +4,7 @@ A lesson quotes code by a marker. In docs/NN_name.md
 
     <!-- quote: chapters/01_obj/main.cpp#frame -->
     ```cpp
-    (filled by ./course quote)
+    (filled by ./course docs --quote)
     ```
 
 and in main.cpp the lines between `// [frame]` and `// [/frame]`, each on a line of its own. The block equals them
@@ -29,7 +29,7 @@ LINK = re.compile(r"(?:!?\[[^\]]*|(?<=\))[^\[\]()]*)\]\(<?([^)\s>]+)>?[^)]*\)|(?
 
 
 def add_arguments(parser):
-    pass
+    parser.add_argument("--quote", action="store_true", help="fill what is quoted")
 
 
 def run(_arguments, _rest) -> int:
@@ -91,7 +91,7 @@ def check_quotes(lesson: Path, write: bool = False) -> list[str]:
             wrong.append(f"{here}: {failure}")
             source = body
         if body != source and not write:
-            wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course quote fills it")
+            wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course docs --quote fills it")
         out += [lines[i], *source, lines[end]]
         i = end + 1
     wrong_tables, out = check_tables(lesson, out, write)

@@ -6,10 +6,11 @@ import shutil
 from pathlib import Path
 
 from pages import in_browser
-from tree import ROOT, Failure, write_atomically
+from pages.quotes import quoted
+from tree import ROOT, Failure, chapters, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
-SCRIPTS = ["gl.js", "undefined.js", "tables.js", "program.js", "answers.js", "states.js"]
+SCRIPTS = ["gl.js", "undefined.js", "tables.js", "program.js", "exercise.js", "answers.js", "states.js"]
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 EDITOR = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js",
           "addon/edit/closebrackets.js", "addon/comment/comment.js"]
@@ -32,11 +33,11 @@ def write(assets: Path):
 
 
 def scenes() -> dict[str, dict]:
-    """docs/minimal/scenes.json, each with the text that it draws where that is not the lesson's own listing."""
+    """docs/minimal/scenes.json, each with the text that it draws where no lesson lists it."""
     if not (MINIMAL / "scenes.json").exists():
         return {}
     found = json.loads((MINIMAL / "scenes.json").read_text(encoding="utf-8"))
     for name, scene in found.items():
-        if (twin := MINIMAL / "twins" / f"{name}.frag").exists():
-            scene["text"] = twin.read_text(encoding="utf-8")
+        if name not in chapters():
+            scene["text"] = "\n".join(quoted((MINIMAL / f"{name}.frag").relative_to(ROOT), "minimal")) + "\n"
     return found

@@ -11,8 +11,8 @@ from tree import BUILD, ROOT, UsageError, chapter_title, find_lesson, lessons, r
 
 HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one file that needs no network.
 
-  ./course slides 02               arrow keys, space or a click; F fills the screen; printed, a slide is a page
-  ./course slides 02 --out FOLDER
+  ./course docs --slides 02        arrow keys, space or a click; F fills the screen; printed, a slide is a page
+  ./course docs --slides 02 --out FOLDER
 
 Without a chapter, it makes those of all lessons."""
 MOST_BULLETS = 5
@@ -22,6 +22,7 @@ SENTENCE = re.compile(r"(?<=[.!?])[\"')*]*(?=\s+[^\s])")
 
 
 def add_arguments(parser):
+    parser.add_argument("--slides", action="store_true", help="make slides")
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the lesson")
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the files (build/slides)")
 

@@ -12,7 +12,6 @@ import re
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from charts.drawn import study_of
@@ -40,24 +39,6 @@ def state(chapter: str, shot: str, knob: str = "", value: str = "") -> Picture:
     return Picture(chapter, shot, ("--shot", shot, "--size", size, "--samples", samples, *given))
 
 
-@dataclass
-class Shown:
-    """A shot of a page with the states that its pictures can show: values by knob, in the order of the text."""
-    shot: str
-    places: list[int] = field(default_factory=list)  # of its elements in the page
-    values: dict[str, list[str]] = field(default_factory=dict)
-
-    def has_room(self) -> bool:
-        return sum(map(len, self.values.values())) < MOST_STATES
-
-    def takes(self, knob: str, value: str) -> bool:
-        """Adds a state while there is room. True if the shot has it."""
-        known = self.values.setdefault(knob, [])
-        if value not in known and self.has_room():
-            known.append(value)
-        return value in known
-
-
 def given(chapter: str, shot: str, knob: dict, knobs: list[dict]) -> str:
     """The value that a knob has in a shot, as --set takes it."""
     for name, value in shot_of(chapter, shot).get("set", {}).items():
@@ -66,37 +47,47 @@ def given(chapter: str, shot: str, knob: dict, knobs: list[dict]) -> str:
     return knob_links.default_text(knob)
 
 
-def planned(page: str, chapter: str, knobs: list[dict]) -> list[Shown]:
-    """The shots of a page and their states. A value in the text goes to the picture above it, or to the next one with room; a knob
-    without a value brings all its options; the page's other values fill the rest."""
-    shown: dict[str, Shown] = {}
+def planned(page: str, chapter: str, knobs: list[dict]) -> list[tuple[str, str, str]]:
+    """The states of a page's pictures: (shot, knob, value), at most MOST_STATES of a shot. A value in the text goes to the picture
+    above it, or to the next one with room; a knob without a value brings all its options; the page's values fill the rest."""
+    places, plan = places_of_shots(page, chapter), []
+    marks = knob_links.Marks(page, knobs).found
+    valued = [mark for mark in marks if mark[2] is not None]
+
+    def near(place: int) -> list[str]:
+        return sorted(places, key=lambda shot: min(place - at if at < place else 2 * len(page) for at in places[shot]))
+
+    def count(shot: str) -> int:
+        return sum(one[0] == shot for one in plan)
+
+    def add(shot: str, knob: dict, value: str) -> bool:
+        """True if the shot has the state."""
+        entry = (shot, knob["name"], value)
+        if entry not in plan and count(shot) < MOST_STATES and not same(value, given(chapter, shot, knob, knobs)):
+            plan.append(entry)
+        return entry in plan
+    for place, knob, value in valued:
+        next((shot for shot in near(place) if add(shot, knob, value)), None)
+    for place, knob, value in marks:
+        if value is None and places:
+            has = {entry[0] for entry in plan if entry[1] == knob["name"]}
+            shot = next((one for one in near(place) if one in has or count(one) < MOST_STATES), near(place)[0])
+            named = [other for _, one, other in valued if one is knob]
+            for one in knob_links.options(knob) or [*named, *around(knob, given(chapter, shot, knob, knobs))]:
+                add(shot, knob, one)
+    for shot in places:
+        for _, knob, value in valued:
+            add(shot, knob, value)
+    return plan
+
+
+def places_of_shots(page: str, chapter: str) -> dict[str, list[int]]:
+    """Where a page has pictures of its chapter's shots."""
+    places = {}
     for image in IMAGE.finditer(page):
         if image[1] == chapter:
-            shown.setdefault(image[2], Shown(image[2])).places.append(image.start())
-    named, by_name = knob_links.Marks(page, knobs).found, {}
-    for _, knob, value in named:
-        if value is not None:
-            by_name.setdefault(knob["name"], []).append(value)
-
-    def give(one: Shown, knob: dict, value: str) -> bool:
-        return not same(value, given(chapter, one.shot, knob, knobs)) and one.takes(knob["name"], value)
-    for bare in (False, True):
-        for place, knob, value in named:
-            if not shown or (value is None) != bare:
-                continue
-            near = sorted(shown.values(), key=lambda one: min(place - at if at < place else 2 * len(page) for at in one.places))
-            if not bare:
-                next((one for one in near if give(one, knob, value)), None)
-                continue
-            roomy = next((one for one in near if one.has_room() or one.values.get(knob["name"])), near[0])
-            base = given(chapter, roomy.shot, knob, knobs)
-            for one in knob_links.options(knob) or [*by_name.get(knob["name"], []), *around(knob, base)]:
-                give(roomy, knob, one)
-    for one in shown.values():
-        for _, knob, value in named:
-            if value is not None:
-                give(one, knob, value)
-    return list(shown.values())
+            places.setdefault(image[2], []).append(image.start())
+    return places
 
 
 def around(knob: dict, base: str) -> list[str]:
@@ -127,34 +118,32 @@ def offer(made: Path, only: list[str]) -> None:
     plans = {page: (chapter, planned(words, chapter, knob_links.knobs_of(chapter))) for page, words in pages.items()
              if (chapter := knob_links.chapter_of(page.stem)) in only}
     points = {name: points_of(name) for page in plans for name in CHART.findall(pages[page])}
-    states = [state(chapter, one.shot, knob, value) for chapter, found in plans.values() for one in found
-              for knob, values in [("", [""] * any(one.values.values())), *one.values.items()] for value in values]
+    states = [state(chapter, *one) for chapter, plan in plans.values() for one in [*((shot,) for shot, *_ in plan), *plan]]
     wrong = draw([*fines, *states, *(picture for found in points.values() for _, picture in found)])
     for picture, words in wrong.items():
         warn(f"{picture.chapter}: {' '.join(picture.words)}: {words}")
     for one in fines:
         if one not in wrong:
             shutil.copyfile(one.file(), made / "tree" / golden_path(one.chapter, one.name).relative_to(ROOT))
-    for page, (chapter, found) in plans.items():
-        words = with_states(made, pages[page], chapter, found, wrong)
+    for page, (chapter, plan) in plans.items():
+        words = with_states(made, pages[page], chapter, plan, wrong)
         page.write_text(CHART.sub(lambda image: with_points(made, image, points[image[1]], wrong), words), encoding="utf-8")
 
 
-def with_states(made: Path, page: str, chapter: str, shown: list[Shown], wrong: dict) -> str:
+def with_states(made: Path, page: str, chapter: str, plan: list, wrong: dict) -> str:
     """The page with marks at its knobs and states at its pictures, but for those that look like the picture as it is."""
     knobs, places = knob_links.knobs_of(chapter), []
-    for one in shown:
-        base, entries = state(chapter, one.shot), []
-        for name, values in one.values.items():
-            drawn = {value: state(chapter, one.shot, name, value) for value in values}
-            files = {value: put(made, picture) for value, picture in drawn.items()
-                     if picture not in wrong and picture.file().read_bytes() != base.file().read_bytes()}
+    for shot, there in places_of_shots(page, chapter).items():
+        base, entries = state(chapter, shot), {}
+        for _, name, value in (one for one in plan if one[0] == shot):
+            picture = state(chapter, shot, name, value)
+            if picture in wrong or picture.file().read_bytes() == base.file().read_bytes():
+                continue
             knob = next(knob for knob in knobs if knob["name"] == name)
-            if files:
-                entries.append({"knob": name, "help": knob["help"], "unit": knob.get("unit", ""), "number": knob_links.is_number(knob),
-                                "base": given(chapter, one.shot, knob, knobs), "files": files})
+            entries.setdefault(name, {"knob": name, "help": knob["help"], "unit": knob.get("unit", ""), "number": knob_links.is_number(knob),
+                                      "base": given(chapter, shot, knob, knobs), "files": {}})["files"][value] = put(made, picture)
         if entries:
-            places += [(place, {"base": put(made, base), "knobs": entries}) for place in one.places]
+            places += [(place, {"base": put(made, base), "knobs": list(entries.values())}) for place in there]
     for place, told in sorted(places, key=lambda one: -one[0]):
         page = with_attribute(page, place, "states", told)
     return knob_links.marked(page, knobs)

@@ -1,6 +1,6 @@
 """Figures that lessons take from a study's JSON: rows of tables, and numbers in running text.
 
-A table's rows are written by ./course quote. A comment before the table has the settings of all cells, then a line with
+A table's rows are written by ./course docs --quote. A comment before the table has the settings of all cells, then a line with
 those of each column, then a line for each row; the first column stays as it is.
 
     <!-- table: docs/studies/13_mlaa.lavapipe.json#value=edge_rmse; format=.3f
@@ -28,7 +28,7 @@ A number in running text is followed by its source, and is right where the sourc
 
 `tolerance=5%` allows more. In a path, `*` is the mean over a list, and names joined by + are a sum. A constant's source is a
 line of the code, in which {} stands for the number: common/window/sound_player.cpp#fade_s = {}; scale=1000. Sources that are
-commands are read by ./course figures (test/figures.py).
+commands are read by ./course docs --check (test/figures.py).
 """
 
 import functools
@@ -255,7 +255,7 @@ def check_tables(lesson: Path, lines: list[str], write: bool = False) -> tuple[l
             wrong.append(f"{here}: {match[1]}: {error}")
             new = old
         if new != old and not write:
-            wrong += [f"{here}: {match[1]} has {' | '.join(b)}, the table {' | '.join(a)}; ./course quote fills it"
+            wrong += [f"{here}: {match[1]} has {' | '.join(b)}, the table {' | '.join(a)}; ./course docs --quote fills it"
                       for a, b in zip(old, new) if a != b]
         out += lines[begin:begin + 2]
         out += [indent + "| " + " | ".join(row) + " |" if row != was else line

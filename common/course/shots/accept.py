@@ -1,7 +1,6 @@
 """Makes the pictures of now the goldens, and measures how far drivers differ from them. The only way to change either."""
 
 import json
-import os
 import sys
 from pathlib import Path
 
@@ -14,7 +13,6 @@ from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_at
 
 # llvmpipe limited to an older processor. Other devices ignore it.
 PROCESSORS = {name: {"GALLIUM_OVERRIDE_CPU_CAPS": name} for name in ("avx", "sse4.1")}
-SECOND = "LIGHTWALK_SECOND_DRIVER"
 
 ALONE = True
 HELP = """Renders shots with the reference and makes them the goldens of tests/NN_name/golden, after listing
@@ -26,8 +24,8 @@ the changes with their size. Look at each picture first: the tests take every ac
 
 An empty picture, or one with NaN in it, is refused.
 
-Each shot is drawn again by Mesa's llvmpipe restricted to AVX and to SSE4.1, and by a second driver: set LIGHTWALK_SECOND_DRIVER
-to its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. How
+Each shot is drawn again by Mesa's llvmpipe restricted to AVX and to SSE4.1, and by a second driver: --second-driver names
+its manifest (an ICD's .json, as Vulkan's loader takes it in VK_DRIVER_FILES), for instance another Mesa's lavapipe. How
 far these are from the golden goes to tests/NN_name/golden/distances.json; the tests allow three times as much, and never
 less than what common/course/shots/golden.py says. Where a distance is large, mend the shader or the scene first: a ray that
 just hits or just misses, or texture coordinates far from 0."""
@@ -35,12 +33,13 @@ just hits or just misses, or texture coordinates far from 0."""
 
 def add_arguments(parser):
     parser.add_argument("shot", nargs="?", default="", metavar="NN[.SHOT]")
+    parser.add_argument("--second-driver", type=Path, metavar="FILE", help="manifest of a second Vulkan driver")
     parser.add_argument("--yes", action="store_true", help="accept without asking")
 
 
 def run(arguments, _rest) -> int:
     found = find_shots(arguments.shot)
-    drivers = other_drivers()
+    drivers = other_drivers(arguments.second_driver)
     build(sorted({chapter for chapter, _ in found} | {"compare"}))
     pictures, distances, new, refused = {}, {}, [], 0
     with Progress("rendering") as progress:
@@ -71,15 +70,14 @@ def run(arguments, _rest) -> int:
     return 1 if refused else 0
 
 
-def other_drivers() -> dict:
+def other_drivers(manifest: Path | None) -> dict:
     """Drivers to compare with the usual one: a name, and its environment. Reports if there is no second."""
-    manifest = os.environ.get(SECOND)
     if not manifest:
-        say(f"{SECOND} is not set: no second driver is measured (./course accept --help)")
+        say("without --second-driver FILE no second driver is measured (./course accept --help)")
         return PROCESSORS
-    if not Path(manifest).is_file():
-        raise UsageError(f"{SECOND} is {manifest}, which is not a file; it takes a Vulkan driver's manifest (.json)")
-    return PROCESSORS | {"second driver": {"VK_DRIVER_FILES": str(Path(manifest).absolute())}}
+    if not manifest.is_file():
+        raise UsageError(f"--second-driver {manifest}: is not a file; it takes a Vulkan driver's manifest (.json)")
+    return PROCESSORS | {"second driver": {"VK_DRIVER_FILES": str(manifest.absolute())}}
 
 
 def judge(chapter: str, shot: dict) -> tuple[str, Path, bool]:

@@ -119,7 +119,7 @@ class Drawing(Asked):
     def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
         """(exit code, error, text on stderr)."""
         answer, said, code = self.ask([*map(str, options), "--screenshot", str(picture)])
-        return (*answer.values(), said) if answer else (code, last_words(said), said)
+        return (answer["code"], answer["error"], said) if answer else (code, last_words(said), said)
 
 
 def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) -> list[str]:

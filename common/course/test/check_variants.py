@@ -34,9 +34,9 @@ class Checks:
 
     def start(self):
         # Options that compile checks' shaders fast make pictures slow.
-        environment = os.environ | {"GALLIVM_PERF": "nopt", "LIGHTWALK_PROBE_STRICT": "1"}
+        environment = os.environ | {"GALLIVM_PERF": "nopt"}
         try:
-            self.process = subprocess.Popen([self.program, "--requests"], cwd=ROOT, env=environment, text=True, errors="replace",
+            self.process = subprocess.Popen([self.program, "--requests", "--strict"], cwd=ROOT, env=environment, text=True, errors="replace",
                                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         except OSError as error:
             raise Failure(f"{relative(self.program)}: {error.strerror}") from None

@@ -24,9 +24,9 @@ from tree import BUILD, ROOT, UsageError, chapters, find_chapter, run_on_chapter
 
 HELP = """Runs the tests that lessons name, and prints their output beside the lesson's lines: every figure can be measured again.
 
-  ./course figures              all lessons
-  ./course figures 08           one lesson
-  ./course figures 08 --list    what would be run; builds and runs nothing
+  ./course docs --check          all lessons
+  ./course docs --check 08           one lesson
+  ./course docs --check 08 --list    what would be run; builds and runs nothing
 
 It builds what is needed. Tables of studies and numbers with a source are compared with it, and a chapter's program reads the
 commands that any page prints for it, and draws those that set something. A line that begins with WRONG says where a figure is
@@ -37,6 +37,7 @@ INTERESTING = re.compile(r"^(Filters:|=+$|All tests passed|\s*$)")
 
 
 def add_arguments(parser):
+    parser.add_argument("--check", action="store_true", help="check what lessons say")
     parser.add_argument("chapter", nargs="?", metavar="NN", help="number or name of the chapter")
     parser.add_argument("--list", action="store_true", help="list what would be run")
 
@@ -151,7 +152,7 @@ def test_of(chapter: str) -> list[str]:
     """As a test, of a chapter with built programs: a line for each wrong figure."""
     wrong = sum(check(lesson, False) for lesson in lesson_tests.of_chapters(lessons()) if lesson.stem.startswith(chapter[:2]))
     wrong += check_commands(chapter, False)
-    return [f"{wrong} figures or commands of chapter {chapter} are wrong; ./course figures {chapter[:2]} shows them"] if wrong else []
+    return [f"{wrong} figures or commands of chapter {chapter} are wrong; ./course docs --check {chapter[:2]} shows them"] if wrong else []
 
 
 if __name__ == "__main__":

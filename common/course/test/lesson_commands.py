@@ -1,7 +1,7 @@
 """The commands that pages print: `./course run 08 --shot forge --set method=window` or `build/chapters/08_bloom ...`, in running
 text and in blocks.
 
-A chapter's program reads each of its own, and draws those that set something, small (./course figures). What ./course itself reads
+A chapter's program reads each of its own, and draws those that set something, small (./course docs --check). What ./course itself reads
 is parsed without any program (text_check).
 """
 
@@ -14,7 +14,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from commands import COMMANDS
+from commands import COMMANDS, names, selected
 from pages.quotes import lessons
 from shots.rendering import last_words, render_many, run_program
 from tree import ROOT, UsageError, chapter_program, chapters, exercises, shots
@@ -26,7 +26,7 @@ LOOP = re.compile(r"\bfor (\w+) in ([^;]+);")
 # Options with a value that say how large a picture is, or where it goes.
 ASIDE = ("--size", "--screenshot", "--frames")
 # Options by which a program does something else than draw a picture, or measures for a minute.
-OTHER = ("--study", "--timings", "--capture", "--list", "--help", "--explain", "--dump-mesh", "--load-bench", "--mip-bench", "--film",
+OTHER = ("--study", "--timings", "--capture", "--list", "--help", "--explain", "--dump-mesh", "--load-bench", "--mip-bench",
          "--benchmark", "--ways", "--levels")
 DRAWN = ("--size", "32x18")
 
@@ -65,7 +65,7 @@ def printed_on(page: Path, text: str) -> list[Printed]:
                 here = re.sub(rf"\$(?:{name}\b|\{{{name}\}})", value, here)
             for match in PROGRAM.finditer(here):
                 words = shlex.split(match[3])
-                if words != ["..."] and not {"NAME", "NN"} & set(words):
+                if words != ["..."] and selected("run", words) == "run" and not {"NAME", "NN"} & set(words):
                     found.append(Printed(page, line, match[2] or known.get(match[1], match[1]), tuple(words)))
     return found
 
@@ -108,7 +108,7 @@ def wrong_words(page: Path, text: str) -> list[str]:
     wrong = []
     for line, piece in pieces(text):
         for match in COURSE.finditer(piece):
-            module = importlib.import_module(COMMANDS[match[1]]) if match[1] in COMMANDS else None
+            module = importlib.import_module(COMMANDS[selected(match[1], match[2].split())]) if match[1] in names() else None
             if hasattr(module, "run_words"):
                 continue
             try:

@@ -8,7 +8,7 @@ where a scene is written as in study.json: a file, or {"scene": FILE, "set": {KN
 process, a study, the chapter chooses for each scene and budget, and every candidate is drawn and timed. The error of the
 choice's whole picture may be above the budget only where the rule said that none would do, and none would. The time of
 the choice over that of the cheapest candidate that would have done is asserted in the median: times on a machine that
-does other things too are noisy. LIGHTWALK_NEEDS=all adds "more_scenes" and the chapter's further studies, too slow for a
+does other things too are noisy. --all adds "more_scenes" and the chapter's further studies, too slow for a
 suite: "studies": {"study_NAME.json": {"size": ..., "budgets": ..., "scenes": ...}}. It writes all choices to
 build/needs/NN_name.auto.json, which a lesson quotes from docs/studies/tables. Under "large" the rule may not draw whole
 pictures where crops decide. The first scene also tests --explain --json.
@@ -17,6 +17,7 @@ pictures where crops decide. The first scene also tests --explain --json.
 import itertools
 import json
 import os
+import sys
 import statistics
 from pathlib import Path
 
@@ -68,14 +69,14 @@ def measure(chapter: str, needs: dict, crops: bool, of: str = "study.json") -> d
     name = f"{chapter}.{Path(of).stem}.{'large' if crops else 'small'}"
     file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
     file.write_text(json.dumps(asked, indent=1))
-    return run_study(chapter, out, LIGHTWALK_STUDY_FILE=str(file))
+    return run_study(chapter, out, "--study-file", file)
 
 
 def run_study(chapter: str, out: Path, *options: str, **environment) -> dict:
     """A study from its beginning, with one round of timing, which filling unwritten memory would slow. Raises Failure."""
     out.with_name(out.name + ".partial").unlink(missing_ok=True)
     environment = {"LP_NUM_THREADS": str(os.cpu_count() or 1)} | environment  # a time is that of the whole rasteriser
-    done = run_program([chapter_program(chapter), "--study", out, *options], LIGHTWALK_STUDY_ROUNDS="1", MALLOC_PERTURB_="0",
+    done = run_program([chapter_program(chapter), "--study", out, *options, "--study-rounds", "1"], MALLOC_PERTURB_="0",
                        **environment)
     if done.returncode:
         raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
@@ -147,15 +148,15 @@ def choices(chapter: str, measured: dict) -> dict:
                "error": {"flip_mean": row["worst"]}}
               for (scene, choice), row in zip(said, rows)]
     return {"chapter": chapter, "measured": here(chapter),
-            "command": f"LIGHTWALK_NEEDS=all python3 common/course test.need_test {chapter}",
+            "command": f"python3 common/course test.need_test {chapter} --all",
             **{key: measured[key] for key in ("device", "driver", "size")}, "points": points}
 
 
-def measured_rows(chapter: str, needs: dict) -> list[dict]:
+def measured_rows(chapter: str, needs: dict, everything: bool) -> list[dict]:
     """A row for each choice, and the median's."""
     measured = measure(chapter, needs, crops=False)
     rows = rows_of_study(measured)
-    if os.environ.get("LIGHTWALK_NEEDS") == "all":
+    if everything:
         write_atomically(BUILD / "needs" / f"{chapter}.auto.json", json.dumps(choices(chapter, measured), indent=1) + "\n")
     if "large" in needs:
         large = rows_of_study(measure(chapter, {**needs, **needs["large"]}, crops=True))
@@ -165,14 +166,14 @@ def measured_rows(chapter: str, needs: dict) -> list[dict]:
     return rows + [median_row(rows)]
 
 
-def main(chapter: str) -> list[str]:
+def main(chapter: str, everything: bool = False) -> list[str]:
     needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
-    if os.environ.get("LIGHTWALK_NEEDS") == "all":
+    if everything:
         needs["scenes"] += needs.get("more_scenes", [])
     else:
         needs.pop("studies", None)
     for _ in range(TRIES):
-        rows = measured_rows(chapter, needs)
+        rows = measured_rows(chapter, needs, everything)
         if rows[-1]["ok"]:
             break
     rows.append(command_line_row(chapter, needs))
@@ -183,4 +184,6 @@ def main(chapter: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    run_on_chapter(main)
+    everything = "--all" in sys.argv
+    sys.argv = [word for word in sys.argv if word != "--all"]
+    run_on_chapter(lambda chapter: main(chapter, everything))

@@ -36,11 +36,12 @@ def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
     file = BUILD / "study" / f"{name}.{chapter}.json"
     size = "x".join(str(side) for side in study.get("test_size", SIZE))
     file.parent.mkdir(parents=True, exist_ok=True)
+    options = []
     if study["scenes"] != study_of(chapter)["scenes"]:
         short = file.with_suffix(".study.json")
         short.write_text(json.dumps({key: value for key, value in study.items() if key != "charts"}))
-        environment["LIGHTWALK_STUDY_FILE"] = str(short)
-    return run_study(chapter, file, "--size", size, **environment)
+        options = ["--study-file", short]
+    return run_study(chapter, file, "--size", size, *options, **environment)
 
 
 def rows_of(chapter: str) -> list[dict]:
@@ -64,9 +65,9 @@ def rows_of(chapter: str) -> list[dict]:
 def whole_row(chapter: str, file: Path) -> dict:
     """A study that this test does not run, or not with all of its scenes, can be read: zero rounds are refused only after
     reading."""
-    done = run_program([chapter_program(chapter), "--study", BUILD / "study" / f"whole.{chapter}.json"],
-                       LIGHTWALK_STUDY_ROUNDS="0", LIGHTWALK_STUDY_FILE=str(file))
-    read = "LIGHTWALK_STUDY_ROUNDS is 0" in done.stderr
+    done = run_program([chapter_program(chapter), "--study", BUILD / "study" / f"whole.{chapter}.json",
+                        "--study-rounds", "0", "--study-file", file])
+    read = "--study-rounds 0" in done.stderr
     return {"case": f"{file.name} with all of its scenes", "inputs": "1 file", "worst": "read" if read else "refused",
             "bound": "read", "ok": read, "text": "read" if read else done.stderr.strip()[-300:]}
 

@@ -94,10 +94,3 @@ Live.on("refused", event => {
   Live.asked.delete(event.place);
   asked?.done({code: 2, error: event.error}, null, true);
 });
-
-// An element: make("div", {className: "x"}, children...).
-const make = (kind, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(kind), properties);
-  element.append(...children);
-  return element;
-};

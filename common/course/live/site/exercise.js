@@ -1,63 +1,15 @@
 "use strict";
 
-// An exercise in the page: its file in an editor, what the check says, and its picture.
-class Exercise {
-  static all = new Map();
-
-  // A button below what the lesson says of the exercise.
-  static offer(anchor) {
-    const id = anchor.id, heading = Exercise.section(anchor)[0];
-    if (!heading) return;
-    const button = make("button", {type: "button", className: "live-open md-button", textContent: "Solve it here"});
-    button.dataset.exercise = id;
-    button.onclick = () => {
-      new Exercise(id, Exercise.section(anchor), button);
-    };
-    Exercise.section(anchor).pop().after(button);
-  }
-
-  // The heading behind an exercise's anchor, and what follows until the next heading.
-  static section(anchor) {
-    const found = [];
-    for (let at = (anchor.parentElement.tagName === "P" ? anchor.parentElement : anchor).nextElementSibling; at; at = at.nextElementSibling) {
-      if (found.length && (/^H[123]$/.test(at.tagName) || at.matches("a.exercise") || at.querySelector("a.exercise"))) break;
-      found.push(at);
-    }
-    return found;
-  }
-
-  constructor(id, section, place) {
-    Object.assign(this, {id, section});
-    Exercise.all.set(id, this);
-    this.status = make("span", {className: "live-said", textContent: "reading"});
-    this.verdict = make("div", {className: "live-verdict"});
-    this.place = make("div", {className: "live-editor"});
-    const check = make("button", {type: "button", className: "live-check", textContent: "Check", title: "Ctrl+Enter"});
-    check.onclick = () => this.check();
-    const save = make("button", {type: "button", className: "live-save", textContent: "Save", title: "Ctrl+S; it is saved as you type, too"});
-    save.onclick = () => this.save();
-    this.element = make("div", {className: "live-exercise"}, make("div", {className: "live-head"}, save, check, this.version_choice(), this.status),
-                        this.place, this.verdict);
-    this.element.exercise = this;
-    place.replaceWith(this.element);
-    this.open().catch(error => { this.status.textContent = error.message; });
+// An exercise whose file the server keeps and checks, and its picture.
+class FileExercise extends Exercise {
+  buttons() {
+    return [this.button("Save", () => this.save(), "Ctrl+S; it is saved as you type, too"), this.version_choice()];
   }
 
   async open() {
     const {text, version, file, chapter} = await Live.get(`exercise/${this.id}`);
     Object.assign(this, {version, file, chapter, saved: text, is_cpp: file.endsWith(".cpp")});
-    this.editor = CodeMirror(this.place, {value: text, mode: this.is_cpp ? "text/x-c++src" : "x-shader/x-fragment",
-      lineNumbers: true, indentUnit: 4, lineWrapping: true, matchBrackets: true, autoCloseBrackets: true, viewportMargin: Infinity,
-      gutters: ["CodeMirror-linenumbers", "live-gutter"],
-      extraKeys: {"Ctrl-S": () => this.save(), "Cmd-S": () => this.save(), "Ctrl-Enter": () => this.check(),
-        "Ctrl-/": "toggleComment", Tab: editor => editor.somethingSelected() ? editor.indentSelection("add") : editor.replaceSelection("    "),
-        Esc: () => this.element.querySelector(".live-save").focus()}}); // the way out for the keyboard
-    this.status.textContent = file;
-    this.editor.on("change", () => {
-      clearTimeout(this.typing);
-      if (!this.conflict) this.typing = setTimeout(() => this.save(), 900);
-      if (this.editor.getValue() !== this.saved) this.status.textContent = "edited";
-    });
+    await this.edit(text, {"Ctrl-S": () => this.save(), "Cmd-S": () => this.save()});
     addEventListener("beforeunload", event => { if (this.editor.getValue() !== this.saved) event.preventDefault(); });
     Live.send({do: "watch", exercise: this.id});
     Live.on("connected", () => Live.send({do: "watch", exercise: this.id}));
@@ -67,9 +19,15 @@ class Exercise {
     this.show_picture();
   }
 
+  changed(text) {
+    clearTimeout(this.typing);
+    if (!this.conflict) this.typing = setTimeout(() => this.save(), 900);
+    if (text !== this.saved) this.status.textContent = "edited";
+  }
+
   // Mine, the reference, or both under a slider.
   version_choice() {
-    const choice = make("span", {className: "live-versions"});
+    const choice = make("span", {className: "run-versions"});
     for (const version of Live.course.solutions ? ["mine", "reference", "split"] : ["mine"]) {
       const button = make("button", {type: "button", textContent: version});
       button.dataset.version = version;
@@ -101,7 +59,7 @@ class Exercise {
 
   show_picture() {
     const shot = this.shot();
-    if (!shot) return this.element.querySelector(".live-versions").remove();
+    if (!shot) return this.head.querySelector(".run-versions").remove();
     const image = make("img", {alt: `${shot}, with your ${this.id}`}), frame = make("span", {}, image);
     image.src = new URL(`golden/${this.chapter}/${shot}`, Live.base);
     this.verdict.after(frame);
@@ -170,50 +128,29 @@ class Exercise {
     theirs.onclick = () => settle(false);
     mine.onclick = () => settle(true);
     this.bar?.remove();
-    this.bar = make("div", {className: "live-conflict"}, `${this.file} was changed on disk while you typed; nothing was overwritten. `, theirs, " ", mine);
+    this.bar = make("div", {className: "run-conflict"}, `${this.file} was changed on disk while you typed; nothing was overwritten. `, theirs, " ", mine);
     this.place.before(this.bar);
   }
 
-  // "shaders/…/pcf.glsl:12: message" at its line.
+  // "shaders/…/pcf.glsl:12: message" at its line. Each pass that includes the file says it.
   mark_errors(errors) {
-    this.editor.clearGutter("live-gutter");
-    for (const mark of this.marks ?? []) mark.clear();
-    this.marks = [];
-    const said = new Set();
-    for (const error of errors)
-      for (const [whole, file, line, words] of error.matchAll(/([\w/.]+):(\d+):(?:\d+:)?\s*(.*)/g)) {
-        if (!file.endsWith(this.file.split("/").pop()) || said.has(whole)) continue; // each pass that includes the file says it
-        said.add(whole);
-        const at = Math.min(Math.max(line - 1, 0), this.editor.lastLine());
-        this.editor.setGutterMarker(at, "live-gutter", make("span", {className: "live-mark", textContent: "●", title: words}));
-        this.marks.push(this.editor.addLineWidget(at, make("div", {className: "live-message", textContent: words})));
-      }
-    if (this.marks.length && this.picture) this.picture.note.textContent = ""; // the line says it
+    const found = errors.flatMap(error => [...error.matchAll(/([\w/.]+):(\d+):(?:\d+:)?\s*(.*)/g)]).filter(one => one[1].endsWith(this.file.split("/").pop()));
+    const once = new Map(found.map(([whole, , line, words]) => [whole, {line, words}]));
+    Editor.mark(this.editor, [...once.values()]);
+    if (once.size && this.picture) this.picture.note.textContent = ""; // the line says it
   }
 
-  // Leads to the lesson's next exercise, and opens it; null behind the last one.
-  next_button() {
+  // Leads to the lesson's next exercise, and opens it.
+  next_step() {
     const anchors = [...document.querySelectorAll("a.exercise")], next = anchors[anchors.findIndex(one => one.id === this.id) + 1];
-    if (!next) return null;
-    const button = make("button", {type: "button", className: "live-next", textContent: `next exercise: ${next.id}`});
-    button.onclick = () => {
-      document.querySelector(`.live-open[data-exercise="${next.id}"]`)?.click();
+    return next && Object.assign(this.button(`next exercise: ${next.id}`, () => {
+      document.querySelector(`.run-open[data-exercise="${next.id}"]`)?.click();
       next.scrollIntoView({behavior: "smooth"});
-    };
-    return button;
+    }), {className: "run-next"});
   }
 
   show_verdict(result) {
-    this.status.textContent = this.file;
-    const counted = `${result.passed} of ${result.passed + result.failed} checks`;
-    const words = [make("b", {textContent: result.ok ? `solved: ${counted}` : `open: ${counted}`})];
-    if (!result.ok && result.first_failure) words.push(make("p", {textContent: result.first_failure}));
-    if (result.note) words.push(make("p", {textContent: result.note}));
-    if (!result.ok && result.hint) words.push(make("details", {className: "live-fold"}, make("summary", {textContent: "hint"}), make("p", {textContent: result.hint})));
-    if (result.ok) words.push(this.next_button());
-    this.verdict.replaceChildren(...words.filter(Boolean));
-    this.verdict.className = `live-verdict ${result.ok ? "ok" : "open"}`;
-    this.verdict.scrollIntoView({block: "nearest"});
+    super.show_verdict(result);
     if (this.is_cpp || !this.picture) this.mark_errors([result.first_failure ?? ""]);
   }
 }

@@ -21,7 +21,7 @@ const Lesson = {
     Live.on("checked", event => Lesson.show_progress(event.progress));
     Lesson.find_pictures();
     if (!Lesson.chapter) return;
-    for (const one of document.querySelectorAll("a.exercise")) Exercise.offer(one);
+    for (const one of document.querySelectorAll("a.exercise")) Exercise.offer(one, FileExercise);
     Chart.start?.();
     try {
       Lesson.knobs = await Knobs.of(Lesson.chapter);
@@ -217,8 +217,8 @@ const Lesson = {
     place.title = Object.entries(progress).map(([name, one]) => `${name}: ${one.solved.length} of ${one.exercises}`).join("\n");
     for (const mark of document.querySelectorAll("a.exercise")) {
       const [heading] = Exercise.section(mark);
-      heading?.classList.toggle("live-solved", all.some(one => one.solved.includes(mark.id)));
-      heading?.classList.toggle("live-untouched", all.some(one => one.untouched.includes(mark.id)));
+      heading?.classList.toggle("run-solved", all.some(one => one.solved.includes(mark.id)));
+      heading?.classList.toggle("run-untouched", all.some(one => one.untouched.includes(mark.id)));
     }
   },
 };

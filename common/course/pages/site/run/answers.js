@@ -1,28 +1,12 @@
 "use strict";
 
-function make(tag, properties = {}, ...children) {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-}
-
 // The reader's answers: kept by the browser, edited and checked in the page, taken along as files.
 const Answers = {
   list: [], // of list.js: the exercises that the page can check
   base: new URL(".", document.currentScript.src),
-  loading: new Map(),
-
-  // A script of this site, once.
-  script(name) {
-    if (!Answers.loading.has(name))
-      Answers.loading.set(name, new Promise((done, failed) => {
-        document.head.append(make("script", {src: new URL(name, Answers.base), onload: done, onerror: () => failed(new Error(`${name} is not there`))}));
-      }));
-    return Answers.loading.get(name);
-  },
 
   async load(id) {
-    await Promise.all([Answers.script(`../tables/${id}.js`), Answers.script("../tables/undefined.js")]);
+    await Promise.all([id, "undefined"].map(name => Editor.script(new URL(`../tables/${name}.js`, Answers.base))));
     return Tables.known.get(id);
   },
 
@@ -50,50 +34,12 @@ const Answers = {
       .find(one => one !== id && !Answers.kept(`${one}.solved`));
   },
 
-  // The packaged editor on a text; its styles and scripts come with the first one.
-  async editor(place, text, changed) {
-    if (!document.querySelector("link.run-style"))
-      document.head.append(make("link", {rel: "stylesheet", className: "run-style", href: new URL("../cm/codemirror.css", Answers.base)}));
-    await Answers.script("../cm/codemirror.js");
-    await Promise.all(["clike.js", "matchbrackets.js", "closebrackets.js", "comment.js"].map(name => Answers.script(`../cm/${name}`)));
-    const editor = CodeMirror(place, {value: text, mode: "x-shader/x-fragment", lineNumbers: true, indentUnit: 4, lineWrapping: true,
-      matchBrackets: true, autoCloseBrackets: true, viewportMargin: Infinity, extraKeys: {"Ctrl-/": "toggleComment",
-        Tab: one => one.somethingSelected() ? one.indentSelection("add") : one.replaceSelection("    "), Esc: one => one.getInputField().blur()}});
-    editor.getInputField().setAttribute("aria-label", "GLSL; Escape leaves the editor");
-    editor.on("change", () => changed(editor.getValue()));
-    return editor;
-  },
-
-  // Errors at their lines: [{line, words}].
-  mark(editor, errors) {
-    for (const mark of editor.marks ?? []) mark.clear();
-    editor.marks = errors.map(({line, words}) => editor.addLineWidget(Math.min(Math.max(line - 1, 0), editor.lastLine()),
-      make("div", {className: "run-message", textContent: words})));
-  },
-
   // A button at each exercise of the page.
   offer() {
-    for (const anchor of document.querySelectorAll("a.exercise")) {
-      const section = Answers.section(anchor);
-      if (!section.length) continue;
-      const fits = Answers.list.includes(anchor.id);
-      const offer = fits ? make("button", {type: "button", className: "run-open md-button", textContent: "Solve it in this page"}) :
-        make("p", {className: "run-elsewhere"}, "This exercise needs the course on your machine: ", make("code", {textContent: `./course check ${anchor.id}`}));
-      offer.dataset.exercise = anchor.id;
-      if (fits) offer.onclick = () => new Exercise(anchor.id, offer);
-      section.at(-1).after(offer);
-    }
+    for (const anchor of document.querySelectorAll("a.exercise"))
+      Exercise.offer(anchor, KeptExercise, Answers.list.includes(anchor.id) ? null :
+        make("p", {className: "run-elsewhere"}, "This exercise needs the course on your machine: ", make("code", {textContent: `./course check ${anchor.id}`})));
     Answers.show_progress();
-  },
-
-  // What follows an exercise's anchor, its heading first, until the next heading.
-  section(anchor) {
-    const found = [];
-    for (let at = (anchor.parentElement.tagName === "P" ? anchor.parentElement : anchor).nextElementSibling; at; at = at.nextElementSibling) {
-      if (found.length && (/^H[123]$/.test(at.tagName) || at.matches("a.exercise") || at.querySelector("a.exercise"))) break;
-      found.push(at);
-    }
-    return found;
   },
 
   show_progress() {
@@ -106,7 +52,7 @@ const Answers = {
       document.querySelector(".md-header__inner")?.append(place);
     }
     place.textContent = `${solved.length} of ${Answers.list.length} solved`;
-    for (const anchor of document.querySelectorAll("a.exercise")) Answers.section(anchor)[0]?.classList.toggle("run-solved", solved.includes(anchor.id));
+    for (const anchor of document.querySelectorAll("a.exercise")) Exercise.section(anchor)[0]?.classList.toggle("run-solved", solved.includes(anchor.id));
   },
 
   // The answers as an archive that is unpacked in the course's folder, and back from it or from single files.
@@ -175,29 +121,16 @@ const Answers = {
   },
 };
 
-// An exercise in the page: its file in an editor, and what the check says.
-class Exercise {
-  static all = new Map();
-
-  constructor(id, place) {
-    Object.assign(this, {id});
-    Exercise.all.set(id, this);
-    const button = (words, act, title = "") => make("button", {type: "button", textContent: words, onclick: act, title});
-    this.place = make("div", {className: "run-editor"});
-    this.verdict = make("div", {className: "run-verdict"});
-    this.verdict.setAttribute("role", "status");
-    this.status = make("span", {className: "run-said", textContent: "reading"});
-    this.element = make("div", {className: "run-exercise"}, make("div", {className: "run-buttons"}, button("Check", () => this.check(), "Ctrl+Enter"),
-      button("Reset", () => this.reset()), button("Save as a file", () => Answers.save(`${this.id.slice(3)}.glsl`, Answers.text(this.id))), this.status), this.place, this.verdict);
-    place.replaceWith(this.element);
-    this.open().catch(error => { this.status.textContent = error.message; });
+// An exercise whose answer the browser keeps and checks.
+class KeptExercise extends Exercise {
+  buttons() {
+    return [this.button("Reset", () => this.reset()), this.button("Save as a file", () => Answers.save(`${this.id.slice(3)}.glsl`, Answers.text(this.id)))];
   }
 
   async open() {
     this.table = await Answers.load(this.id);
-    this.editor = await Answers.editor(this.place, Answers.text(this.id), text => this.changed(text));
-    this.editor.addKeyMap({"Ctrl-Enter": () => this.check()});
-    this.status.textContent = this.table.file;
+    this.file = this.table.file;
+    await this.edit(Answers.text(this.id));
     this.show_picture();
     this.element.scrollIntoView({block: "nearest"});
   }
@@ -217,25 +150,20 @@ class Exercise {
 
   check() {
     this.status.textContent = "checking";
-    setTimeout(() => this.show(Tables.check(this.table, this.editor.getValue())), 20);
+    setTimeout(() => this.show_verdict(Tables.check(this.table, this.editor.getValue())), 20);
   }
 
-  show(result) {
-    this.status.textContent = this.table.file;
-    const counted = `${result.passed} of ${result.passed + result.failed} checks`;
-    const words = [make("b", {textContent: result.ok ? `solved: ${counted}` : `open: ${counted}`})];
-    if (!result.ok) words.push(make("p", {textContent: result.first_failure}));
-    if (result.note) words.push(make("p", {textContent: result.note}));
-    if (!result.ok && result.hint) words.push(make("details", {}, make("summary", {textContent: "hint"}), make("p", {textContent: result.hint})));
-    const next = result.ok && Answers.after(this.id);
-    if (next) words.push(make("p", {}, "Next: ", make("a", {className: "run-next", href: new URL(`../../open/${next}.html`, Answers.base), textContent: next})));
-    this.verdict.replaceChildren(...words);
-    this.verdict.className = `run-verdict ${result.ok ? "ok" : "open"}`;
-    this.verdict.scrollIntoView({block: "nearest"});
+  show_verdict(result) {
+    super.show_verdict(result);
     const line = result.first_failure?.match(/^it does not compile: line (\d+): (.*)/s);
-    Answers.mark(this.editor, line ? [{line: Number(line[1]), words: line[2]}] : []);
+    Editor.mark(this.editor, line ? [{line: Number(line[1]), words: line[2]}] : []);
     Answers.kept(`${this.id}.solved`, result.ok ? "1" : null);
     Answers.show_progress();
+  }
+
+  next_step() {
+    const next = Answers.after(this.id);
+    return next && make("p", {}, "Next: ", make("a", {className: "run-next", href: new URL(`../../open/${next}.html`, Answers.base), textContent: next}));
   }
 
   // A picture of the answer, where the lesson's program has the exercise's function in it.
@@ -243,19 +171,17 @@ class Exercise {
     const program = Program.all.find(one => one.scene.mine?.[this.id]);
     if (!program) return;
     const box = [...program.element.querySelectorAll(".run-mine input")].find(one => one.parentElement.textContent.includes(this.id));
-    this.element.querySelector(".run-said").before(make("button", {type: "button", textContent: "See it in the picture", onclick: async () => {
+    this.status.before(this.button("See it in the picture", async () => {
       program.start();
       box.checked = true;
       await program.show_mine(this.id, true);
       program.element.scrollIntoView({block: "center"});
       program.canvas.focus();
-    }}));
+    }));
   }
 }
 
-// Not beside ./course serve, whose own scripts edit files and draw with the chapters.
 addEventListener("DOMContentLoaded", () => {
-  if (typeof Live !== "undefined") return;
   for (const title of document.querySelectorAll(".highlight span.filename")) {
     const name = title.textContent.match(/^docs\/minimal\/(\w+)\./)?.[1], listing = title.parentElement;
     if (!name) continue;

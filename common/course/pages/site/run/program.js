@@ -172,13 +172,13 @@ class Program {
     if (this.editor) return this.editor.focus();
     const place = make("div", {className: "run-editor"});
     this.buttons.after(place);
-    this.editor = await Answers.editor(place, this.text, text => { if (text !== this.text) this.take(text); });
+    this.editor = await Editor.on(place, this.text, {changed: text => { if (text !== this.text) this.take(text); }});
     this.mark();
     this.editor.focus();
   }
 
   mark() {
-    if (this.editor) Answers.mark(this.editor, this.errors ?? []);
+    if (this.editor) Editor.mark(this.editor, this.errors ?? []);
   }
 
   reset() {

@@ -1,6 +1,7 @@
+// [minimal]
 #version 460
-// Skin in one shader: light that enters at one place leaves around it, red the farthest. The irradiance is blurred by six
-// Gaussians for each colour (E. d'Eon and D. Luebke, GPU Gems 3, 2007), across the edges of shadows.
+// Skin in one shader: light that enters at one place leaves around it, red the farthest. The irradiance is blurred by
+// six Gaussians for each colour (E. d'Eon and D. Luebke, GPU Gems 3, 2007), across the edges of shadows.
 layout(location = 0) in vec2 uv;  // 0 to 1 over the picture
 layout(location = 0) out vec4 color;  // linear light
 layout(push_constant) uniform Frame { float divider; };
@@ -40,3 +41,4 @@ void main() {
     color = vec4(albedo * (uv.y > divider ? leaving(at_mm, slats) : vec3(irradiance(at_mm, slats))), 1.0);
     if (abs(uv.y - divider) < 0.003) color = vec4(0.1, 0.5, 1.0, 1.0);
 }
+// [/minimal]

@@ -1,6 +1,9 @@
-#include "common/window/stream.h"
+#include "common/window/pictures.h"
+
+#include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <list>
 #include <nlohmann/json.hpp>
@@ -36,54 +39,84 @@ struct Warm {
     Words settings;  // of all knobs
 };
 
-class Stream {
+class Pictures {
   public:
-    Stream(std::string name, const MakeChapter& make, Gpu& gpu) : name_(std::move(name)), make_(make), gpu_(gpu) {
-        gpu.pipelines.keep_last_good = true;
-    }
+    Pictures(std::string name, const MakeChapter& make, std::unique_ptr<Gpu>& gpu)
+        : name_(std::move(name)), make_(make), holder_(gpu), gpu_(*gpu) {}
 
-    // The answer; the picture goes into `bytes`.
+    // The answer; a live picture goes into `bytes`.
     json answer(const json& request, std::string& bytes);
 
   private:
+    std::optional<Options> read(Words words, std::unique_ptr<Chapter>& chapter) const;
+    void draw_file(const Words& words);
+    json draw_live(const json& request, std::string& bytes);
     Warm& find(const Words& words);
     void turn(Warm& warm, const json& request) const;
     std::string name_;
     const MakeChapter& make_;
+    std::unique_ptr<Gpu>& holder_;
     Gpu& gpu_;
     std::list<std::unique_ptr<Warm>> warm_;  // the last one used first
+    std::string before_key_;                 // of the last file's scene
+    Scene before_;
 };
 
-std::unique_ptr<Warm> load(Words words, const std::string& name, const MakeChapter& make, Gpu& gpu) {
-    auto warm = std::make_unique<Warm>();
-    warm->words = words;
-    warm->chapter = make();
-    Chapter& chapter = *warm->chapter;
-    chapter.name = name;
-    words.insert(words.begin(), name);
+// The options of a command line, and a new chapter that has its knobs.
+std::optional<Options> Pictures::read(Words words, std::unique_ptr<Chapter>& chapter) const {
+    chapter = make_();
+    chapter->name = name_;
+    words.insert(words.begin(), name_);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
-    auto options = read_options(static_cast<int>(arguments.size()), arguments.data(), chapter);
-    if (!options || options->automatic || options->headless() || options->command)
-        throw InputError("\"words\" name a scene or a shot, knobs and a size");
-    warm->options = std::move(*options);
-    const std::string& scene = warm->options.scene;
-    warm->live = std::make_unique<LiveChapter>(chapter, gpu, scene.empty() ? chapter.default_scene() : scene);
-    warm->live->load();
-    warm->frame = std::make_unique<Frame>(gpu);
-    warm->camera = chapter.camera;
-    for (const KnobBase* knob : chapter.all_knobs()) warm->settings.push_back(knob->text());
-    return warm;
+    return read_options(static_cast<int>(arguments.size()), arguments.data(), *chapter);
 }
 
-Warm& Stream::find(const Words& words) {
+// Dependencies of a loaded scene. A scene file rewritten between two pictures counts as another; models and textures
+// it names are kept while a list is drawn.
+std::string load_key(const Options& options, const Chapter& chapter) {
+    namespace fs = std::filesystem;
+    std::string key = options.scene + " " + chapter.load_state();
+    if (!options.shot.empty() || options.scene.empty()) return key;
+    std::error_code error;
+    const auto written = fs::last_write_time(options.scene, error).time_since_epoch().count();
+    return fmt::format("{} {} {}", key, written, fs::file_size(options.scene, error));
+}
+
+void Pictures::draw_file(const Words& words) {
+    std::unique_ptr<Chapter> chapter;
+    const auto options = read(words, chapter);
+    if (!options || options->screenshot.empty() || options->automatic)
+        throw InputError("a picture of a list has a --screenshot, and no --method auto");
+    const std::string key = load_key(*options, *chapter);
+    if (key == before_key_) chapter->scene = std::move(before_);
+    before_key_.clear();
+    before_ = {};
+    run_headless(*options, *chapter, holder_, {});
+    before_key_ = key;
+    before_ = std::move(chapter->scene);
+}
+
+Warm& Pictures::find(const Words& words) {
     const auto known = std::ranges::find_if(warm_, [&](const auto& one) { return one->words == words; });
     if (known != warm_.end()) {
         warm_.splice(warm_.begin(), warm_, known);
         return *warm_.front();
     }
     while (warm_.size() >= most_warm) warm_.pop_back();
-    warm_.push_front(load(words, name_, make_, gpu_));
+    auto warm = std::make_unique<Warm>();
+    auto options = read(warm->words = words, warm->chapter);
+    if (!options || options->automatic || options->headless() || options->command)
+        throw InputError("\"words\" name a scene or a shot, knobs and a size");
+    warm->options = std::move(*options);
+    Chapter& chapter = *warm->chapter;
+    const std::string& scene = warm->options.scene;
+    warm->live = std::make_unique<LiveChapter>(chapter, gpu_, scene.empty() ? chapter.default_scene() : scene);
+    warm->live->load();
+    warm->frame = std::make_unique<Frame>(gpu_);
+    warm->camera = chapter.camera;
+    for (const KnobBase* knob : chapter.all_knobs()) warm->settings.push_back(knob->text());
+    warm_.push_front(std::move(warm));
     return *warm_.front();
 }
 
@@ -97,7 +130,7 @@ glm::uvec2 size_of(const json& request, const Options& options) {
 }
 
 // Applies knobs and camera, always starting from the loaded state: a request is complete in itself.
-void Stream::turn(Warm& warm, const json& request) const {
+void Pictures::turn(Warm& warm, const json& request) const {
     Chapter& chapter = *warm.chapter;
     const KnobList knobs = chapter.all_knobs();
     std::map<const KnobBase*, std::string> wanted;
@@ -127,7 +160,7 @@ json passes_json(const std::vector<PassTime>& times) {
     return passes;
 }
 
-json Stream::answer(const json& request, std::string& bytes) {
+json Pictures::draw_live(const json& request, std::string& bytes) {
     const bool changed = gpu_.pipelines.forget_changed_files();
     Warm& warm = find(request.at("words").get<Words>());
     Exercises::use("solution");  // after words were read, which name exercises too
@@ -167,17 +200,23 @@ json Stream::answer(const json& request, std::string& bytes) {
     return said;
 }
 
+json Pictures::answer(const json& request, std::string& bytes) {
+    gpu_.pipelines.keep_last_good = request.is_object();
+    if (request.is_object()) return draw_live(request, bytes);
+    draw_file(request.get<Words>());
+    return {{"code", 0}, {"error", ""}};
+}
+
 }  // namespace
 
-int stream_pictures(const Options& options, const std::string& name, const MakeChapter& make,
-                    std::unique_ptr<Gpu>& gpu) {
+int draw_pictures(const Options& options, const std::string& name, const MakeChapter& make, std::unique_ptr<Gpu>& gpu) {
     gpu = make_gpu(options);
-    Stream stream(name, make, *gpu);
+    Pictures pictures(name, make, gpu);
     for (std::string line; std::getline(std::cin, line);) {
         std::string bytes;
         json said;
         try {
-            said = stream.answer(json::parse(line), bytes);
+            said = pictures.answer(json::parse(line), bytes);
         } catch (const InputError& e) { said = {{"code", 2}, {"error", e.what()}}; } catch (const json::exception&) {
             said = {{"code", 2}, {"error", "a line is no request: " + line.substr(0, 200)}};
         } catch (const std::exception& e) { said = {{"code", 1}, {"error", e.what()}}; }

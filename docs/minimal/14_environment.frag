@@ -1,6 +1,7 @@
+// [minimal]
 #version 460
-// A picture of the surroundings as a light for matt surfaces: nine colours (left) hold nearly all that the sum over every
-// direction (right) does (R. Ramamoorthi and P. Hanrahan, SIGGRAPH 2001).
+// A picture of the surroundings as a light for matt surfaces: nine colours (left) hold nearly all that the sum over
+// every direction (right) does (R. Ramamoorthi and P. Hanrahan, SIGGRAPH 2001).
 layout(location = 0) in vec3 ray;  // of the pixel; y points up
 layout(location = 1) in vec2 uv;  // 0 to 1 over the picture
 layout(location = 0) out vec4 color;  // linear light
@@ -40,7 +41,6 @@ vec3 irradiance(vec3 normal, int n) {
     for (int k = 0; k < 9; ++k) sum += weights[k] * basis(k, normal) * colors[k];
     return max(sum, vec3(0.0));
 }
-
 // The reference: a cosine-weighted sum over all directions.
 vec3 exact(vec3 normal, int n) {
     vec3 sum = vec3(0.0);
@@ -57,3 +57,4 @@ void main() {
     vec3 arriving = uv.x < divider ? irradiance(normal, int(directions)) : exact(normal, int(directions));
     color.rgb = exposure * albedo / pi * arriving;
 }
+// [/minimal]

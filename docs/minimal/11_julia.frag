@@ -1,3 +1,4 @@
+// [minimal]
 #version 460
 // A Julia set of quaternions: the points that z = z² + c never drives away, found by steps of a safe length.
 layout(location = 0) in vec3 ray;  // of the pixel; y points up
@@ -47,3 +48,4 @@ void main() {
     vec3 stone = mix(vec3(0.75, 0.35, 0.15), vec3(0.25, 0.45, 0.65), 0.5 + 0.5 * normal.y);
     color.rgb = stone * (1.3 * lit + 0.12 + 0.12 * normal.y);
 }
+// [/minimal]

@@ -1,3 +1,4 @@
+// [minimal]
 #version 460
 // Bloom in one shader: each pixel builds the part of the pyramid that it needs. The light varies along rows alone.
 layout(location = 0) in vec2 uv;  // 0 to 1 over the picture
@@ -55,3 +56,4 @@ void main() {
     color = vec4(exposure * (light(at) + (uv.y > divider ? share * spread(at) : vec3(0.0))), 1.0);
     if (abs(uv.y - divider) < 0.003) color = vec4(1.0, 0.4, 0.0, 1.0);
 }
+// [/minimal]

@@ -1,3 +1,4 @@
+// [minimal]
 #version 460
 // Morphological antialiasing in one shader (A. Reshetov, HPG 2009): each pixel finds the lines along its four sides and
 // is mixed as a straight silhouette would mix it. Stairs left of the divider, smoothed right of it.
@@ -56,3 +57,4 @@ void main() {
     float grey = uv.x > divider ? smoothed(at) : pixel(at, false);
     color = vec4(mix(vec3(0.03, 0.05, 0.09), vec3(0.9, 0.62, 0.3), grey), 1.0);
 }
+// [/minimal]

@@ -1,5 +1,7 @@
+// [minimal]
 #version 460
-// Mipmaps in one shader: a checker on a floor that reaches far away, without levels on the left, with them on the right.
+// Mipmaps in one shader: a checker on a floor that reaches far away, without levels on the left, with them on the
+// right.
 layout(location = 0) in vec2 uv;  // 0 to 1 over the picture
 layout(location = 0) out vec4 color;  // linear light
 layout(push_constant) uniform Frame { float divider; };
@@ -41,3 +43,4 @@ void main() {
     color = vec4(vec3(with ? mipmapped(floor_at(pixel), footprint_at(pixel)) : level_at(0.0, floor_at(pixel))), 1.0);
     if (abs(uv.x - divider) < 0.002) color = vec4(1.0, 0.4, 0.0, 1.0);
 }
+// [/minimal]

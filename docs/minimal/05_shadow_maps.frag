@@ -1,3 +1,4 @@
+// [minimal]
 #version 460
 // A shadow map in one shader: a ball over a floor. Texels of the map are computed where they are read.
 layout(location = 0) in vec3 ray;  // of the pixel; metres, y points up
@@ -43,3 +44,4 @@ void main() {
     float light = facing > 0.0 ? lit(point, normal, offset_texels * 2.0 * half_width_m / side) : 0.0;
     color.rgb = (point.y < 1e-3 ? vec3(0.45, 0.43, 0.40) : vec3(0.7, 0.2, 0.12)) * (facing * light + 0.15);
 }
+// [/minimal]
