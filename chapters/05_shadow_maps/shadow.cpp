@@ -57,13 +57,18 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     }
 }
 
-// One hash of all that a map depends on: if it is the same, the map is.
+// A hash of all that a map depends on: two maps with the same hash show the same.
 uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& casters) const {
-    std::vector<std::pair<uint32_t, glm::mat4>> placed;
+    Hash hash;
+    bool deforms = false;
     for (const DrawList* const list : {&map.casters, &map.passed})
-        for (const uint32_t i : list->items()) placed.emplace_back(i, scene.items[i].transform);
-    return lightwalk::hash_of(map.view.view.view_projection, placed, casters.others_placed, epoch(),
-                              map.passed.size() > 0 ? scene.epoch : 0);
+        for (const uint32_t i : list->items()) {
+            const DrawItem& item = scene.items[i];
+            hash.add(lightwalk::hash_of(item.model.get(), item.mesh, item.part, item.transform));
+            deforms |= static_cast<bool>(item.model->model.meshes[item.mesh].deformation);
+        }
+    return lightwalk::hash_of(hash.value, map.view.view.view_projection, casters.others_placed, epoch(),
+                              deforms || map.passed.size() > 0 ? scene.epoch : 0);
 }
 // [/find_views]
 

@@ -81,7 +81,7 @@ struct Culling : Module {
     std::array<glm::vec4, 6> planes_{};
     std::vector<CulledObject> objects_;
     std::vector<DrawGroup> groups_;
-    std::vector<std::vector<Batch>> found_;                ///< by the processor, of each group
+    std::vector<std::vector<Batch>> found_;  ///< by the processor, of each group
     Made grouped_;
     Buffer object_data_, group_data_;
     List lists_[2];                           ///< a view's first pass, and the objects that appear in the second

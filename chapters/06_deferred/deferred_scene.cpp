@@ -142,8 +142,7 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
 }
 
 bool DeferredScene::emits() {
-    if (!emission_sought_.is_current(scene().epoch))
-        emits_ = !emitting(scene(), scene().opaque_batches()).empty();
+    if (!emission_sought_.is_current(scene().epoch)) emits_ = !emitting(scene(), scene().opaque_batches()).empty();
     return emits_;
 }
 

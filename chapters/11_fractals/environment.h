@@ -61,7 +61,7 @@ struct EnvironmentLight : Module {
     Made even_made_;
     Made made_;
     std::shared_ptr<Image> made_from_;
-    const Scene* scene_ = nullptr;                  ///< of the last record()
+    const Scene* scene_ = nullptr;  ///< of the last record()
 };
 
 }  // namespace lightwalk

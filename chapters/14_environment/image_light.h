@@ -132,8 +132,8 @@ struct ImageLight : Module {
     /// Picture, ambient, toggles: a scene that is prepared again with the same light keeps its cubes.
     Made prepared_;
     std::shared_ptr<Image> environment_;  ///< that picture_sh_ is of
-    Image even_;        ///< where there is no picture
-    Sh9 picture_sh_{};  ///< of the scene's picture, as 14.sh_project says
+    Image even_;                          ///< where there is no picture
+    Sh9 picture_sh_{};                    ///< of the scene's picture, as 14.sh_project says
     LightCubes* now_ = &sky;
     ImageLightState box_{};
     Made made_;

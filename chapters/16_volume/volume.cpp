@@ -119,7 +119,7 @@ void Volume::make_light(Frame& frame) {
                                   .kept = true});
     const glm::vec4 waves = wave > 0 ? glm::vec4(now_.wave_phase, now_.wave) : glm::vec4(0.0f);
     if (light_made_.is_current(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near,
-                          Exercises::epoch(), waves))
+                               Exercises::epoch(), waves))
         return;
     frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
                   [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });

@@ -102,7 +102,7 @@ struct Volume : Drawing {
     Made transfer_made_;
     Made preintegrated_made_;
     Made light_made_;
-    struct Past {                                                                      ///< of a view
+    struct Past {  ///< of a view
         Image marched;
         std::string of;  ///< key of its picture
         int pictures = 0;

@@ -2,7 +2,6 @@
 
 #include <GLFW/glfw3.h>
 
-
 #include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"

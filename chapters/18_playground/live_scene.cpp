@@ -91,7 +91,7 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     const SceneSettings& settings = document.settings();
     scene.file.ambient = settings.ambient;
     scene.file.background = settings.background;
-    const uint64_t painted = scene.epoch;
+    const uint64_t before = scene.epoch;
     const bool same_kinds = scene.repaint(settings.bare, settings.emission);
     const Environment& shown = scene.file.environment;
     try {
@@ -104,8 +104,9 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     const auto edits = changes.structure || !same_kinds ? std::nullopt : edits_of(document, scene, changes.entries);
     if (edits && scene.paint(edits->paints)) {
         for (const EntryId id : edits->lights) scene.file.lights[light_places_.at(id)] = light_of(document.at(id));
+        const bool painted = scene.epoch != before;
         scene.move(edits->moves);
-        return scene.epoch != painted ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
+        return painted ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
     }
     Exported all = exported(document);
     std::vector<uint32_t> from;

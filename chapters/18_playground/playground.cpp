@@ -26,8 +26,6 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     const LiveScene::Done done = editor.update(*this, gpu);
     bench.light.prepare(gpu, scene);  // unchanged surroundings and ambient light are kept
     if (done == LiveScene::Done::painted) bench.probe.prepare(gpu, scene);  // it shows the colours
-    const bool has_other_colors = done == LiveScene::Done::painted || done == LiveScene::Done::replaced;
-    if (has_other_colors && objects.shadow.transparent.is("colored")) objects.shadow.forget();
     if (done != LiveScene::Done::replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;

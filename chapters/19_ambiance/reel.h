@@ -113,8 +113,8 @@ struct Reel : Module {
     Timeline film_;
     std::optional<PathKind> chosen_;
     Made paths_made_;
-    std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
-    std::map<size_t, KnobSettings> ways_;                 ///< likewise
+    std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
+    std::map<size_t, KnobSettings> ways_;                ///< likewise
     const FilmPart* alone_ = nullptr;
     mutable std::map<std::string, KnobBase*> chapter_knobs_;  ///< of the film's tracks
     Made toggles_;

@@ -78,7 +78,8 @@ int run(int argc, char** argv) {
     CLI::App app("Checks the exercises of a chapter; one JSON object a line");
     app.add_option("--exercise", options.exercise, "NN.name; default: all of the chapter");
     app.add_option("--use", options.use, "whose version")->check(CLI::IsMember({"exercise", "solution"}));
-    app.add_option("--tables", options.tables, "write the probes of each check to this folder, for pages, and check nothing");
+    app.add_option("--tables", options.tables,
+                   "write the probes of each check to this folder, for pages, and check nothing");
     app.add_flag("--requests", options.requests, "check what standard input asks for, a line of JSON each");
     app.add_option("--nonce", given.nonce, "for ./course grade: a word that each line repeats");
     app.add_option("--worker", given.worker, "for ./course grade: pipes to the process that has the answer");

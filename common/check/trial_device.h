@@ -8,10 +8,7 @@ namespace lightwalk {
 
 /// Any device, validated: the first message goes to `first`, which must outlive the device.
 inline DeviceOptions trial_device(std::string& first) {
-    return {.name = "",
-            .validate = true,
-            .surface_extensions = {},
-            .on_message = [&first](const char* message) {
+    return {.name = "", .validate = true, .surface_extensions = {}, .on_message = [&first](const char* message) {
                 if (first.empty()) first = message;
             }};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "common/base/epoch.h"
 #include "common/base/exercise.h"
 #include "common/base/turn.h"
 #include "common/gpu/gpu_work.h"
@@ -167,7 +168,7 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
 
 const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats,
                                           std::span<const Macros* const> macros) {
-    uint64_t key = mixed(mixed(mixed(1, pipeline.id), formats.hash()), Exercises::epoch());
+    uint64_t key = mixed(mixed(mixed(1, pipeline.id), formats.hash()), hash_of(Exercises::state()));
     for (const Macros* scope : macros) key = mixed(key, scope->hash());
     if (const auto it = known_.find(key); it != known_.end()) return it->second;
     Macros all;

@@ -34,7 +34,7 @@ struct OnHead : OnModules {
         maps.surface.prepare(gpu, scene);
         skin.prepare(gpu, scene);
         rays.build(gpu, scene);
-        shadow.forget();
+        shadow.prepare(gpu, scene);
     }
 
     ImageRgb draw(glm::uvec2 size) {

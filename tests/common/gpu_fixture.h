@@ -11,10 +11,7 @@ namespace lightwalk {
 
 inline DeviceOptions validated() {
     const char* name = std::getenv("LIGHTWALK_DEVICE");
-    return {.name = name ? name : "",
-            .validate = true,
-            .surface_extensions = {},
-            .on_message = {}};
+    return {.name = name ? name : "", .validate = true, .surface_extensions = {}, .on_message = {}};
 }
 
 inline Gpu& validated_device() {
