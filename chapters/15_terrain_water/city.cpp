@@ -97,6 +97,7 @@ void City::update(Frame& frame) {
                         .most_boxes = most_boxes,
                         .seed = plan_seed};
     if (made_.is_current(plan)) return;
+    plan_ = plan;
     ++placed_;
     blocks_ = plan_city(plan, boxes_);
     if (boxes_.empty()) return;
@@ -119,10 +120,10 @@ void City::update(Frame& frame) {
 Bounds City::bounds() const {
     Bounds all;
     if (boxes_.empty() || !ground_.exists()) return all;
-    const float reach = made_.inputs().radius_m + block_x_m;
-    all.add(glm::vec3(made_.inputs().middle_m.x - reach, -10.0f, made_.inputs().middle_m.y - reach));
-    all.add(glm::vec3(made_.inputs().middle_m.x + reach, ground_.map().highest_m + grid_.highest,
-                      made_.inputs().middle_m.y + reach));
+    const float reach = plan_.radius_m + block_x_m;
+    all.add(glm::vec3(plan_.middle_m.x - reach, -10.0f, plan_.middle_m.y - reach));
+    all.add(glm::vec3(plan_.middle_m.x + reach, ground_.map().highest_m + grid_.highest,
+                      plan_.middle_m.y + reach));
     return all;
 }
 

@@ -68,6 +68,7 @@ struct City : Drawing, Caster, SunReceiver {
     const Ground& ground_;
     const Atmosphere& atmosphere_;
     Made made_;
+    CityPlan plan_;  ///< of the boxes that are there
     std::vector<CityBlock> blocks_;
     std::vector<CityBox> boxes_;
     Buffer buffer_, cells_;

@@ -42,7 +42,7 @@ void Waterline::record(Frame& frame, const Scene& scene, float level_m, glm::vec
     map_.from_wind = from_wind;
     for (int i = 0; i < RING_WAVES; ++i)
         map_.phase[i] = float(phase_at(double(frame.time_s), double(length_m) * std::pow(double(RING_RATIO), i)));
-    if (made_.is_current(scene.epoch, level_m, texels, margin_m)) return;
+    if (made_.is_current(scene.epoch, level_m, texels.value, margin_m)) return;
     draw(frame, crossing, level_m, around.upper.y);
     spread(frame);
 }

@@ -81,13 +81,13 @@ TEST_CASE("children follow, bounds follow, and a time places everything whatever
     TestScene test({spinning(quad_file, {0, 0, 0}), child, object_at(other_file, {0, 3, 0})});
     Scene& scene = test.scene;
     CHECK(scene.moves());
-    const uint64_t loaded = scene.placed;
+    const uint64_t loaded = scene.epoch;
     const auto child_at = [&] { return glm::vec3(scene.items[1].transform[3]); };
     CHECK(near(child_at(), {2, 0, 0}));
     animate(scene, 0);
-    CHECK(scene.placed == loaded);  // it is where it was
+    CHECK(scene.epoch == loaded);  // it is where it was
     animate(scene, 1);
-    CHECK(scene.placed != loaded);
+    CHECK(scene.epoch != loaded);
     CHECK(near(child_at(), {0, 0, -2}));
     CHECK(near(scene.items[1].bounds.center(), {0, 0, -2}));
     CHECK(near(scene.items[1].bounds.extent(), {2, 2, 2}));
@@ -97,7 +97,7 @@ TEST_CASE("children follow, bounds follow, and a time places everything whatever
     animate(scene, 1);
     CHECK(near(child_at(), {0, 0, -2}));
     TestScene again({object_at(quad_file, {0, 0, 0})});
-    CHECK(again.scene.placed != scene.placed);
+    CHECK(again.scene.epoch != scene.epoch);
 }
 
 TEST_CASE("a child that moves itself moves in its parent's space") {
