@@ -42,7 +42,8 @@ LISTED = 20  # lines of a summary
 
 
 def add_arguments(parser):
-    parser.add_argument("--device", required=True, metavar="NAME", help="a part of the device's name, or hardware")
+    parser.add_argument("--device", nargs="?", const="hardware", required=True, metavar="NAME",
+                        help="a part of the device's name; the first graphics card by default")
     parser.add_argument("shots", nargs="?", default="", metavar="NN[.SHOT]", help="one chapter or one shot (all)")
     parser.add_argument("--against", type=Path, metavar="FILE", help="an earlier run's file of figures")
     parser.add_argument("--out", type=Path, metavar="FILE", default=BUILD / "report" / "device.json",
