@@ -117,7 +117,7 @@ def with_platform(commit: str) -> list[str]:
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
 
-def run_ctest(folder: Path, junit: Path, selection: list[str], tries_part: bool) -> tuple[int, int]:
+def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
