@@ -7,7 +7,9 @@ from pages.page import page
 from pages.report_cards import Pictures
 from tree import write_atomically
 
+EXACT = 20  # pictures outside limits that are embedded losslessly, 1.5 MB each with the golden and the difference
+
 
 def write_page(out: Path, made: dict, results: list[dict], lines: list[str]):
     """`made` is the run's file and `lines` its summary; `results` are test/device.py's, in the order in which they are shown."""
-    write_atomically(out, page("device.html", made=made, results=results, lines=lines, pictures=Pictures()))
+    write_atomically(out, page("device.html", made=made, results=results, lines=lines, exact=EXACT, pictures=Pictures()))
