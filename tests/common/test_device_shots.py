@@ -18,7 +18,9 @@ sys.path.insert(0, str(ROOT / "common" / "course"))
 
 from PIL import Image, ImageOps  # noqa: E402
 
+from commands import selected  # noqa: E402
 from shots import accept, golden  # noqa: E402
+from shots.rendering import render_many  # noqa: E402
 from test import device  # noqa: E402
 from tree import UsageError, chapters, exercises, shots  # noqa: E402
 
@@ -103,6 +105,8 @@ class OnLlvmpipe(DeviceCase):
         self.assertIn("(an older one, ", said)
         self.assertRegex(said, rf": 1 of 1 shots moved\n  {SHOT}: FLIP mean 0.1234, .* -> FLIP mean 0.0.*; now within\n")
         self.assertIn("FLIP mean 0.1234", self.page())
+        before.write_text(json.dumps(earlier | {"shots": {SHOT: earlier["shots"][SHOT] | {"step_p999": 9}}}))
+        self.assertRegex(self.run_device(against=before)[1], rf": 1 of 1 shots moved\n  {SHOT}: .* 9 -> .*\nreport")
         before.write_text(json.dumps(earlier | {"shots": {}}))
         self.assertIn(f": 0 of 0 shots moved\n  not in that run: {SHOT}\n", self.run_device(against=before)[1])
 
@@ -118,9 +122,10 @@ class OnLlvmpipe(DeviceCase):
             before.unlink(missing_ok=True)
             if text is not None:
                 before.write_text(text)
-            with self.subTest(why), self.assertRaisesRegex(UsageError, why) as raised:
-                self.run_device(against=before)
-            self.assertNotIn("\n", str(raised.exception))
+            with self.subTest(why):
+                with self.assertRaisesRegex(UsageError, why) as raised:
+                    self.run_device(against=before)
+                self.assertNotIn("\n", str(raised.exception))
 
     def test_an_unknown_device_is_2_and_the_devices_are_named(self):
         words = [sys.executable, ROOT / "common" / "course", "test.device", "--device", "Voodoo", SHOT]
@@ -138,6 +143,14 @@ class Choices(DeviceCase):
             self.assertEqual(device.find_device(CHAPTER, wanted), found, wanted)
         with self.assertRaisesRegex(UsageError, r"Old card \(discrete, lacks dynamicRendering\), NVIDIA H200 \(discrete\), llvmpipe"):
             device.find_device(CHAPTER, "old card")
+
+    def test_pictures_are_drawn_on_the_named_device(self):
+        found = render_many(CHAPTER, [(["--shot", "teapot"], self.folder / "x.png")], "Voodoo")
+        self.assertRegex(found[0], "--device Voodoo: no usable device of that name")
+
+    def test_the_option_selects_the_command(self):
+        for words in (["--device", "x"], ["--device=x"], ["02", "--device", "x"]):
+            self.assertEqual(selected("test", words), "test --device")
 
     def test_a_reference_that_fails_and_a_starter_that_passes_are_wrong(self):
         names = list(exercises(CHAPTER))
