@@ -7,8 +7,6 @@ import json
 import sys
 from pathlib import Path
 
-from PIL import Image, ImageChops
-
 from build.build import build
 from many.shards import check_writable
 from pages.device import write_page
@@ -128,6 +126,8 @@ def judge(device: dict, chapter: str, shot: dict, picture: Path, failure: str) -
 
 def common_step(expected: Path, actual: Path, share: float = 0.001) -> int:
     """The largest step of any channel that more than `share` of the pixels reach: the 99.9th percentile."""
+    from PIL import Image, ImageChops  # here: help needs no package
+
     with Image.open(expected) as a, Image.open(actual) as b:
         channels = ImageChops.difference(a.convert("RGB"), b.convert("RGB")).split()
     counts = functools.reduce(ImageChops.lighter, channels).histogram()
