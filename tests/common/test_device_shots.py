@@ -1,5 +1,5 @@
 """./course test --device, on the software driver: its verdicts, page and file of figures, and the limits of hardware."""
-# Builds: 02_lambert_phong check_02_lambert_phong compare
+# Builds: 01_obj 02_lambert_phong check_02_lambert_phong compare
 
 import argparse
 import contextlib
@@ -132,6 +132,13 @@ class OnLlvmpipe(DeviceCase):
         done = subprocess.run(words, capture_output=True, text=True, env=os.environ, stdin=subprocess.DEVNULL)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, r"\A--device Voodoo: no usable device of that name; there are: llvmpipe [^\n]*\n\Z")
+
+    def test_an_unknown_device_is_found_before_all_is_built(self):
+        built = []
+        arguments = argparse.Namespace(device="Voodoo", shots="", against=None, out=self.file)
+        with self.assertRaises(UsageError):
+            device.run(arguments, [], make=built.append)
+        self.assertEqual(built, [["01_obj"]])
 
 
 class Choices(DeviceCase):

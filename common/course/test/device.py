@@ -57,10 +57,11 @@ def run(arguments, _rest, make=build) -> int:
     check_writable(arguments.out.absolute().parent)
     drawn = sorted({chapter for chapter, _ in found})
     checked = [] if "." in arguments.shots else [chapter for chapter in drawn if exercises(chapter)]
-    make([*drawn, *(f"check_{chapter}" for chapter in checked), "compare"])
-    device = find_device(found[0][0], arguments.device)
+    make(drawn[:1])  # which names the devices before all others are built
+    device = find_device(drawn[0], arguments.device)
     if earlier and earlier["device"] != device["name"]:
         raise UsageError(f"--against {relative(arguments.against)} is a run of {earlier['device']}, not of {device['name']}")
+    make([*drawn, *(f"check_{chapter}" for chapter in checked), "compare"])
     results = shot_results(device, found)
     checks = check_results(device, checked)
     made = {"kind": KIND, "device": device["name"], "type": device["type"], "driver": device["driver"], **origin(),
