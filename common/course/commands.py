@@ -8,6 +8,7 @@ COMMANDS = {
     "run --table": "film",
     "run --page": "film",
     "test": "test.run_tests",
+    "test --device": "test.device",
     "accept": "shots.accept",
     "check": "check.check",
     "check --next": "check.next_step",

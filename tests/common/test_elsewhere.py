@@ -104,6 +104,7 @@ class Editors(unittest.TestCase):
     @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
     def test_forms_citation_and_the_language_server_are_yaml_with_their_keys(self):
         for name, keys in {".clangd": {"CompileFlags"}, ".github/CITATION.cff": {"cff-version", "title", "authors", "license"},
+                           ".github/ISSUE_TEMPLATE/device.yml": {"name", "description", "body"},
                            ".github/ISSUE_TEMPLATE/lesson.yml": {"name", "description", "body"},
                            ".github/ISSUE_TEMPLATE/wrong.yml": {"name", "description", "body"}}.items():
             self.assertLessEqual(keys, set(yaml.safe_load((REAL / name).read_text())), name)

@@ -41,6 +41,7 @@ LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
 OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "framework.md": "The framework", "serve.md": "Live lessons",
           "teaching.md": "For instructors", "development.md": "For developers", "elsewhere.md": "Windows and macOS",
+          "devices.md": "Devices",
           "publish.md": "Publish the lessons"}
 OWN = Path(__file__).parent / "site"
 SHOWN, TRIED, FIRST = "15", "11_julia", "02.lambert"  # on the first page: a chapter's picture, a program that runs, an exercise

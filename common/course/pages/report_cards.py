@@ -8,6 +8,7 @@ from tree import ROOT
 
 FIGURES = (("flip_mean", "FLIP mean", lambda m: m["flip"]["mean"]),
            ("flip_p99", "p99", lambda m: m["flip"]["p99"]),
+           ("step_p999", "step of one pixel in a thousand", lambda m: m.get("step_p999")),
            ("max_diff", "largest step", lambda m: m["max_diff"]["steps"]))
 
 
@@ -44,7 +45,8 @@ class Pictures:
 
 def figures(metrics: dict | None, limits: dict | None) -> list[tuple]:
     """(label, value, limit or None) of each figure."""
-    return [(label, value_of(metrics), (limits or {}).get(key)) for key, label, value_of in FIGURES] if metrics else []
+    measured = [(label, value_of(metrics), (limits or {}).get(key)) for key, label, value_of in FIGURES] if metrics else []
+    return [figure for figure in measured if figure[1] is not None]
 
 
 def read_result(path: Path) -> dict:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from build.build import build
 from progress import Progress
-from shots.golden import LIMITS, compare, distance_of, distances_path, golden_path, limits_of, measured_distances, unfit
+from shots.golden import (LIMITS, compare, distance_of, distances_path, golden_path, hardware_distances, limits_of,
+                          measured_distances, recorded_distances, unfit)
 from shots.rendering import render, render_shot
 from shots.squeeze import squeezed
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
@@ -131,8 +132,8 @@ def keep_distances(distances: dict):
     for chapter in sorted({chapter for chapter, _ in distances}):
         # Of a shot that is gone nothing stays.
         known = {shot["name"] for _, shot in find_shots(chapter)}
-        kept = {name: of for name, of in measured_distances(chapter).items() if name in known}
-        kept |= {name: of for (its, name), of in distances.items() if its == chapter}
+        kept = {name: of for name, of in recorded_distances(chapter).items() if name in known}
+        kept |= {name: of | hardware_distances(chapter, name) for (its, name), of in distances.items() if its == chapter}
         lines = [f" {json.dumps(name)}: {{\n" + ",\n".join(f"  {json.dumps(driver)}: {json.dumps(distance)}"
                  for driver, distance in sorted(of.items())) + "\n }" for name, of in sorted(kept.items())]
         write_atomically(distances_path(chapter), "{\n" + ",\n".join(lines) + "\n}\n")

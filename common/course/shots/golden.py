@@ -27,6 +27,13 @@ if that is more. Its measurements are in tests/NN_name/golden/distances.json:
 
 A picture that differs by NEVER_FAILS steps at most is right, for any FLIP: so much do the roundings of two makers'
 processors differ.
+
+A hardware device (`./course test --device`) has limits of its own, HARDWARE_LIMITS. step_p999 is the step that at least one pixel
+in a thousand reaches: the largest step would be that of a single texel at a silhouette. A shot that needs more has the
+measured figures in distances.json as well, under a part of the device's name, with the cause in words; the limit is
+HARDWARE_MARGIN times the figure:
+
+    {"SHOT": {"NVIDIA H200": {"flip_mean": 0.0165, "cause": "filter weights of 8 bits"}}}
 """
 
 import atexit
@@ -42,6 +49,8 @@ from tree import BUILD, ROOT, Failure, relative
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
 MARGIN = 3
 NEVER_FAILS = 2  # steps of 1/255
+HARDWARE_LIMITS = {"flip_mean": 0.01, "flip_p99": 0.06, "step_p999": 32}
+HARDWARE_MARGIN = 1.25
 comparing = threading.Lock()
 
 
@@ -53,8 +62,8 @@ def distances_path(chapter: str) -> Path:
     return ROOT / "tests" / chapter / "golden" / "distances.json"
 
 
-def measured_distances(chapter: str) -> dict:
-    """Measurements of ./course accept, by shot and driver. Empty without any."""
+def recorded_distances(chapter: str) -> dict:
+    """The contents of distances.json, by shot and driver or device. Empty without any."""
     path = distances_path(chapter)
     try:
         return json.loads(path.read_text()) if path.exists() else {}
@@ -62,9 +71,28 @@ def measured_distances(chapter: str) -> dict:
         raise Failure(f"{relative(path)} cannot be read: {error}; ./course accept {chapter[:2]} writes it") from None
 
 
+def measured_distances(chapter: str) -> dict:
+    """Measurements of ./course accept, by shot and driver."""
+    return {name: {driver: distance for driver, distance in of.items() if "cause" not in distance}
+            for name, of in recorded_distances(chapter).items()}
+
+
+def hardware_distances(chapter: str, name: str) -> dict:
+    """A shot's figures above HARDWARE_LIMITS with their cause, by part of a device's name."""
+    return {device: distance for device, distance in recorded_distances(chapter).get(name, {}).items() if "cause" in distance}
+
+
 def limits_of(chapter: str, name: str) -> dict:
     found = measured_distances(chapter).get(name, {}).values()
     return {key: max([limit, *(MARGIN * distance[key] for distance in found)]) for key, limit in LIMITS.items()}
+
+
+def hardware_limits(chapter: str, name: str, device: str) -> tuple[dict, list[str]]:
+    """A shot's limits on a hardware device, and why any is wider than HARDWARE_LIMITS."""
+    found = [distance for part, distance in hardware_distances(chapter, name).items() if part in device]
+    limits = {key: max([limit, *(HARDWARE_MARGIN * distance.get(key, 0) for distance in found)])
+              for key, limit in HARDWARE_LIMITS.items()}
+    return limits, [distance["cause"] for distance in found]
 
 
 def compare(expected: Path, actual: Path, heatmap: Path | None = None) -> dict:
@@ -98,9 +126,9 @@ def unfit(metrics: dict) -> list[str]:
 
 
 def distance_of(metrics: dict) -> dict:
-    """How far apart two pictures are, in the terms of LIMITS."""
-    return {"flip_mean": metrics["flip"]["mean"], "flip_p99": metrics["flip"]["p99"],
-            "max_diff": metrics["max_diff"]["steps"]}
+    """How far apart two pictures are, in the terms of LIMITS and, where it was measured, HARDWARE_LIMITS."""
+    found = {"flip_mean": metrics["flip"]["mean"], "flip_p99": metrics["flip"]["p99"], "max_diff": metrics["max_diff"]["steps"]}
+    return found | ({"step_p999": metrics["step_p999"]} if "step_p999" in metrics else {})
 
 
 def exceeded(metrics: dict, limits: dict) -> list[str]:

@@ -109,12 +109,13 @@ class Asked:
 
 
 class Drawing(Asked):
-    """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). With more in
-    its environment. Not for tests of output and exit."""
+    """A chapter's program that draws one picture after the other: draws() as often as wanted, then close(). On a device, by
+    a part of its name, and with more in its environment. Not for tests of output and exit."""
 
-    def __init__(self, chapter: str, validate: str = "on", **environment):
+    def __init__(self, chapter: str, validate: str = "on", device: str = "", **environment):
         self.chapter = chapter
-        super().__init__([chapter_program(chapter), "--pictures", "--validate", validate], environment=surroundings(environment))
+        on = ["--device", device] if device else []
+        super().__init__([chapter_program(chapter), "--pictures", "--validate", validate, *on], environment=surroundings(environment))
 
     def draw(self, options: list, picture: Path) -> tuple[int, str, str]:
         """(exit code, error, text on stderr)."""
@@ -122,10 +123,10 @@ class Drawing(Asked):
         return (answer["code"], answer["error"], said) if answer else (code, last_words(said), said)
 
 
-def render_many(chapter: str, pictures: list[tuple[list, Path]], **environment) -> list[str]:
+def render_many(chapter: str, pictures: list[tuple[list, Path]], device: str = "", **environment) -> list[str]:
     """Draws (options, picture) each, and returns each one's error, in the program's words."""
     wrong = []
-    with Drawing(chapter, **environment) as drawing:
+    with Drawing(chapter, device=device, **environment) as drawing:
         for options, picture in pictures:
             picture.parent.mkdir(parents=True, exist_ok=True)
             picture.unlink(missing_ok=True)

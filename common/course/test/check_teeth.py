@@ -15,9 +15,9 @@ from tree import BUILD, ROOT, Failure, exercises, is_edited, run_on_chapter
 FUNCTION = re.compile(r"^(\w+)(\s+\w+\s*\([^)]*\)\s*)\{", re.M)
 
 
-def passed(chapter: str, use: str, root: Path = ROOT) -> dict[str, bool]:
+def passed(chapter: str, use: str, root: Path = ROOT, **environment) -> dict[str, bool]:
     """Which of the chapter's exercises pass their check. Raises Failure where the program says nothing."""
-    done = run_program([BUILD / "tests" / f"check_{chapter}", "--use", use], LIGHTWALK_ROOT=str(root))
+    done = run_program([BUILD / "tests" / f"check_{chapter}", "--use", use], LIGHTWALK_ROOT=str(root), **environment)
     lines = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     if not lines:
         raise Failure(f"check_{chapter} ended with {done.returncode}: {done.stderr.strip()}")

@@ -30,6 +30,8 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --sanitize       these tests, then first and engine once more under the sanitizers of addresses and of
                                  undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
+  ./course test --device NAME    every shot and every check on one device, such as a graphics card (hardware), within limits of
+                                 its own; --against FILE compares with an earlier run, and --device --help says more
   ./course test --on trixie      ./course run, docs, serve and test on a bare Debian 13, in a container in build/on/trixie;
                                  bookworm is Debian 12. A pattern or options select tests. It requires root.
 
@@ -45,7 +47,7 @@ RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 
 
 def add_arguments(parser):
-    parser.usage = ("./course test [PATTERN | --all | --since COMMIT] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
+    parser.usage = ("./course test [PATTERN | --all | --since COMMIT | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
                     "[--merge FILE...] [OPTIONS OF CTEST]")
     parser.add_argument("--all", action="store_true", help="all four suites")
     parser.add_argument("--since", metavar="COMMIT", help="add the tests of platform that changed files concern")
@@ -115,7 +117,7 @@ def with_platform(commit: str) -> list[str]:
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
 
-def run_ctest(folder: Path, junit: Path, selection: list[str], tries_part: bool) -> tuple[int, int]:
+def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
     """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
