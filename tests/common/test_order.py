@@ -1,4 +1,4 @@
-"""Tests of the order of the tree's parts (common/course/test/order.py) and of the variables in docs/development.md, on small trees of files."""
+"""Tests of the order of the tree's parts (common/course/test/order.py), on small trees of files."""
 # Builds: nothing
 
 import sys
@@ -9,7 +9,7 @@ from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
 
-from test import order, text_check  # noqa: E402
+from test import order  # noqa: E402
 
 FILES = {
     "common/base/text.h": "", "common/gpu/frame.h": '#include "common/base/text.h"\n#include "common/view.h"\n',
@@ -73,25 +73,6 @@ class Order(unittest.TestCase):
         self.assert_wrong("common/course/build/x.py", "import os\n    from test.needs import y\n", "x.py:2", "build may not import test")
         self.assert_wrong("common/course/tree.py", "import progress\n", "tree may not import progress")
         self.assert_wrong("common/course/attic/x.py", "", "common/course/attic", "not a package", "charts")
-
-
-class Variables(unittest.TestCase):
-    def wrong(self, readme: str) -> list[str]:
-        # In two parts, so that this file reads none.
-        files = {"a/x.cpp": f'std::getenv("{"LIGHTWALK"}_A"); // LIGHTWALK_COMMENT\n', "b.py": f"os.environ['{'LIGHTWALK'}_B']\n",
-                 "docs/development.md": readme}
-        with tempfile.TemporaryDirectory() as made:
-            for name, text in files.items():
-                Path(made, name).parent.mkdir(exist_ok=True)
-                Path(made, name).write_text(text)
-            with mock.patch.object(text_check, "ROOT", Path(made)), \
-                    mock.patch.object(text_check, "files", lambda: [Path(name) for name in files]):
-                return text_check.check_variables()
-
-    def test_readme_names_what_is_read_and_nothing_else(self):
-        self.assertEqual(self.wrong("| `LIGHTWALK_A` | x |\nand `LIGHTWALK_B`"), [])
-        self.assertEqual(self.wrong("`LIGHTWALK_A`"), ["b.py: docs/development.md does not name LIGHTWALK_B"])
-        self.assertEqual(self.wrong("`LIGHTWALK_A` `LIGHTWALK_B` `LIGHTWALK_C`"), ["docs/development.md: nothing reads LIGHTWALK_C"])
 
 
 if __name__ == "__main__":
