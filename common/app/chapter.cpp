@@ -12,7 +12,7 @@
 namespace lightwalk {
 namespace {
 
-// Adds surroundings to a bare model: a camera, light and ground.
+// Default scene for a bare model: camera, light, ground.
 SceneFile furnished(const Chapter& chapter, const std::filesystem::path& file) {
     const Bounds bounds = chapter.scene.bounds;
     SceneFile scene = scene_of_model(file, bounds);
@@ -30,10 +30,10 @@ SceneFile furnished(const Chapter& chapter, const std::filesystem::path& file) {
     return scene;
 }
 
-constexpr glm::uvec2 looked_at{192, 108};  // pixels
+constexpr glm::uvec2 looked_at{192, 108};  // test picture, in pixels
 constexpr double most_clipped = 0.01;
 
-// Dims a bare model's scene where more than a hundredth of its picture is white. True: it is to be loaded again.
+// Dims the default scene of a bare model if more than 1% of its pixels are clipped. True: reload.
 bool expose(Chapter& chapter, Gpu& gpu) {
     Frame frame(gpu);
     render(chapter, frame, {.size = looked_at, .crop = {}});
@@ -47,7 +47,7 @@ bool expose(Chapter& chapter, Gpu& gpu) {
     for (const glm::vec3& p : picture.pixels) brightest.push_back(std::max({p.r, p.g, p.b}));
     const auto place = static_cast<std::ptrdiff_t>(double(brightest.size()) * (1 - 0.5 * most_clipped));
     std::nth_element(brightest.begin(), brightest.begin() + place, brightest.end());
-    const float bright = 1.02f * brightest[static_cast<size_t>(place)];  // becomes code 253
+    const float bright = 1.02f * brightest[static_cast<size_t>(place)];  // maps to code 253
     if (!(bright > 1.0f && std::isfinite(bright))) return false;
     SceneFile& scene = chapter.scene.file;
     scene.emission /= bright;
@@ -72,7 +72,7 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
     chapter.scene.file = scene;
     if (loading.before) loading.before();
     chapter.scene.load(gpu, std::move(scene), loader);
-    // A bare model: now that its size is known, a camera that frames it. The pool keeps the model.
+    // Second load, with a camera framing the bounds now known; the pool keeps the model.
     if (!is_scene) chapter.scene.load(gpu, furnished(chapter, file), loader);
     foreign.name_left_out();
     const auto prepare = [&] {
@@ -81,7 +81,7 @@ void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, 
         chapter.prepare_all(gpu, chapter.scene);
     };
     prepare();
-    // A film has no model of its own.
+    // Films have no items.
     if (!is_scene && !chapter.scene.items.empty() && expose(chapter, gpu)) {
         chapter.scene.load(gpu, SceneFile(chapter.scene.file), loader);
         prepare();

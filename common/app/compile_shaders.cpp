@@ -18,7 +18,6 @@ Macros macros_of(const Chapter& chapter) {
     return macros;
 }
 
-// Every combination of the settings of knobs from `first` on, the others as they are.
 void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vector<Macros>& result) {
     if (knobs.empty()) return result.push_back(macros_of(chapter));
     const std::string before = knobs[0]->text();
@@ -29,13 +28,12 @@ void combine(const Chapter& chapter, std::span<KnobBase* const> knobs, std::vect
     knobs[0]->set(before);
 }
 
-// The macros' settings that give different text: the product over the knobs the shaders name. Where that is too many,
-// the method's settings, each with every setting of one other knob.
+// Product of the settings of all knobs that the shaders name; if too large, each method with one other knob.
 std::vector<Macros> variants(const Chapter& chapter, const std::string& text, bool defaults_only) {
     if (defaults_only) return {macros_of(chapter)};
     std::vector<KnobBase*> named;
     size_t count = 1;
-    std::set<std::string> macros;  // two modules of one kind have the same
+    std::set<std::string> macros;
     for (KnobBase* knob : chapter.all_knobs())
         if (!knob->variants().empty() && names_macro(text, knob->macro()) && macros.insert(knob->macro()).second) {
             count *= knob->variants().size();
@@ -50,7 +48,6 @@ std::vector<Macros> variants(const Chapter& chapter, const std::string& text, bo
     return result;
 }
 
-// Compiles the variants that no earlier state has compiled.
 int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defaults_only, std::set<std::string>& seen,
                      std::set<std::filesystem::path>& files) {
     std::string text;
@@ -77,8 +74,7 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
 }  // namespace
 
 int compile_all_shaders(Chapter& chapter, const std::string& stamp, bool all) {
-    // Every variant with all references; the default knobs with all starters, and with one exercise of the chapter
-    // swapped at a time, since a swap can only break the interface. Earlier chapters test their own.
+    // Defaults suffice for starters and for single swaps of an exercise: a swap can only break an interface.
     std::vector<std::string> states{"solution", "exercise"};
     for (const std::string& id : Exercises::ids()) {
         if (!all || id.substr(0, 2) != chapter.name.substr(0, 2)) continue;

@@ -8,7 +8,6 @@
 namespace lightwalk {
 namespace {
 
-// Back to front by object.
 void draw_sorted(Frame& frame, Canvas& canvas, std::vector<SeenThrough> all) {
     std::stable_sort(all.begin(), all.end(),
                      [](const SeenThrough& a, const SeenThrough& b) { return a.what.distance_m > b.what.distance_m; });
@@ -71,7 +70,7 @@ void Canvas::enter(Phase phase, const std::string& drawing) {
     last_ = drawing;
 }
 
-// New light: discards any tone curve applied to the image before.
+// Cleared contents are linear light again.
 void Canvas::begin_color() {
     if (!color_begun_) color_.image->shown_in = 0;
 }
@@ -129,7 +128,6 @@ void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawin
     draw_transparent(frame, view, canvas, drawings);
 }
 
-// [order]
 Drawings in_order(const Drawings& drawings) {
     Drawings all;
     all.reserve(drawings.size());
@@ -168,13 +166,12 @@ void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings&
     }
     canvas.color(frame);
 }
-// [/order]
 
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     const ViewScope scope(frame, view);
     const std::vector<SeenThrough> surfaces = transparent_surfaces(view, in_order(drawings));
     if (surfaces.empty()) return;
-    canvas.depth(frame);  // cleared where nothing opaque was drawn
+    canvas.depth(frame);  // clears depth if nothing opaque was drawn
     if (canvas.mixing())
         canvas.mixing()->record(frame, view, canvas, surfaces);
     else

@@ -1,4 +1,4 @@
-// Drawings: they draw a picture into given targets from a given view.
+// Drawings: modules that render into a canvas from a view.
 #pragma once
 #include <functional>
 #include <span>
@@ -14,57 +14,48 @@ class TransparencyMethod;
 
 using Drawings = std::vector<std::reference_wrapper<Drawing>>;
 
-// [phase]
-/// When a drawing is drawn, wherever it stands in a list: each phase needs the depth or the light that the earlier ones
-/// leave. Transparent surfaces follow all of them.
+/// Draw order. Each phase may depend on depth and light of earlier ones. Transparent surfaces follow the last phase.
 enum class Phase {
     backdrop,  ///< overwrites the whole canvas
     opaque,
-    sky,    ///< where nothing has depth
-    water,  ///< over all that it reflects and refracts
-    air,    ///< participating media that the depth ends
+    sky,    ///< where depth is still cleared
+    water,  ///< over everything it reflects and refracts
+    air,    ///< participating media, ended by depth
     fog
 };
 const char* name_of(Phase phase);
-// [/phase]
 
-// [canvas]
-/// Targets of one size that drawings share. The first pass that draws into one clears it, so no drawing clears
-/// another's result.
-/// Large (20 functions, 10 members): targets, and what has happened to them.
+/// Render targets shared by drawings. The first pass that draws into a target clears it.
 class Canvas {
   public:
-    /// `color`: RGBA16F, linear. `depth`: D32F, reversed, or none if a single drawing needs no depth test.
-    /// `background`: colour where nothing is drawn.
+    /// `color`: RGBA16F, linear. `depth`: D32F, reversed, or none without depth tests. `background`: clear colour.
     Canvas(const ImageView& color, const ImageView& depth, const glm::vec4& background = {0.0f, 0.0f, 0.0f, 1.0f})
         : color_(color), depth_(depth), background_(background) {}
 
-    /// Draws into multisampled images instead; their mean is resolved into the canvas after each pass.
+    /// Renders into multisampled images, resolved into the canvas after each pass.
     Canvas& multisampled(const ImageView& colors, const ImageView& depths);
 
-    /// Method that blends transparent surfaces with their background; null: back to front, by object.
+    /// Method for blending transparent surfaces; null: back to front by object.
     Canvas& mixed_by(TransparencyMethod* method);
-    TransparencyMethod* mixing() const { return colors_ ? nullptr : mixing_; }  ///< one sample a pixel only
+    TransparencyMethod* mixing() const { return colors_ ? nullptr : mixing_; }
 
-    /// To draw into, in a raster pass; the first time cleared.
+    /// Targets for a raster pass; cleared on first use.
     Attachment color_target();
     Attachment depth_target();
     Attachment depth_read_only() const;
 
-    /// Depth with one sample per pixel, for passes that read it before the surfaces are shaded.
+    /// Single-sampled depth, for passes that read depth before shading.
     Attachment single_depth_target() { return depths_ ? clear(depth_, 0.0f) : depth_target(); }
     const ImageView& single_depth() const { return depth_; }
 
-    /// To read, or to write from compute; cleared where nothing was drawn yet.
+    /// Images to sample, or to write from compute; cleared if nothing was drawn yet.
     const ImageView& color(Frame& frame);
     const ImageView& depth(Frame& frame);
 
-    /// The target, for a compute pass that overwrites every pixel.
     const ImageView& color_overwritten();
-    /// For a pass that writes depth itself.
     const ImageView& depth_overwritten();
 
-    /// A drawing of this phase comes next. Throws Failure if one of a later phase was drawn: it would be overwritten.
+    /// Announces the next drawing. Throws Failure if a later phase has begun: its result would be overwritten.
     void enter(Phase phase, const std::string& drawing);
 
     bool has_color() const { return color_begun_; }
@@ -79,112 +70,102 @@ class Canvas {
     TransparencyMethod* mixing_ = nullptr;
     void begin_color();
     bool color_begun_ = false, depth_begun_ = false;
-    Phase phase_ = Phase::backdrop;  ///< reached so far
-    std::string last_;               ///< the drawing that reached it
+    Phase phase_ = Phase::backdrop;
+    std::string last_;
 };
-// [/canvas]
 
-// [drawing]
-/// A module that draws. The frame-wide state it may know is the view, the scene's sun and the exposure.
+/// Module that renders. Shared state it may read: view, the scene's sun, exposure.
 class Drawing : public Module {
   public:
     using Module::Module;
 
     virtual Phase drawn_in() const { return Phase::opaque; }
 
-    /// Once a frame, before any update: a drawing with a sun gives it to the scene.
+    /// Called once a frame, before any update(): sets the scene's sun if this drawing has one.
     virtual void shine() {}
 
-    /// The drawing that provides the sun and air; null: the scene's lights.
+    /// Drawing that provides sun and atmosphere; null: the scene's lights.
     virtual const Drawing* lit_by() const { return nullptr; }
 
-    /// Once a frame, before any update: all drawings of the frame's first list, itself included. Owners of shadow maps
-    /// look for casters there.
+    /// Called once a frame, before any update(), with all drawings of the frame. Shadow maps find their casters here.
     virtual void meet(const Drawings&) {}
 
-    /// The modules with knobs or motion that change the picture.
+    /// Modules whose knobs or animation affect the picture.
     virtual std::vector<const Module*> made_of() const { return {this}; }
 
-    /// Once a frame, before the first draw: work shared by all views.
+    /// Called once a frame, before the first draw: work shared by all views.
     virtual void update(Frame&) {}
 
-    /// Draws into the canvas as seen from the view. Shaders already have the block `view`.
+    /// Renders the view into the canvas. Shaders have the uniform block `view`.
     virtual void draw(Frame&, const View&, Canvas&) = 0;
 
-    /// Transparent surfaces. They are drawn after all opaque ones, the farthest first.
+    /// Transparent surface, drawn after all opaque ones, farthest first.
     struct Transparent {
-        float distance_m;  ///< of its middle from the eye
-        uint32_t item;     ///< the drawing's own number
-        glm::vec3 middle;  ///< metres, world space
+        float distance_m;  ///< from the camera to its centre
+        uint32_t item;     ///< number assigned by the drawing
+        glm::vec3 middle;  ///< centre in metres, world space
     };
     virtual std::vector<Transparent> transparent(const View&) const { return {}; }
-    /// The drawing that has its transparent surfaces; null: there are none now.
+    /// Drawing that owns the transparent surfaces; null: none at present.
     virtual const Drawing* transparent_part() const { return this; }
 
-    /// Bindings of their pass, and the draw of some of them in this order. Their fragment shaders end with
-    /// put_surface() of common/put_surface.glsl, by which the method handles colour and alpha.
+    /// Modules and resources of the transparent pass, and draws of surfaces in the given order. Fragment shaders end
+    /// with put_surface() (common/put_surface.glsl), through which the method receives colour and alpha.
     virtual std::vector<With> transparent_with() const { return {}; }
     virtual std::vector<Resource> transparent_reads() const { return {}; }
     virtual void draw_transparent(Raster&, std::span<const Transparent>) const {}
 
-    /// Their triangles one by one, for methods that order those. None: the drawing cannot tell, or has none.
+    /// Transparent triangle, for methods that sort triangles. An empty list: unsupported, or none.
     struct TransparentTriangle {
-        float distance_m;     ///< of its middle from the eye
-        uint32_t item;        ///< index of the item it belongs to
-        glm::uvec3 vertices;  ///< of the item's mesh
+        float distance_m;
+        uint32_t item;
+        glm::uvec3 vertices;  ///< indices into the mesh of `item`
     };
     virtual std::vector<TransparentTriangle> transparent_triangles(const View&) const { return {}; }
-    /// Draws `count` indices of a buffer from `first` on with an item's vertices.
+    /// Draws `count` indices of `indices`, from `first` on, with the vertices of `item`.
     virtual void draw_transparent_triangles(Raster&, uint32_t /*item*/, const Buffer& /*indices*/, uint32_t /*first*/,
                                             uint32_t /*count*/) const {}
-    // [/drawing]
 
-    /// shine() or update(), unless this frame has had it.
+    /// Calls shine(), update() or meet() unless already done in this frame.
     void shine_once(const Frame& frame);
     void update_once(Frame& frame);
     void meet_once(const Frame& frame, const Drawings& all);
     bool has_shone(const Frame& frame) const { return shone_ == frame.number(); }
 
   private:
-    uint64_t shone_ = 0, met_ = 0, updated_ = 0;  ///< Frame::number
+    uint64_t shone_ = 0, met_ = 0, updated_ = 0;
 };
 
-// [transparency]
-/// One transparent surface and its drawing.
+/// Transparent surface with its drawing.
 struct SeenThrough {
     const Drawing* drawing;
     Drawing::Transparent what;
 };
 
-/// Blends transparent surfaces with their background after all opaque drawing. A canvas names it.
 class TransparencyMethod {
   public:
     virtual ~TransparencyMethod() = default;
     virtual void record(Frame&, const View&, Canvas&, const std::vector<SeenThrough>&) = 0;
 };
 
-/// All transparent surfaces of the drawings, in their order.
 std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings);
 
-/// Draws them in this order into the targets; neighbours of one drawing share a pass. `targets`: common to all
-/// passes; cleared once, even if there is nothing to draw.
+/// Draws surfaces in order; consecutive ones of a drawing share a pass. `targets` are always cleared.
 void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
                    const std::vector<SeenThrough>& surfaces);
-// [/transparency]
 
-/// The drawings that are in use, by phase; within a phase in the order given.
+/// Drawings in use, sorted by phase; stable within a phase.
 Drawings in_order(const Drawings& drawings);
 
-/// The drawings in the given phases.
 Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings);
 
-/// Updates all suns, then the state shared by all views, once per frame. Throws Failure if a drawing lacks its light.
+/// Updates all suns, then state shared by views, once a frame. Throws Failure if a drawing lacks its light.
 void update(Frame& frame, const Drawings& drawings);
 
-/// Updates the drawings, draws them by phase, and then their transparent surfaces.
+/// Updates and renders all drawings by phase, then transparent surfaces.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
-/// The two halves of draw(): everything but the transparent surfaces, and these alone.
+/// Renders everything but transparent surfaces; draw_transparent() renders only these.
 void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 

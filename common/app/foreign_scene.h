@@ -1,4 +1,4 @@
-// Scenes that another chapter saved: parts that their reader lacks are passed over, and named in one line.
+// Scenes saved by another chapter: parts unknown to the reader are skipped with a warning.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -10,30 +10,28 @@
 
 namespace lightwalk {
 
-/// For one load. A scene without knobs_of, or with the reader's own, may lack nothing.
+/// State of one load. Scenes without knobs_of, or with the reader's own, must be complete.
 class ForeignScene {
   public:
-    /// `reader`: the chapter's name; `words`: for the line, such as "this chapter".
+    /// `reader`: chapter name. `words`: its description in the warning, for instance "this chapter".
     ForeignScene(std::filesystem::path file, const SceneFile& scene, std::string reader, std::string words);
 
-    /// Throws InputError for a name that is unknown or unclear.
+    /// Throws InputError if the name is unknown or ambiguous.
     using FindKnob = std::function<KnobBase&(const std::string& name)>;
 
-    /// Sets the scene's knobs, except for pinned ones. Throws InputError for a value that a knob refuses. In another
-    /// chapter's scene only a module's knob is known to be the same one: `method` is each chapter's own.
+    /// Applies knobs, except pinned ones and the other chapter's own, such as `method`. Throws InputError.
     void set_knobs(const SceneFile& scene, const FindKnob& find);
 
-    /// What a module stands for, such as a height map, or what `load` reads; empty for an unknown kind of file.
+    /// Model from a module that handles the file (a height map), or from `load`; empty for unknown file types.
     Model model(const Module& reader, const std::filesystem::path& file, const std::function<Model()>& load);
 
-    std::string left_out() const;  ///< modules and files, joined by commas
+    std::string left_out() const;
 
-    /// Warns, once for each file.
     void name_left_out() const;
 
   private:
     const std::filesystem::path file_;
-    const std::string from_, words_;  ///< from_: another chapter; empty: none
+    const std::string from_, words_;
     std::set<std::string> left_out_;
 };
 

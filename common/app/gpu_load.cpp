@@ -12,7 +12,7 @@ void GpuLoad::run(std::chrono::milliseconds duration) {
     if (frame_.gpu.device.software()) return;
     if (!result_) result_ = Buffer(frame_.gpu.device, {.name = "load", .bytes = 16});
     const auto until = std::chrono::steady_clock::now() + duration, at_most = until + std::chrono::milliseconds(500);
-    least_ms_ *= 1.01;  // a device that grows warm becomes slower for good
+    least_ms_ *= 1.01;  // tolerance for thermal throttling
     bool is_fast = false;
     for (auto now = until - duration; now < until || (!is_fast && now < at_most);
          now = std::chrono::steady_clock::now()) {

@@ -1,3 +1,4 @@
+// Load that keeps a GPU at full clock.
 #pragma once
 #include <chrono>
 
@@ -5,23 +6,19 @@
 
 namespace lightwalk {
 
-/// Load for a GPU that lowers its clock when idle. Short frames with pauses between them run at half the clock: an
-/// H200 took 0.46 ms for the levels of 4096² texels and 0.31 ms for those of 8192², each interleaved with other
-/// methods.
+/// Keeps a GPU at full clock during measurements: with pauses between frames, an H200 runs at half its clock.
 class GpuLoad {
   public:
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
 
-    /// Keeps the device busy for so long, in frames of its own, and waits; up to half a second longer until they are as fast
-    /// as those of the last load. Nothing at all on a software device. 3 ms before each of an H200's short frames were not enough
-    /// for its clock, nor 30 ms after the processor had made a table for a tenth of a second.
+    /// Keeps the device busy for `duration`, up to 0.5 s longer until it is at full speed. Blocks. Hardware only.
     void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));
 
   private:
     Frame frame_;
     Buffer result_;
     uint32_t groups_ = 256;
-    double least_ms_ = 1e9;  ///< of a group, in the fastest frame so far
+    double least_ms_ = 1e9;
 };
 
 }  // namespace lightwalk

@@ -20,7 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-// A NaN, or an infinity, in the linear light of the picture.
 void report_non_finite(Gpu& gpu, const Image& linear, const std::string& why) {
     size_t nan = 0, infinite = 0;
     for (const glm::vec3& pixel : read_linear(gpu, linear).pixels)
@@ -33,10 +32,10 @@ void report_non_finite(Gpu& gpu, const Image& linear, const std::string& why) {
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
                   const std::vector<PassTime>& first_frame, const std::vector<std::vector<PassTime>>& frames,
                   const std::vector<double>& recording_ms) {
-    // Not every frame has every pass: an upload is in those alone in which something has changed.
+    // Union of all frames' passes: uploads, for instance, occur only in frames with changes.
     std::vector<std::pair<const PassTime*, std::vector<double>>> passes_of;
     for (const std::vector<PassTime>& frame : frames) {
-        size_t behind = 0;  // the place behind the pass before
+        size_t behind = 0;
         for (const PassTime& pass : frame) {
             const auto known = std::find_if(passes_of.begin(), passes_of.end(),
                                             [&](const auto& one) { return one.first->name == pass.name; });
@@ -57,7 +56,6 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
                           {"q1_ms", q.q1},
                           {"q3_ms", q.q3}});
     }
-    // One-time work is in the first frame alone, which is not measured.
     json once = json::array();
     for (const PassTime& pass : first_frame)
         if (std::none_of(passes_of.begin(), passes_of.end(),
@@ -74,8 +72,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
             {"status", chapter.all_status()}};
 }
 
-// Processor times of recording frames in a row, as a viewer has them. After the load of a timing run, and the waits for
-// it, the processor's caches hold other things: on an H100's host that takes up to twice as long.
+// CPU times of recording consecutive frames. GpuLoad empties caches: up to twice as long on an H100's host.
 std::vector<double> recording_in_a_row(Chapter& chapter, Frame& frame, const Options& options) {
     std::vector<double> recording_ms;
     for (int i = 0; i < options.frames; ++i) {
@@ -111,7 +108,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     const Look look{.output = options.look};
     Image looked_at;
     look.attach(frame, looked_at, chapter.camera, chapter.scene.bounds);
-    // The first frame of a timing run compiles and warms up, and is not counted.
+    // Timing runs discard the first frame, which compiles shaders.
     GpuLoad load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<PassTime> first_times;
@@ -125,17 +122,17 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         std::optional<Capture> capture;
         if (captured) capture.emplace();
         Picture picture{options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}};
-        if (!options.timings.empty() && i > 0) picture.gathered = 0;  // what a frame costs in a row of them
+        if (!options.timings.empty() && i > 0) picture.gathered = 0;  // steady-state cost
         render(chapter, frame, picture);
         if (captured) capture->write(options.capture);
         patience.show(i + 1, options.frames + warm_up);
         if (i < warm_up) add_times(first_times, frame.times);
         if (i < warm_up) continue;
-        add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
+        add_times(times.emplace_back(), frame.times);
         recording_ms.push_back(frame.recording_ms);
     }
     look.check(frame);
-    // First: a picture that is wrong does not take the place of one that was right.
+    // Checked first, so that an invalid picture does not overwrite a valid file.
     report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
     if (!options.timings.empty()) {

@@ -26,12 +26,11 @@ std::string format(double value) {
     return {buffer, end};
 }
 
-// 16777216 rather than 1.6777216e+07.
+// 16777216 instead of 1.6777216e+07.
 std::string short_number(double value) {
     return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value) : format(value);
 }
 
-// How a value type maps to components.
 template <class T>
 struct Components {
     static constexpr int count = 1;
@@ -192,7 +191,6 @@ void Choice::add_macros(Macros& macros) const {
 
 namespace {
 
-// The knobs that a name alone could mean.
 KnobList called(const KnobList& knobs, const std::string& name) {
     KnobList same;
     for (KnobBase* knob : knobs) {

@@ -1,5 +1,4 @@
-// Knobs: named parameters of a module. One declaration gives the option, the slider, the scene-file key, the shader's
-// uniform or macro and the study's axis.
+// Knobs: module parameters, declared once for option, slider, scene file, study, and uniform or macro.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -16,35 +15,32 @@ class Module;
 
 class KnobBase {
   public:
-    /// Registers with the module that owns it.
     KnobBase(Module& owner, std::string name, std::string help, std::string unit);
     virtual ~KnobBase();
     KnobBase(const KnobBase&) = delete;
 
-    /// Takes the text of --set, a scene file or a study. Throws InputError, which says the range or the names.
+    /// Parses the text of --set, a scene file or a study. Throws InputError with the range or the names.
     virtual void set(const std::string& text) = 0;
-    virtual std::string text() const = 0;  ///< the value as set() accepts it
+    virtual std::string text() const = 0;
     virtual void reset() = 0;
-    virtual void change_default(const std::string& text) = 0;  ///< and its value with it
+    virtual void change_default(const std::string& text) = 0;  ///< sets the default and the value
     virtual nlohmann::json describe() const = 0;
 
-    /// Accepted values and the default, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
+    /// Accepted values and default, for --help: "{none,hard,pcf} (pcf)", "0..1 m (0.01)".
     virtual std::string usage() const = 0;
 
-    /// Whether its value is another than the default.
     virtual bool changed() const = 0;
 
-    /// Adds the macros of compiled-in knobs: SHADOW_FILTER, SHADOW_FILTER_PCF … for the knob `filter` of a module of
-    /// kind `shadow`.
+    /// Adds macros of compiled-in knobs: for shadow.filter, SHADOW_FILTER, SHADOW_FILTER_PCF, …
     virtual void add_macros(Macros&) const {}
 
-    /// Every setting that gives another compiled variant; empty for uniforms.
+    /// Settings with a compiled variant each; empty for uniforms.
     virtual std::vector<std::string> variants() const { return {}; }
 
-    /// Another number for each of variants(), while it is set.
+    /// Index into variants() of the current setting.
     virtual size_t variant() const { return 0; }
 
-    /// Up to four numbers for a uniform, as float or int bits; empty for macros.
+    /// Uniform value: up to four floats, or integers as bits; empty for macros.
     struct Numbers {
         std::array<float, 4> values{};
         size_t count = 0;
@@ -53,13 +49,13 @@ class KnobBase {
     };
     virtual Numbers numbers() const { return {}; }
 
-    std::string path() const;   ///< with its module's before it: shadow.filter
-    std::string macro() const;  ///< the first of its macros' names: SHADOW_FILTER
+    std::string path() const;   ///< shadow.filter
+    std::string macro() const;  ///< SHADOW_FILTER
 
     Module& owner;
     const std::string name, help, unit;
-    bool pinned = false;  ///< on the command line: a scene file does not overrule it
-    bool alone = false;   ///< answers to its name alone, also where another module has one of that name
+    bool pinned = false;  ///< set on the command line: overrides scene files
+    bool alone = false;   ///< its short name takes precedence over equal names in other modules
 };
 
 using KnobList = std::vector<KnobBase*>;
@@ -69,7 +65,7 @@ struct Range {
     T lower, upper;
 };
 
-/// A number, or a vector of numbers (all in one range), as a member of the same name in its module's uniform block.
+/// Number or vector, each component within the range; in shaders, a member of the module's uniform block.
 template <class T>
 class Knob : public KnobBase {
   public:
@@ -88,7 +84,7 @@ class Knob : public KnobBase {
     const Range<T> range;
 };
 
-/// On or off, compiled in as 1 or 0: a feature that is off costs nothing.
+/// Boolean, compiled in as 1 or 0, so that a disabled feature costs nothing.
 template <>
 class Knob<bool> : public KnobBase {
   public:
@@ -108,7 +104,7 @@ class Knob<bool> : public KnobBase {
     bool default_value;
 };
 
-/// One of several names: a shader compares NAME with NAME_ONE, NAME_TWO ...
+/// Enumeration. Shaders compare the macro NAME with NAME_ONE, NAME_TWO, …
 class Choice : public KnobBase {
   public:
     Choice(Module& owner, std::string name, std::vector<std::string> options, std::string default_option,
@@ -131,11 +127,10 @@ class Choice : public KnobBase {
     size_t default_index_ = 0;
 };
 
-/// By path, or by name alone where no other module has it too, or it is the one that answers to it. Throws InputError
-/// and lists the paths where there is no such knob, or more than one.
+/// Knob by path, or by short name if unambiguous. Throws InputError, listing candidate paths.
 KnobBase& find_knob(const KnobList& knobs, const std::string& name);
 
-/// Whether find_knob() takes the knob's name without its module's.
+/// True if find_knob() accepts the knob's name without its module.
 bool has_short_name(const KnobList& knobs, const KnobBase& knob);
 
 }  // namespace lightwalk

@@ -1,10 +1,9 @@
-// A knob that is set for a while.
+// Knob value set within a scope.
 #pragma once
 #include "common/app/knob.h"
 
 namespace lightwalk {
 
-/// Sets a knob while it lives, and then restores the value that it had.
 class KnobScope {
   public:
     KnobScope(KnobBase& knob, const std::string& value) : knob_(knob), before_(knob.text()) { knob_.set(value); }

@@ -59,7 +59,6 @@ std::string maps_of(const Material& material) {
     return text;
 }
 
-// Contents of a model file as the loader read them, and the parts left out.
 json model_json(const Model& model) {
     json meshes = json::array(), materials = json::array(), left_out = json::array(), lights = json::array();
     size_t vertices = 0, triangles = 0;
@@ -124,7 +123,6 @@ void print_model(const Model& model, const Options& options) {
     std::printf("left out: %s\n", left_out.empty() ? "nothing" : left_out.c_str());
 }
 
-// One line an entry: the values, the first one padded.
 void print_table(const json& list) {
     for (const json& entry : list) {
         std::string line;

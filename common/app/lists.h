@@ -1,10 +1,9 @@
-// The lists that --list prints.
+// Output of --list.
 #pragma once
 #include "common/app/options.h"
 
 namespace lightwalk {
 
-/// Returns the exit code.
 int print_list(const Options& options, Chapter& chapter);
 
 }  // namespace lightwalk

@@ -19,7 +19,6 @@ std::string name_of(const std::pair<std::string, ImageView>& output) {
     return output.first + ": " + output.second.name();
 }
 
-// Position of the wanted output, or the end.
 size_t find(const Frame& frame, const std::string& wanted) {
     const auto& all = frame.outputs;
     auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return name_of(one) == wanted; });
@@ -65,13 +64,13 @@ void Look::attach(Frame& frame, Image& copy, const Camera& camera, const Bounds&
     if (output.empty()) return;
     frame.after_pass = [this, &frame, &copy, camera, bounds, seen = size_t(0)]() mutable {
         const size_t end = frame.outputs.size();
-        if (seen > end) seen = 0;  // the next of several pictures
+        if (seen > end) seen = 0;
         for (; seen < end; ++seen) {
             const auto [pass, view] = frame.outputs[seen];
             if (name_of({pass, view}) == output || (pass == output && find(frame, output) == seen))
                 record(frame, copy, view, camera, bounds);
         }
-        frame.outputs.resize(end);  // drop outputs recorded here
+        frame.outputs.resize(end);
     };
 }
 
@@ -110,7 +109,7 @@ void Look::check(const Frame& frame) const {
 }
 
 const Image& Look::picture(const Frame& frame, const Image& copy) const {
-    // An output chosen just now has no copy yet.
+    // a newly selected output has no copy yet
     const bool copied = copy && copy.desc.size == frame.size && find(frame, output) < frame.outputs.size();
     return copied ? copy : frame.output;
 }

@@ -1,4 +1,4 @@
-// Shows a pass's output before a later pass overwrites it.
+// Inspection of a pass's output before a later pass overwrites it.
 #pragma once
 #include "common/gpu/frame.h"
 #include "common/scene/camera.h"
@@ -6,39 +6,35 @@
 
 namespace lightwalk {
 
-/// A rectangle of an image, and how another one is shown in it.
 struct Shown {
-    glm::uvec2 corner{0}, size{0};  ///< pixels
-    float stops = 0.0f;             ///< brighter by 2^stops
-    int channel = 0;                ///< 0 all, 1 to 4 one of red, green, blue, alpha
+    glm::uvec2 corner{0}, size{0};
+    float stops = 0.0f;  ///< exposure: gain 2^stops
+    int channel = 0;     ///< 0: all; 1 to 4: red, green, blue, alpha
 };
 
-/// A pass that makes any image of a frame visible, fitted into a rectangle of `into`. `camera` and `bounds` (metres) say
-/// which depths there are to see.
+/// Pass that displays any image within a rectangle of `into`. `camera` and `bounds` (metres) set the depth range.
 void show_image(Frame& frame, const std::string& pass, const ImageView& view, const Image& into, const Shown& shown,
                 const Camera& camera, const Bounds& bounds);
 
 struct Look {
-    std::string output;  ///< one of names(), or a pass, for the first image it writes; empty: the picture itself
-    float stops = 0.0f;  ///< brighter by 2^stops
-    int channel = 0;     ///< 0 all, 1 to 4 one of red, green, blue, alpha
+    std::string output;  ///< one of names(), or a pass for its first output; empty: the final picture
+    float stops = 0.0f;
+    int channel = 0;
 
-    /// Outputs of the last recorded frame, in order: "pass: image".
+    /// Outputs of the last frame, "pass: image", in pass order.
     static std::vector<std::string> names(const Frame& frame);
 
-    /// Makes the frame copy that output, visibly, into `copy` when its pass has been recorded; `copy` is made where it
-    /// is none of the frame's size. Call it before recording. `camera` and `bounds` (metres) say which depths there are
-    /// to see.
+    /// Makes the frame copy the selected output into `copy` right after its pass. Call before recording.
     void attach(Frame& frame, Image& copy, const Camera& camera, const Bounds& bounds) const;
 
-    /// Throws InputError with the available names if the frame lacks the wanted output.
+    /// Throws InputError with the available names if the output does not exist.
     void check(const Frame& frame) const;
 
-    /// The picture to show for a recorded frame: its output, or the copy of the chosen pass.
+    /// Picture of a recorded frame: the copy of the selected output, or frame.output.
     const Image& picture(const Frame& frame, const Image& copy) const;
 
   private:
-    // `view` is a copy: recording adds to the list that it comes from.
+    // `view` by value: recording extends the list it comes from.
     void record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const;
 };
 

@@ -64,7 +64,7 @@ void Module::forget_macros() {
     }
 }
 
-// Kept from frame to frame: a pass asks all of its modules, and their texts are hundreds.
+// Cached: every pass queries all its modules.
 Macros Module::macros() const {
     const auto same = [](const auto& one) { return one.first->variant() == one.second; };
     if (macros_ && std::ranges::all_of(compiled_, same)) return *macros_;
@@ -79,7 +79,7 @@ Macros Module::macros() const {
     return *macros_;
 }
 
-// Knobs are searched by name once for each layout; each pass asks for their numbers.
+// Cached by layout: every pass queries the values.
 std::span<const std::byte> Module::block(const Binding& binding) const {
     if (binding.hash != block_name_) return {};
     auto block = std::ranges::find(blocks_, binding.layout, &Block::layout);
@@ -115,7 +115,7 @@ std::span<const std::byte> Module::block(const Binding& binding) const {
 void Module::expand(std::vector<const Given*>& into) const {
     Given::expand(into);
     for (const Member& member : members_)
-        if (member.module && owner_) member.module->expand(into);  // a chapter's modules are stated one by one
+        if (member.module && owner_) member.module->expand(into);  // the chapter's modules are listed individually
 }
 
 void Module::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
@@ -135,7 +135,7 @@ void Module::visit_used(Self& self, const Visit& visit) {
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
     visit_used(*this, [&](Module& module) {
         Turn::begins(module.path());
-        aside([] {});  // others need not wait for all of them
+        aside([] {});  // yields to waiting threads
         module.prepare(gpu, scene);
     });
 }

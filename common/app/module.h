@@ -1,4 +1,4 @@
-// Modules: the unit that one chapter hands to the next, under one name.
+// Modules: units of knobs, targets, passes and shaders that chapters share.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -16,98 +16,91 @@ struct Model;
 struct Sound;
 class TargetBase;
 
-/// How a picture is gathered over frames.
+/// Temporal accumulation of a picture.
 struct Gathering {
-    int frames = 0;  ///< that a cold start takes until the picture counts; 0: each stands alone
-    glm::vec2 (*shift)(int frame) = nullptr;  ///< of each frame within a pixel: -0.5 to 0.5
+    int frames = 0;                           ///< from cold start to final picture; 0: no accumulation
+    glm::vec2 (*shift)(int frame) = nullptr;  ///< sub-pixel jitter per frame, -0.5 to 0.5 pixels
 };
 
-// [module]
-/// An owner of knobs, targets, passes and GLSL. Its members register with it in their constructors:
+/// Owner of knobs, targets, passes and GLSL. Members register themselves:
 ///
 ///     struct Shadow : Module {
 ///         using Module::Module;
-///         Choice filter{*this, "filter", {"hard", "pcf"}, "pcf", "how the shadow is filtered"};
+///         Choice filter{*this, "filter", {"hard", "pcf"}, "pcf", "shadow filter"};
 ///     };
-///     Shadow shadow{*this, "shadow"};  // in a chapter, or in another module
+///     Shadow shadow{*this, "shadow"};  // in a chapter or another module
 ///
-/// The option and scene key is shadow.filter. In GLSL the kind, which is the name unless it is given, stands before all
-/// it has: the macro SHADOW_FILTER, the uniform block `shadow`. So two modules of one kind have different options and
-/// share their shaders; a pass takes one of them. A pass that states it in `.with` is given its own modules, too.
+/// Option and scene key: shadow.filter. In GLSL, names start with the module's kind (by default its name): the macro
+/// SHADOW_FILTER, the uniform block `shadow`. Two modules of one kind have separate options and share shaders; a pass
+/// accepts only one of them. A pass that lists a module in `.with` also receives the modules it owns.
 class Module : public Given {
   public:
-    /// Without a name its members have the owner's paths, and its knobs the owner's macros and block.
+    /// Without a name, members have the owner's path, macros and uniform block.
     Module(Module& owner, std::string name, std::string kind = "");
     ~Module() override;
     Module(const Module&) = delete;
 
     const std::string& kind() const override { return kind_; }
-    const std::string& path() const { return path_; }  ///< "shadow", or "lights.shadow"; empty: the chapter itself
+    const std::string& path() const { return path_; }  ///< "shadow", "lights.shadow"; empty: the chapter
 
     Macros macros() const override;
     std::span<const std::byte> block(const Binding& binding) const override;
     void expand(std::vector<const Given*>& into) const override;
 
-    /// Of it and of all its modules, in the order of declaration; of a chapter all there are.
+    /// Knobs of this module and its submodules, in declaration order.
     const KnobList& all_knobs() const;
 
-    /// Epoch of the last change of one of its knobs, of a knob of its modules, of an exercise or of a shader.
+    /// Epoch of the last change to a knob of this module or its submodules, an exercise, or a shader.
     uint64_t epoch() const;
 
-    /// At the start of a frame: gives targets their size, and turns histories over.
+    /// Start of a frame: resizes targets and swaps histories.
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size);
 
-    /// Invalidates the history, after a change of scene or method.
+    /// Invalidates histories, after a change of scene or method.
     void forget_history();
-    // [/module]
 
-    // [life]
-    // A module's life. A chapter asks all of its modules in order of declaration, each after the modules it owns;
-    // nothing is forwarded by hand.
+    // Life cycle. The chapter visits all modules in declaration order, submodules first.
 
-    /// A scene was loaded or reloaded: rebuild everything made from it.
+    /// Rebuilds everything derived from the scene, after it was loaded or reloaded.
     virtual void prepare(Gpu&, Scene&) {}
 
-    /// Whether its picture changes with time, or gathers samples over frames.
+    /// True if the picture changes over time or accumulates over frames.
     virtual bool animated() const { return false; }
 
-    /// Dependencies of prepare() other than the scene, as text: a change reloads the scene.
+    /// Text key of prepare()'s dependencies beyond the scene; a change reloads the scene.
     virtual std::string load_key() const { return {}; }
 
-    /// Whether its picture is gathered over frames, and of how many.
     virtual Gathering gathering() const { return {}; }
 
-    /// Exercises that run while a scene is loaded: toggling one of them loads it again.
+    /// Exercises that run during loading: toggling one reloads the scene.
     virtual std::vector<std::string> load_exercises() const { return {}; }
 
-    /// Whether this module reads such a file itself; `into` then gets the model that stands for it in the scene, of no
-    /// triangles where the module draws it, too.
+    /// True if this module reads the file itself. `into` receives the proxy model for the scene, without triangles if
+    /// the module draws it.
     virtual bool stands_for(const std::filesystem::path& /*file*/, Model& /*into*/) const { return false; }
 
-    /// Sound that a window plays with the picture, from 0 s on; null: none. Valid until the next prepare().
+    /// Sound track of the window, from 0 s on; null: none. Valid until the next prepare().
     virtual const Sound* sound() const { return nullptr; }
 
-    /// Of the last frame, for the panel beside the times and for --timings: a line each; none before it had one.
+    /// Status lines of the last frame, shown beside the pass times and by --timings.
     virtual std::vector<std::string> status() const { return {}; }
 
-    /// False: not asked any of the above, nor are its modules. None given: always true.
+    /// False: prepare(), status() and the other visits skip this module and its submodules. Default: always in use.
     std::function<bool()> in_use;
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
-    Gathering longest_gathering() const;  ///< of the module that takes the most frames
+    Gathering longest_gathering() const;
     bool any_model(const std::filesystem::path& file, Model& into) const;
-    const Sound* any_sound() const;  ///< of the first module that has one
+    const Sound* any_sound() const;
     std::vector<std::string> all_status() const;
-    std::string load_state() const;  ///< all load keys, and the toggles of all load exercises
-    bool loads_exercise() const;     ///< some exercise runs at load, in the student's version
-                                     // [/life]
+    std::string load_state() const;  ///< load keys and toggles of load exercises
+    bool loads_exercise() const;     ///< an exercise that runs during loading is the student's
 
   protected:
-    Module() = default;  ///< a chapter: it has no owner and no name
+    Module() = default;
 
   private:
-    /// Its knobs and those of its modules without a name.
     template <class Visit>
     void visit_own(const Visit& visit) const {
         for (const Member& member : members_)
@@ -116,7 +109,6 @@ class Module : public Given {
             else if (member.module->kind_.empty())
                 member.module->visit_own(visit);
     }
-    /// A knob came or went.
     void forget_macros();
     friend class KnobBase;
     friend class TargetBase;
@@ -124,7 +116,7 @@ class Module : public Given {
     static void visit_used(Self& self, const Visit& visit);
     Module* owner_ = nullptr;
     std::string path_, kind_;
-    struct Member {  ///< one of the two
+    struct Member {  ///< exactly one is set
         KnobBase* knob = nullptr;
         Module* module = nullptr;
     };
@@ -132,13 +124,12 @@ class Module : public Given {
     std::vector<TargetBase*> targets_;
     mutable std::optional<KnobList> all_;
     mutable Made knobs_seen_;
-    mutable uint64_t epoch_ = 0;  ///< of its knobs
+    mutable uint64_t epoch_ = 0;
     mutable std::optional<Macros> macros_;
-    mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< with variants; the ones in macros_
-    /// Uniform blocks that shaders have of it, and their bytes the last time. A few.
+    mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< variants in macros_
     struct Block {
         uint64_t layout = 0;
-        std::vector<const KnobBase*> knobs{};  ///< of each member
+        std::vector<const KnobBase*> knobs{};
         std::vector<std::byte> bytes{};
     };
     mutable std::vector<Block> blocks_;

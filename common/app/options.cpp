@@ -28,7 +28,6 @@ glm::uvec2 parse_size(const std::string& text) {
     return size;
 }
 
-// "auto" for the method leaves the choice to the need rule.
 void set_knob(Options& options, Chapter& chapter, const std::string& name, const std::string& value) {
     const KnobList knobs = chapter.all_knobs();
     KnobBase& knob = find_knob(knobs, name == "method" ? chapter.method_knob : name);
@@ -55,7 +54,6 @@ void apply_shot(Options& options, Chapter& chapter) {
     throw unknown_name("shot", options.shot, known, "--list shots lists all");
 }
 
-// The list asked for, and the file if it is a model's.
 void read_list(const std::vector<std::string>& words, Options& o) {
     if (words.empty()) return;
     const std::vector<std::string> known = {"knobs", "shots", "exercises", "devices", "model"};
@@ -67,7 +65,7 @@ void read_list(const std::vector<std::string>& words, Options& o) {
     if (words.size() == 2) o.list_file = words[1];
 }
 
-// A window that was asked for nothing in particular opens on the picture that the chapter's shots name as the best.
+// Default shot of a window without other arguments: the best one.
 std::string opening_shot(const Options& options, const CLI::App& app, const Chapter& chapter) {
     const auto other = [](const CLI::Option* one) {
         return !one->empty() && one->get_name() != "--device" && one->get_name() != "--validate" &&
@@ -79,7 +77,6 @@ std::string opening_shot(const Options& options, const CLI::App& app, const Chap
     return !shots.empty() && shots.front().is_best && shots.front().time_s == 0 ? shots.front().name : std::string();
 }
 
-// Grouped by module, the chapter's own first.
 void add_knobs(CLI::App& app, const KnobList& knobs, std::map<std::string, std::string>& values) {
     const auto add = [&](const KnobBase& knob, const std::string& group) {
         std::string names = "--" + knob.path();
@@ -92,7 +89,6 @@ void add_knobs(CLI::App& app, const KnobList& knobs, std::map<std::string, std::
         if (!knob->owner.path().empty()) add(*knob, "Knobs of '" + knob->owner.path() + "'");
 }
 
-// The first argument that is no option, or belongs to none.
 InputError unrecognised(const CLI::App& app) {
     std::vector<std::string> known, left = app.remaining();
     for (const CLI::Option* option : app.get_options())
@@ -186,7 +182,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         for (const std::string& value : option->results())
             if (value.empty())
                 throw InputError("{}: the value is empty; --help says what it takes", option->get_name());
-    // CLI11's ranges let a NaN through: it is neither below nor above them.
+    // CLI11's range checks accept NaN.
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
@@ -197,7 +193,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     o.size_given = !size.empty();
     if (o.size_given) o.size = parse_size(size);
     if (o.time_given) o.time_s = *o.time_given;
-    Exercises::use("solution");  // toggles not named keep their default; one process may read options of many pictures
+    Exercises::use("solution");  // resets toggles: one process may parse options of many pictures
     Exercises::use(o.use);
     const std::vector<std::string> ids = Exercises::ids();
     if (app.count("--use") > 0 && ("," + o.use).find(",solution") != std::string::npos && !ids.empty() &&

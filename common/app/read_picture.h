@@ -1,14 +1,14 @@
-// Pictures from the device.
+// Read-back of pictures from the device.
 #pragma once
 #include "common/gpu/gpu.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
 
-/// The view's first mip and layer as linear RGB: of half floats, floats, or sRGB-encoded bytes. Waits.
+/// First mip and layer as linear RGB, from half floats, floats or sRGB bytes. Blocks.
 ImageRgb read_linear(Gpu& gpu, const ImageView& view);
 
-/// The same of an 8-bit picture, as it is. Waits.
+/// First mip and layer of an 8-bit image, still encoded. Blocks.
 Image8 read_picture(Gpu& gpu, const ImageView& view);
 
 }  // namespace lightwalk

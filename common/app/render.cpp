@@ -13,7 +13,7 @@ namespace {
 const Pipeline add = compute({.shader = "common/accumulate.comp"});
 const Pipeline encode = compute({.shader = "common/encode_srgb.comp"});
 
-// J. M. Hammersley's points (1960): evenly spread over the pixel for every number of them.
+// Hammersley points (J. M. Hammersley 1960), centred in their strata.
 glm::vec2 shift_of(int sample, int samples) {
     if (samples == 1) return glm::vec2(0.0f);
     float inverse = 0.0f, digit = 0.5f;
@@ -22,11 +22,9 @@ glm::vec2 shift_of(int sample, int samples) {
     return {(static_cast<float>(sample) + 0.5f) / static_cast<float>(samples) - 0.5f, inverse + half_cell - 0.5f};
 }
 
-// The order in which a picture at rest gathers its samples: shifts of neighbouring numbers lie far apart, so that the
-// picture does not drift across the pixel while it is refined. 7 shares no factor with a power of two.
+// Permutation for progressive refinement without drift across the pixel; 7 is coprime to powers of two.
 int scattered(int sample, int samples) { return 7 * sample % samples; }
 
-// Of this thread.
 double processor_ms() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -77,7 +75,7 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         if (gathered > 0) chapter.forget_history();
         if (gathered > 0 || gathering.frames == 0) frame.gathered = 0;
         for (int before = std::max(gathered, 1) - 1; before >= 0; --before) {
-            // Samples of one picture take further shifts of the same sequence.
+            // Sub-frames continue the jitter sequence.
             frame.crop.shift =
                 gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(point, samples);
             const bool is_last = before == 0 && sample + 1 == last;

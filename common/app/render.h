@@ -1,4 +1,4 @@
-// Drawing a chapter's frames.
+// Rendering of a chapter's pictures.
 #pragma once
 #include <optional>
 
@@ -7,37 +7,30 @@
 
 namespace lightwalk {
 
-/// Size, time and sub-pixel shift of a drawn picture.
 struct Picture {
-    glm::uvec2 size{960, 540};  ///< pixels
+    glm::uvec2 size{960, 540};
     float time_s = 0;
     unsigned seed = 0;
     Crop crop;
-    std::optional<glm::ivec2> sample{};  ///< only this one of so many, after those before it; without it all, in order
-    /// Where a picture is gathered over frames: from a cold start and so many of them, 1/60 s apart; 0: it goes on from
-    /// the frame before; without it as many as Module::gathering says. Then it depends on nothing drawn before.
+    std::optional<glm::ivec2> sample{};  ///< {index, count}: a single sub-frame; empty: all, in order
+    /// Frames to accumulate from a cold start, 1/60 s apart; 0: continues the last frame; empty: Module::gathering.
     std::optional<int> gathered{};
-    ReadBack* written = nullptr;  ///< also read back, with the picture's last frame
+    ReadBack* written = nullptr;
 };
 
-// [render]
-/// Records, submits and awaits chapter.samples frames, each shifted within a pixel. frame.linear() and frame.output
-/// then hold their mean in linear light, frame.times the sums per pass: of a picture gathered over frames, those of its
-/// last frame. If recording throws, the part recorded is still submitted.
+/// Renders chapter.samples jittered frames and waits. frame.linear() and frame.output receive their mean in linear
+/// light; frame.times the sums per pass, or the last frame's times for accumulated pictures.
 void render(Chapter& chapter, Frame& frame, const Picture& picture);
-// [/render]
 
-/// Linear light of one more picture with the knobs as they are, at time 0, in a frame of its own: for measure(). Waits.
+/// Renders at time 0 with the current knobs and returns linear light. Blocks. For Chapter::measure().
 ImageRgb render_linear(Chapter& chapter, Gpu& gpu, glm::uvec2 size);
 
-/// Adds times to those of passes with the same name.
 void add_times(std::vector<PassTime>& sum, const std::vector<PassTime>& times);
 
-/// Adds frame.hdr to the mean of linear light over the pictures so far, where there is more than one.
+/// Adds frame.hdr to the mean of sub-frames, if there are several.
 void accumulate(Frame& frame);
 
-/// Linear light to frame.output: clamped to 1 and sRGB-encoded. Chapters that map tones better do so themselves, after
-/// accumulate(frame), from frame.linear().
+/// Writes linear light to frame.output, clamped and sRGB-encoded, for chapters without a tone curve.
 void encode_srgb(Frame& frame);
 
 }  // namespace lightwalk

@@ -7,7 +7,6 @@
 
 namespace lightwalk {
 
-// A hash of the values, rather than all of them: some are compared in every frame.
 std::string settings_of(const Module& module) {
     uint64_t hash = 1;
     for (const KnobBase* knob : module.all_knobs()) {
@@ -17,7 +16,7 @@ std::string settings_of(const Module& module) {
             if (std::fabs(number) < 0x1p24f)
                 hash = mixed(hash, std::bit_cast<uint32_t>(number));
             else
-                hash = mixed(hash, hash_bytes(knob->text()));  // a float does not hold every integer that large
+                hash = mixed(hash, hash_bytes(knob->text()));  // floats cannot represent large integers exactly
     }
     return {reinterpret_cast<const char*>(&hash), sizeof hash};
 }

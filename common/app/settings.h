@@ -1,4 +1,4 @@
-// A module's knob settings as bytes.
+// Hash of knob values, to invalidate derived data.
 #pragma once
 #include <string>
 
@@ -6,7 +6,6 @@
 
 namespace lightwalk {
 
-/// Values of all its knobs and its modules' knobs: a change invalidates derived data.
 std::string settings_of(const Module& module);
 
 }  // namespace lightwalk

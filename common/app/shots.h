@@ -1,4 +1,4 @@
-// Named pictures of a chapter.
+// Named shots of a chapter.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
@@ -7,23 +7,23 @@
 
 namespace lightwalk {
 
-/// One of the list in tests/NN_name/shots.json.
+/// Entry of tests/NN_name/shots.json.
 struct Shot {
     std::string name, caption, scene;
     glm::uvec2 size{960, 540};
     float time_s = 0;
     int frames = 1;
-    bool is_best = false;  ///< the file names it as "best"
+    bool is_best = false;
     std::vector<std::pair<std::string, std::string>> set;
 };
 
-/// Throws InputError if the file is damaged; none if there is no file.
+/// Empty if the file is missing. Throws InputError if it is invalid.
 std::vector<Shot> read_shots(const std::string& chapter);
 
-/// The same from a text; `file` stands for it in messages.
+/// Parses JSON text; `file` is the name in error messages.
 std::vector<Shot> parse_shots(const std::string& text, const std::string& file);
 
-/// A chapter's shots, beginning with the one that shows it best: "best" in the file, without it the first.
+/// Shots with the best one first: the file's "best", else its first.
 std::vector<Shot> best_first(const std::string& chapter);
 
 }  // namespace lightwalk

@@ -44,7 +44,7 @@ const Image& History::now() {
 
 const Image& History::before() const { return images_[1 - current_]; }
 
-// Registered before its images, it sees them change their size.
+// Called before its images' own begin_frame(), since it registered first, and thus detects their resizing.
 void History::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
     const VkImage last = images_[current_].handle;
     for (Target& image : images_) image.begin_frame(gpu, frame_size);

@@ -1,4 +1,4 @@
-// Images that a module owns from frame to frame.
+// Images owned by modules.
 #pragma once
 #include "common/app/module.h"
 #include "common/gpu/image.h"
@@ -19,7 +19,7 @@ class TargetBase {
     Module& owner_;
 };
 
-/// As Image::Desc, except for the size: in pixels, or 0 and a scale of the frame's.
+/// Image::Desc with a size in pixels, or 0 and a scale of the frame size.
 struct TargetDesc {
     std::string name;
     VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -27,30 +27,29 @@ struct TargetDesc {
     float scale = 1.0f;
     uint32_t mips = 1, layers = 1;  ///< mips 0: down to 1×1
     bool cube = false;
-    bool kept = false;  ///< later frames read its contents
+    bool kept = false;
 };
 
-/// An image of a module, called path.name: made when a frame begins, and again if its size changes.
+/// Image of a module, named path.name; created at the start of a frame and recreated if its size changes.
 class Target : public TargetBase, public Image {
   public:
     Target(Module& owner, TargetDesc desc);
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size) override;
 
-    /// For a size or a number of layers that follows a knob: takes effect when the next frame begins.
+    /// Size and layers may follow knobs; applied at the next frame.
     TargetDesc wanted;
 
   private:
     const std::string path_;
 };
 
-// [history]
-/// Two images that swap each frame: this frame's output is the next one's `before`.
+/// Double-buffered image: `now` becomes the next frame's `before`.
 class History : public TargetBase {
   public:
     History(Module& owner, const TargetDesc& desc);
-    const Image& now();                    ///< to write; marks it as written in this frame
-    const Image& before() const;           ///< to read where valid()
-    bool valid() const { return valid_; }  ///< the frame before this one wrote it, at this size
+    const Image& now();
+    const Image& before() const;           ///< requires valid()
+    bool valid() const { return valid_; }  ///< written by the previous frame, at the current size
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size) override;
     void forget() override { valid_ = written_ = false; }
 
@@ -59,6 +58,5 @@ class History : public TargetBase {
     int current_ = 0;
     bool written_ = false, valid_ = false;
 };
-// [/history]
 
 }  // namespace lightwalk

@@ -4,10 +4,9 @@
 
 namespace lightwalk {
 
-// [draw_light]
 Drawings World::ready(Frame& frame, const View& view) {
     if (std::exchange(begun_, frame.number()) != frame.number()) {
-        scene_->forget_sun();  // of a drawing that is not in use any more
+        scene_->forget_sun();  // may belong to a drawing no longer in use
         update(frame, in_order(drawings()));
         record(frame);
     }
@@ -20,7 +19,6 @@ void World::draw_light(Frame& frame, const View& view, Canvas& canvas) {
     ready(frame, view);
     draw_view(frame, view, canvas);
 }
-// [/draw_light]
 
 void set_look(const World& world, const Module& shown_by) {
     const KnobList knobs = shown_by.all_knobs();

@@ -1,67 +1,54 @@
-// Worlds: a chapter's composition, as a member that others can hold.
+// Worlds: scene compositions shared by chapters.
 #pragma once
 #include "common/app/drawing.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
-// [world]
-/// A scene's drawings and how they are joined. A chapter draws it to the screen; a film's scene along a path; a mirror, a
-/// light probe or a screen from elsewhere. Its members have the owner's paths: an option is the same in each of them.
-///
-///     struct Shore : World {
-///         using World::World;
-///         Land land{*this, "land"};
-///         Water water{*this, "water"};
-///         Drawings drawings() override { return {land, water}; }
-///     };
+/// Drawings of a scene and their composition. Members have the owner's paths: options are equal in all chapters.
 class World : public Module {
   public:
     explicit World(Module& owner) : Module(owner, "") {}
 
-    /// All of them. Those in use are drawn, by phase.
     virtual Drawings drawings() = 0;
 
-    /// The scene's light from a view, into a canvas of any size. The scene was placed by animate() before.
+    /// Renders linear light of a view into a canvas of any size. Requires Scene::animate() for the frame.
     void draw_light(Frame& frame, const View& view, Canvas& canvas);
-    /// The drawings, prepared for a view, for callers that draw them in another way.
+    /// Prepares the drawings for a view, for callers that render them differently.
     Drawings ready(Frame& frame, const View& view);
 
-    /// Colour where nothing is drawn.
     virtual glm::vec4 background() const { return glm::vec4(scene_->file.background, 1.0f); }
 
-    /// Where a picture is taken from.
     struct Eye {
         Camera camera;
         std::optional<glm::dvec3> exact{};  ///< View::exact_eye
     };
-    /// The camera given, unless the world has one of its own.
+    /// Camera of the world, by default the given one.
     virtual Eye eye(const Frame&, const Camera& given) { return {given}; }
 
-    /// Default display settings for its light: knobs by path, such as post.tone.
+    /// Default display settings: values by knob path, such as post.tone.
     virtual std::vector<std::pair<std::string, std::string>> look() const { return {}; }
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
 
   protected:
-    /// Once a frame, before its first view: shared work beyond the drawings' own update().
+    /// Called once a frame before its first view: shared work beyond update() of the drawings.
     virtual void record(Frame&) {}
 
     /// Prerequisites of a view, such as a mirror image.
     virtual void record_view(Frame&, const View&) {}
 
-    /// draw(), unless something comes between the drawings.
+    /// Renders the drawings; override to insert passes between them.
     virtual void draw_view(Frame& frame, const View& view, Canvas& canvas) { draw(frame, view, canvas, drawings()); }
 
     Scene& scene() { return *scene_; }
-    // [/world]
 
   private:
     Scene* scene_ = nullptr;
-    uint64_t begun_ = 0;  ///< Frame::number()
+    uint64_t begun_ = 0;
 };
 
-/// Applies world.look() as default values to the knobs of `shown_by`, which has bloom, tones and the like.
+/// Applies world.look() as default values to the knobs of `shown_by`, which displays the world.
 void set_look(const World& world, const Module& shown_by);
 
 }  // namespace lightwalk

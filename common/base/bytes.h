@@ -1,4 +1,4 @@
-// Values as bytes and back, for messages between two processes of a program.
+// Binary serialisation, for messages between processes of one program.
 #pragma once
 #include <cstring>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace lightwalk {
 
-// A type that is no plain value says once which fields it has, for both directions:
+// Types that are not trivially copyable list their fields once, for both directions:
 //     template <class Bytes> void fields(Bytes& bytes, Mesh& mesh) { bytes(mesh.name, mesh.vertices); }
 
 class ByteWriter {
@@ -49,7 +49,7 @@ class ByteWriter {
     }
 };
 
-/// Throws Failure if the bytes end too early. Nothing else is validated: ranges are the caller's.
+/// Throws Failure if the bytes end too early. Ranges are not validated.
 class ByteReader {
   public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -58,7 +58,6 @@ class ByteReader {
     void operator()(Values&... values) {
         (get(values), ...);
     }
-    /// The next `count` values of so many bytes each, as they lie.
     std::string_view take(size_t count, size_t size = 1) {
         if (count > rest_.size() / size) throw Failure("a message from another process ends too early");
         const std::string_view taken = rest_.substr(0, count * size);

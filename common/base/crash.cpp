@@ -13,9 +13,9 @@
 namespace lightwalk {
 namespace {
 
-constexpr size_t little = size_t{256} << 20;  // bytes; who cannot have that much has run out of memory
+constexpr size_t little = size_t{256} << 20;  // bytes; failing to allocate this many means out of memory
 
-// No allocation, no stream: a signal handler may not.
+// Async-signal-safe.
 void say(const char* text) { [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text)); }
 
 [[noreturn]] void end_without_memory() {
@@ -43,12 +43,12 @@ void on_crash(int signal) {
     if (memory == MAP_FAILED) end_without_memory();
     say(words_for(signal));
     std::signal(signal, SIG_DFL);
-    raise(signal);  // pending until this returns
+    raise(signal);  // delivered after the handler returns
 }
 
 std::terminate_handler terminate_otherwise = nullptr;
 
-// Code without exceptions, LLVM's for one, ends so where memory does.
+// Code without exceptions, such as LLVM, terminates when memory runs out.
 void on_terminate() {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
@@ -61,7 +61,7 @@ void on_terminate() {
 
 void say_crashes() {
     if (sanitized) return;
-    static char stack[1 << 16];  // own stack, since the program's may have overflowed
+    static char stack[1 << 16];  // separate stack, in case of stack overflow
     const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
     sigaltstack(&other, nullptr);
     struct sigaction action = {};

@@ -1,4 +1,4 @@
-// The epoch: when anything was changed from outside, and when anything was derived from it.
+// Change tracking for derived data.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -11,9 +11,7 @@
 
 namespace lightwalk {
 
-// [epoch]
-/// One number that rises with every change from outside: a knob, a switch of an exercise, an edited shader, a file, an object
-/// of the scene. What can change keeps the epoch of its last change (Module::epoch, Scene::epoch, Exercises::epoch).
+/// Counter of changes from outside. Modules, scenes and exercises store the epoch of their last change.
 class Epoch {
   public:
     static uint64_t next() { return ++last(); }
@@ -25,33 +23,30 @@ class Epoch {
     }
 };
 
-/// A hash of values: numbers, vectors of glm, pointers, text, structures without padding, and lists, pairs and optionals of
-/// them.
+/// Hash of numbers, glm vectors, pointers, text, structures without padding, and lists, pairs and optionals of these.
 template <class... Values>
 uint64_t hash_of(const Values&... values);
 
-/// Remembers from what a derived table, buffer or picture was made:
+/// Fingerprint of the inputs of a derived table, buffer or picture:
 ///
 ///     if (made_.is_current(epoch(), scene.epoch)) return;
-///     // ... makes it again
+///     // ... rebuild
 ///
-/// Give it the epochs of what it reads, and values that change from frame to frame: the time, a camera, a size.
+/// Inputs are the epochs of what is read, and values that change per frame: time, camera, size.
 class Made {
   public:
-    /// False if an input differs from the last call's, or nothing was made yet: make it now.
+    /// False if the inputs differ from the last call's: rebuild now.
     template <class... Inputs>
     [[nodiscard]] bool is_current(const Inputs&... inputs) {
         const uint64_t now = hash_of(inputs...);
         return std::exchange(from_, now) == now;
     }
-    /// After a failure: the next is_current() is false.
     void forget() { from_.reset(); }
     explicit operator bool() const { return from_.has_value(); }
 
   private:
     std::optional<uint64_t> from_;
 };
-// [/epoch]
 
 class Hash {
   public:

@@ -1,4 +1,4 @@
-// The two ways a program ends early. main() turns each into one line and an exit code.
+// Exceptions that end a program. main() prints one line and returns an exit code.
 #pragma once
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// Its text is given as is, or as a libfmt format with arguments: Failure("no mip {} in {}", i, name).
+/// Text as is, or libfmt format with arguments: Failure("no mip {} in {}", i, name).
 struct FormattedError : std::runtime_error {
     using std::runtime_error::runtime_error;
     template <class... Values>
@@ -16,13 +16,12 @@ struct FormattedError : std::runtime_error {
         : std::runtime_error(fmt::format(format, std::forward<Values>(values)...)) {}
 };
 
-/// Bad input from outside: a file, an option, a value. Exit code 2. The text states the fault, the reason and the
-/// remedy.
+/// Invalid input: a file, an option, a value. Exit code 2. The text states fault, reason and remedy.
 struct InputError : FormattedError {
     using FormattedError::FormattedError;
 };
 
-/// It failed although the input was fine: a shader that does not compile, a device that stopped. Exit code 1.
+/// Error despite valid input: a shader that does not compile, a lost device. Exit code 1.
 struct Failure : FormattedError {
     using FormattedError::FormattedError;
 };

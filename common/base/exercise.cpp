@@ -19,7 +19,7 @@ struct State {
 
 struct Table {
     std::map<std::string, State, std::less<>> exercises;
-    std::string state;  ///< rebuilt on the first question after a change
+    std::string state;
     bool scanned = false;
     uint64_t epoch = 0;
     void changed() {
@@ -28,16 +28,16 @@ struct Table {
     }
 };
 
-// A function-local static, because toggles in other files declare themselves before main().
+// Function-local, because toggles register during static initialisation.
 Table& table() {
     static Table instance;
     return instance;
 }
 
-// Adds the exercises that no code declared: those in GLSL, and those in C++ of chapters that are not linked in.
+// Adds undeclared exercises: GLSL, and C++ of chapters that are not linked.
 void scan(const char* folder, const char* extension) {
     namespace fs = std::filesystem;
-    std::error_code none;  // a copy without this folder
+    std::error_code none;
     for (const auto& chapter : fs::directory_iterator(course_root() / folder, none)) {
         if (!fs::is_directory(chapter.path() / "exercise")) continue;
         for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
@@ -66,10 +66,10 @@ State& find(std::string_view id) {
     throw unknown_name("exercise", id, known, "--list exercises lists all");
 }
 
-// Position of a lesson's heading "### 02.phong (medium)"; exercises without one come last.
+// Position of the heading "### 02.phong (medium)" in the lesson; exercises without one come last.
 size_t place_in_lesson(const std::string& id) {
     namespace fs = std::filesystem;
-    std::error_code none;  // a copy without lessons
+    std::error_code none;
     for (const auto& file : fs::directory_iterator(course_root() / "docs", none))
         if (file.path().extension() == ".md" && file.path().filename().string().starts_with(id.substr(0, 2) + "_"))
             return read_file(file.path()).find("\n### " + id + " (");
@@ -110,7 +110,7 @@ void Exercises::set(std::string_view id, bool solution) {
 }
 
 std::vector<std::string> Exercises::ids() {
-    static std::map<std::string, size_t, std::less<>> places;  // in the lessons, which do not change under way
+    static std::map<std::string, size_t, std::less<>> places;  // cached: lessons do not change at run time
     std::vector<std::string> result;
     for (const auto& [id, state] : scanned_table().exercises) {
         result.push_back(id);

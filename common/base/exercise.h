@@ -1,4 +1,4 @@
-// Exercises and their toggles: which version of each, the student's or the reference, is in use.
+// Exercises and their toggles between the student's version and the solution.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -7,48 +7,43 @@
 
 namespace lightwalk {
 
-/// The state of every toggle. An exercise is known by its id, "NN.name".
 class Exercises {
   public:
-    /// True if the reference of `id` is in use. In a tree without solutions it is always false.
+    /// True if the solution of `id` is in use; always false in trees without solutions.
     static bool uses_solution(std::string_view id);
 
-    /// Parses --use: "solution", "exercise", or a list in which later items overrule earlier ones, such as
-    /// "exercise,03.point_attenuation=solution". Throws InputError and lists the ids if one is unknown.
+    /// Parses --use: "solution", "exercise", or a list in which later items take precedence, such as
+    /// "exercise,03.point_attenuation=solution". Throws InputError, listing the ids, if one is unknown.
     static void use(std::string_view which);
     static void set(std::string_view id, bool solution);
 
-    /// Every id, in the lessons' order: the files in the folders `exercise` of all chapters and of their shaders.
+    /// Ids in lesson order, from the `exercise` folders of chapters and shaders.
     static std::vector<std::string> ids();
 
-    /// False in a handout: there is no solution to switch to.
+    /// False in handouts.
     static bool has_solution(std::string_view id);
 
-    /// Makes a C++ exercise known; Toggle calls it. `compiles`: whether the student's file did.
+    /// Registers a C++ exercise. `compiles`: whether the student's file compiled.
     static void declare(std::string_view id, bool has_solution, bool compiles);
 
-    /// False if the file of a C++ exercise did not compile; the reference replaces it.
+    /// False if the student's C++ file did not compile; the solution then runs instead.
     static bool compiles(std::string_view id);
 
-    /// For a C++ exercise that is called though its file did not compile: says so, once for each. Without a reference
-    /// it throws InputError.
+    /// Warns once that the solution replaces a file that did not compile. Throws InputError without a solution.
     static void stand_in(std::string_view id);
 
-    /// The state of all toggles as one word, a key for results that depend on them.
+    /// All toggle states as text, for cache keys.
     static const std::string& state();
 
-    /// Epoch of the last change of a toggle, or edit of a shader.
     static uint64_t epoch();
 
-    /// Notes that a GLSL file changed while the program runs: epoch() rises, so that results made once by a shader (a table,
-    /// a filtered cube, a shadow map) are recomputed.
+    /// Raises epoch() after a GLSL edit, so that tables and maps computed by shaders are updated.
     static void shaders_were_edited();
 };
 
 template <class Signature>
 class Toggle;
 
-/// A C++ exercise: two functions of one signature. Calling it calls the one in use.
 template <class Result, class... Arguments>
 class Toggle<Result(Arguments...)> {
   public:
@@ -56,7 +51,7 @@ class Toggle<Result(Arguments...)> {
     Toggle(const char* id, Function exercise, Function solution) : id_(id), exercise_(exercise), solution_(solution) {
         Exercises::declare(id, solution != nullptr, exercise != nullptr);
     }
-    /// The version in use. Look it up once before a loop over millions of calls.
+    /// Version in use. Hoist out of loops with millions of calls.
     Function function() const {
         if (solution_ && Exercises::uses_solution(id_)) return solution_;
         if (exercise_) return exercise_;
@@ -78,8 +73,8 @@ class Toggle<Result(Arguments...)> {
 #define LIGHTWALK_SOLUTION(name) &solution::name
 #endif
 
-/// Declares exercise::name and solution::name and the toggle `name` that calls one of them, within namespace
-/// lightwalk. The exercise is a weak symbol, null if the student's file did not compile.
+/// Declares exercise::name, solution::name and the toggle `name`, within namespace lightwalk. The exercise is a weak
+/// symbol, null if the student's file did not compile.
 ///
 ///     EXERCISE("01.triangulate", void, triangulate, int a, int b);
 #define EXERCISE(id, result, name, ...)     \

@@ -23,7 +23,6 @@ bool is_course(const fs::path& folder) {
     return fs::is_directory(folder / "shaders" / "common", error);
 }
 
-// Empty for a regular file.
 const char* kind_of(mode_t mode) {
     return S_ISREG(mode)                    ? ""
            : S_ISDIR(mode)                  ? "a folder"
@@ -58,8 +57,7 @@ const fs::path& course_root() {
 }
 
 InputFile::InputFile(const fs::path& path) {
-    // Looked at before it is opened, for opening alone makes some devices act; and after, for it may be another by
-    // then.
+    // Checked before opening, since opening alone triggers some devices, and again afterwards, against replacement.
     struct stat status;
     const auto fail = [&] { throw InputError("{}: cannot be opened: {}", path.string(), std::strerror(errno)); };
     if (stat(path.c_str(), &status) != 0) fail();
@@ -106,7 +104,6 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 
 namespace {
 
-// Destination of a write to `path`, and the file already there.
 struct Place {
     fs::path path;
     bool exists = false;
@@ -125,11 +122,11 @@ Place place_of(const fs::path& path) {
         fail_to_write(path, std::strerror(errno));
     }
     std::error_code error;
-    while (fs::is_symlink(place.path, error)) {  // of a finite chain: stat() has been to its end
+    while (fs::is_symlink(place.path, error)) {  // terminates: stat() followed all links
         const fs::path next = fs::read_symlink(place.path, error);
         place.path = next.is_absolute() ? next : place.path.parent_path() / next;
     }
-    struct stat named;  // of an open file that was removed, /dev/fd leads to a name that nobody has
+    struct stat named;  // /dev/fd of a removed file leads to a stale name
     if (place.exists && (stat(place.path.c_str(), &named) != 0 || named.st_ino != status.st_ino))
         fail_to_write(path, "was removed while it was open");
     return place;
@@ -144,7 +141,7 @@ void write_all(int descriptor, const fs::path& path, std::string_view bytes) {
     }
 }
 
-// N of "/dev/fd/N" if the parent process left that file open for writing; else -1.
+// N of "/dev/fd/N" if inherited and open for writing; else -1.
 int open_descriptor(const fs::path& path) {
     const std::string text = path.string(), folder = "/dev/fd/";
     int number = -1;
@@ -156,14 +153,13 @@ int open_descriptor(const fs::path& path) {
     return (fcntl(number, F_GETFL) & O_ACCMODE) == O_RDONLY ? -1 : number;
 }
 
-// A file of another name in the same folder, which is renamed or is gone when this ends.
 class Part {
   public:
     Part(const fs::path& path, const Place& place)
         : path_(path), name_(fmt::format("{}.part{}", place.path.string(), getpid())) {
         descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor_ < 0) fail_to_write(path, std::strerror(errno));
-        if (place.exists) fchmod(descriptor_, place.permissions);  // as far as the file system knows of them
+        if (place.exists) fchmod(descriptor_, place.permissions);
     }
     ~Part() {
         if (descriptor_ >= 0) close(descriptor_);
@@ -215,7 +211,7 @@ void write_file_to_disk(const fs::path& path, std::string_view bytes) {
     part.write_all(bytes);
     part.sync();
     part.rename_to(place.path);
-    // The name is the folder's: without this a power cut may bring the old one back. Some file systems refuse it.
+    // Without syncing the folder, a power failure may restore the old name. Some file systems refuse it.
     const fs::path folder = place.path.parent_path();
     const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;

@@ -5,7 +5,7 @@
 namespace lightwalk {
 
 void keep_freed_memory() {
-    constexpr int largest = 32 << 20;  // blocks above it are the system's
+    constexpr int largest = 32 << 20;  // larger blocks are mapped individually
     mallopt(M_MMAP_THRESHOLD, largest);
     mallopt(M_TRIM_THRESHOLD, 2 * largest);
 }

@@ -1,4 +1,4 @@
-// A function that is called before its caller returns: a reference, which takes no memory.
+// Non-owning function reference, free of allocations.
 #pragma once
 #include <concepts>
 #include <memory>
@@ -9,7 +9,7 @@ namespace lightwalk {
 template <class Signature>
 class FunctionRef;
 
-/// Refers to any callable of this signature. For parameters alone: it must not outlive what it refers to.
+/// Reference to a callable, for parameters only: must not outlive the callable.
 template <class... Arguments>
 class FunctionRef<void(Arguments...)> {
   public:

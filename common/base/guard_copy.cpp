@@ -28,7 +28,7 @@ namespace lightwalk {
 struct GuardCopy::Request {
     GuardReader reader;
     GuardLimits limits;
-    size_t folder, input;  // bytes of each in the shared memory: the working folder, then the reader's input
+    size_t folder, input;  // bytes in shared memory: working folder, then the reader's input
 };
 
 struct GuardCopy::Head {
@@ -40,7 +40,7 @@ namespace {
 
 size_t aligned(size_t bytes) { return (bytes + 63) / 64 * 64; }
 
-// The hard limits stay: a copy that serves again needs others.
+// Soft limits only: a reused child needs new ones.
 void limit(__rlimit_resource_t what, rlim_t most) {
     rlimit one;
     getrlimit(what, &one);
@@ -60,13 +60,13 @@ void begin_limits(const GuardLimits& limits) {
     const double used_s = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
                           1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(used_s + limits.cpu_s * slower)));
-    // A sanitizer's shadow memory takes more addresses than any limit would leave.
+    // Sanitizers reserve more address space than any limit allows.
     if (!sanitized) limit(RLIMIT_AS, address_space() + limits.memory);
 }
 
 void end_memory_limit() { limit(RLIMIT_AS, RLIM_INFINITY); }
 
-// No terminal, window or device of the original, which a copy may outlive.
+// Detaches from terminal, window and device of the parent, which the child may outlive.
 void confine(int socket, int memory) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGXCPU, SIGTERM, SIGINT})
         if (!sanitized || signal > SIGALRM) std::signal(signal, SIG_DFL);
@@ -82,7 +82,7 @@ void confine(int socket, int memory) {
     limit(RLIMIT_FSIZE, 0);
 }
 
-// Ends this process when the original does. A signal of its death would come with the thread that made the copy.
+// Exits when the parent does. PR_SET_PDEATHSIG would react to the end of the forking thread.
 void end_with_original(int socket) {
     std::thread([socket] {
         pollfd one{.fd = socket, .events = POLLRDHUP, .revents = 0};
@@ -120,8 +120,8 @@ class SharedReply : public GuardReply {
     SharedReply(SharedBytes& shared, size_t from, size_t most) : shared_(shared), from_(from), most_(most) {}
     void append(std::string_view bytes) override {
         if (bytes.size() > most_ - count_) throw std::bad_alloc();
-        if (count_ == 0) end_memory_limit();  // `most` bounds this mapping
-        // std::ranges::copy is a loop of single bytes with GCC 12.
+        if (count_ == 0) end_memory_limit();  // bounded by the mapping from here on
+        // std::ranges::copy compiles to a byte loop with GCC 12.
         std::copy(bytes.begin(), bytes.end(), shared_.reach(from_ + count_ + bytes.size()) + from_ + count_);
         count_ += bytes.size();
     }
@@ -143,7 +143,7 @@ GuardCopy::GuardCopy(const GuardLimits* limits, const std::function<std::string(
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw Failure("a socket: {}", std::strerror(errno));
     if (limits) shared_.grow(size_ = limits->memory);
-    std::fflush(nullptr);  // or the copy would say it again
+    std::fflush(nullptr);  // buffered output would be printed twice
     copy_ = fork();
     socket_ = ends[copy_ == 0];
     if (copy_ == 0) live(limits, work);
@@ -162,7 +162,7 @@ GuardCopy::~GuardCopy() {
     close(socket_);
 }
 
-// The copy's whole life after fork(). It ends without destructors: they are the original's.
+// Never returns: exits without destructors, which belong to the parent.
 void GuardCopy::live(const GuardLimits* limits, const std::function<std::string()>* work) {
     stop_guarding();
     progress() = nullptr;
@@ -181,10 +181,10 @@ bool GuardCopy::serve_next() {
     Request one;
     if (!receive_all(socket_, &one, sizeof one)) return false;
     const char* const begin = shared_.reach(one.folder + one.input);
-    std::error_code gone;  // a relative name is then refused by its reader
+    std::error_code gone;
     std::filesystem::current_path(std::string(begin, one.folder), gone);
     size_ = one.limits.memory + aligned(one.folder + one.input);
-    // Shared memory moves when it grows, so that the input must not lie in it.
+    // Copied, since shared memory moves when it grows.
     const std::string input(begin + one.folder, one.input);
     answer([&](GuardReply& reply) { one.reader(input, reply); }, one.limits, aligned(one.folder + one.input));
     return true;
@@ -234,7 +234,7 @@ bool GuardCopy::request(GuardReader reader, const GuardLimits& limits, const Gua
 
 GuardCopy::Wait GuardCopy::wait(const GuardLimits& limits, GuardAnswer& answer) {
     using Clock = std::chrono::steady_clock;
-    constexpr int look_every_ms = 50;  // whether anybody still waits for the result
+    constexpr int look_every_ms = 50;
     const auto time = std::chrono::duration<double>(10 * limits.cpu_s * slower);
     const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
     for (;;) {

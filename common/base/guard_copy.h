@@ -1,4 +1,4 @@
-// Process copied from this one that runs foreign readers.
+// Forked process that runs untrusted file readers.
 #pragma once
 #include <sys/types.h>
 
@@ -17,24 +17,22 @@ enum class GuardOutcome : char { result = 'r', input_error = 'i', failure = 'f',
 
 struct GuardAnswer {
     GuardOutcome outcome{};
-    std::string_view text, warnings;  ///< in the shared memory, until the next request
+    std::string_view text, warnings;  ///< in shared memory, valid until the next request
 };
 
 class GuardCopy {
   public:
-    /// Copies this process (fork). The copy runs `work` once, or serves requests while `work` is null.
+    /// Forks. The child runs `work` once, or serves requests if `work` is null.
     explicit GuardCopy(const GuardLimits* limits = nullptr, const std::function<std::string()>* work = nullptr);
-    ~GuardCopy();  ///< Ends the copy.
+    ~GuardCopy();
     GuardCopy(const GuardCopy&) = delete;
 
-    /// False where the copy has ended meanwhile.
     bool request(GuardReader reader, const GuardLimits& limits, const GuardInput& input);
 
     enum class Wait { answered, ended, too_long, cancelled };
     Wait wait(const GuardLimits& limits, GuardAnswer& answer);
-    /// Of waitpid(), for a copy that ended.
     int status();
-    /// Gives large results' memory back; true where the copy may serve again.
+    /// Releases memory of large results. True if the child can serve again.
     bool tidy(GuardOutcome outcome);
 
   private:
@@ -47,7 +45,7 @@ class GuardCopy {
     SharedBytes shared_;
     int socket_ = -1;
     pid_t copy_ = -1;
-    size_t from_ = 0, size_ = 0;  ///< of the answer in the shared memory
+    size_t from_ = 0, size_ = 0;
 };
 
 }  // namespace lightwalk

@@ -21,7 +21,7 @@ bool guarded_already = false;
 
 std::mutex idle_mutex;
 
-// Never destroyed: a copy ends with this process.
+// Never destroyed: children exit with this process.
 std::vector<std::unique_ptr<GuardCopy>>& idle() {
     static auto& all = *new std::vector<std::unique_ptr<GuardCopy>>;
     return all;
@@ -80,7 +80,7 @@ GuardLimits limits_for(size_t file_bytes) {
     return {.cpu_s = 10 + static_cast<double>(file_bytes) / 5e6, .memory = (size_t{1} << 30) + 40 * file_bytes};
 }
 
-// The grader's sandbox already contains the process, and forbids starting another.
+// The grader's sandbox already isolates the process, and forbids forking.
 bool guards() { return !guarded_already && !std::getenv("LIGHTWALK_SANDBOXED"); }
 
 void stop_guarding() { guarded_already = true; }

@@ -1,4 +1,4 @@
-// Foreign code that reads foreign files, kept where it can do no harm: a process of its own.
+// Sandboxing of third-party readers of untrusted files in a separate process.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -9,50 +9,46 @@
 namespace lightwalk {
 
 struct GuardLimits {
-    double cpu_s = 10;                ///< of the processor's time; ten times as much on the clock
-    size_t memory = size_t{1} << 30;  ///< bytes, in addition to the program's own; the result takes as many at most
+    double cpu_s = 10;                ///< CPU seconds; ten times as long in real time
+    size_t memory = size_t{1} << 30;  ///< bytes beyond the program's own; also bounds the result
 };
 
-/// For a reader of a file of so many bytes: 10 s and one for each 5 MB, 1 GiB and 40 bytes for each byte.
+/// Limits for a file: 10 s plus 1 s per 5 MB, 1 GiB plus 40 bytes per byte.
 GuardLimits limits_for(size_t file_bytes);
 
-/// Runs `work` in a copy of this process (fork) with those limits, without output and without files to write to, and
-/// returns the bytes that it returns. Warnings (text.h) and exceptions come back: InputError as it is, any other as
-/// Failure. Where the copy dies, or goes beyond a limit, throws InputError with one line: "FILE: READER crashed on it
-/// (Segmentation fault)". Where progress() of this thread is cancelled meanwhile, the copy is killed, and Cancelled thrown.
-/// Within work(), and in the grader's sandbox, it just calls: guards do not nest.
+/// Runs `work` in a forked process with limits, without output or writable files, and returns its result. Warnings
+/// (text.h) and InputError are forwarded; other exceptions become Failure. Throws InputError if the process crashes or
+/// exceeds a limit, "FILE: READER crashed on it (Segmentation fault)", and Cancelled if this thread's progress() is
+/// cancelled. Guards do not nest: within `work`, and in the grader's sandbox, the call is direct.
 std::string run_guarded(const std::string& file, const std::string& reader, const GuardLimits& limits,
                         const std::function<std::string()>& work);
 
-/// Receiver of a reader's result.
 struct GuardReply {
     virtual ~GuardReply() = default;
     virtual void append(std::string_view bytes) = 0;
 };
 
-/// A reader that knows nothing but its input: its process need not be a copy of the present moment.
+/// Reader that depends only on its input, so that a process forked earlier can run it.
 using GuardReader = void (*)(std::string_view input, GuardReply& reply);
 
-/// Parts of one input.
+/// Parts of a reader's input, concatenated.
 using GuardInput = std::initializer_list<std::string_view>;
 
 struct GuardJob {
-    std::string file, name;  ///< for messages
+    std::string file, name;
     GuardReader read;
 };
 
-/// As run_guarded(), in a process that is kept for the next file: a copy of a large process takes 4 to 50 ms. It is
-/// replaced after a crash, a limit and a Failure. `receive` gets the result, which is gone afterwards.
+/// run_guarded() in a reused process: forking takes 4 to 50 ms. `receive` gets the result, valid during the call.
 void read_guarded(const GuardJob& reader, const GuardLimits& limits, const GuardInput& input,
                   const std::function<void(std::string_view)>& receive);
 
-/// Starts the process of read_guarded(), while this one is small and quickly copied.
+/// Forks the process of read_guarded() early, while this process is small.
 void prepare_guard();
 
-/// Whether run_guarded() would start a process here and now.
 bool guards();
 
-/// From now on work runs in this process, unguarded: for a fuzzer, which wants to see it die.
+/// Disables forking, for fuzzers, which need to observe crashes.
 void stop_guarding();
 
 }  // namespace lightwalk

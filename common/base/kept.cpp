@@ -16,16 +16,16 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
-using Count = uint64_t;  // size before compression, stored first; zlib appends a checksum
+using Count = uint64_t;  // uncompressed size, stored first; zlib appends a checksum
 
-// The file's time records its last use, to the day: files unused for long are removed when the cache grows too large.
+// Access date, so that old files can be evicted.
 void mark_used(const fs::path& file) {
     std::error_code error;
     const auto now = fs::file_time_type::clock::now();
     if (now - fs::last_write_time(file, error) > std::chrono::hours(24)) fs::last_write_time(file, now, error);
 }
 
-// A folder of this user's that no other may read or write, made where there is none; else nothing.
+// Creates the folder if needed; empty unless it is private to this user.
 fs::path private_folder(const fs::path& folder) {
     mkdir(folder.c_str(), 0700);
     struct stat about = {};
@@ -81,7 +81,7 @@ void keep(const fs::path& file, std::string_view bytes) {
     uLongf length = compressBound(count);
     std::string all(sizeof count + length, '\0');
     std::memcpy(all.data(), &count, sizeof count);
-    // The fastest level: a module shrinks to 36% of its bytes, to 33% at zlib's usual one.
+    // Fastest level: modules shrink to 36%, compared to 33% at zlib's default.
     if (compress2(reinterpret_cast<Bytef*>(all.data() + sizeof count), &length,
                   reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED) != Z_OK)
         return;
@@ -89,7 +89,7 @@ void keep(const fs::path& file, std::string_view bytes) {
     try {
         write_file(file, all);
     } catch (const InputError&) {
-        // The next run is only slower.
+        // Caching is optional.
     }
 }
 

@@ -1,4 +1,4 @@
-// Reproducible results kept between runs: compiled shaders, baked textures.
+// Cache of reproducible results between runs: compiled shaders, baked textures.
 #pragma once
 #include <cstring>
 #include <filesystem>
@@ -10,21 +10,19 @@
 
 namespace lightwalk {
 
-/// $LIGHTWALK_CACHE, else build/shader_cache in the tree, else the user's own in the temporary folder. It may be
-/// read-only. Empty if that folder belongs to another user or is open to others.
+/// $LIGHTWALK_CACHE, else build/shader_cache, else a private temporary folder; may be read-only; empty: unusable.
 const std::filesystem::path& cache_folder();
 
-/// Cache file for `key`: two hashes of the key, and the ending, which begins with a dot.
+/// Path from two hashes of `key` and `ending`, which starts with a dot.
 std::filesystem::path kept_file(std::string_view key, std::string_view ending);
 
-/// Contents written by keep(). Nothing if the file is missing, damaged, of another kind or larger than `most` bytes.
+/// Contents written by keep(); empty if the file is missing, damaged, of another kind or larger than `most` bytes.
 std::optional<std::string> read_kept(const std::filesystem::path& file, size_t most);
 
-/// Writes `bytes`, deflated, with their number and a checksum. A file that cannot be written is left out: the next run is
-/// only slower.
+/// Writes `bytes` compressed, with size and checksum. Ignores write errors: the next run is only slower.
 void keep(const std::filesystem::path& file, std::string_view bytes);
 
-/// `count` values from the cache, or made and put there. `key` names all inputs, and the version of their maker.
+/// Cached values, or those of `make`, which are then cached. `key` names all inputs and the algorithm's version.
 template <class T, class Make>
 std::vector<T> kept_or_made(std::string_view key, std::string_view ending, size_t count, const Make& make) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -11,8 +11,7 @@ constexpr size_t compared_bytes = 64;
 
 std::string_view last_part(std::string_view name) { return name.substr(name.rfind('.') + 1); }
 
-// A wrong module costs less than a wrong last part. Names that contain the typed letters rank nearer than by edit
-// distance alone.
+// Twice the edit distance. A wrong module costs less than a wrong last part; containing the typed text counts as near.
 size_t badness(std::string_view wrong, std::string_view name) {
     const size_t whole = 2 * edit_distance(wrong, name);
     const size_t parts = 2 * edit_distance(last_part(wrong), last_part(name)) + (wrong.find('.') == wrong.npos ? 1 : 3);

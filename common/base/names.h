@@ -1,4 +1,4 @@
-// Names that a person may have meant.
+// Suggestions for misspelt names.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,16 +8,13 @@
 
 namespace lightwalk {
 
-/// How many letters to insert, delete, replace or swap with their neighbour make one text the other, case aside
-/// (optimal string alignment: Damerau 1964). Texts of more than 64 bytes are compared by their first 64.
+/// Edit distance ignoring case (optimal string alignment: Damerau 1964), of the first 64 bytes.
 size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The `most` names nearest to a misspelt one, the nearest first. A name with a module before it, "shadow.filter", is
-/// also found by its last part.
+/// Up to `most` names nearest to a misspelt one, nearest first. "shadow.filter" is also found by "filter".
 std::vector<std::string> nearest_names(std::string_view wrong, const std::vector<std::string>& names, size_t most = 2);
 
-/// "unknown KIND 'WRONG'; the nearest are A and B; HOW": for a name that is not among `names`. `how` says how to list
-/// all of them.
+/// "unknown KIND 'WRONG'; the nearest are A and B; HOW". `how`: how to list all names.
 InputError unknown_name(std::string_view kind, std::string_view wrong, const std::vector<std::string>& names,
                         std::string_view how);
 

@@ -1,13 +1,13 @@
-// Where a person's files go that nobody named: the course's tree stays as it is.
+// Default folders for user files, outside the course's tree.
 #pragma once
 #include <filesystem>
 
 namespace lightwalk {
 
-/// $XDG_STATE_HOME/lightwalk, by default ~/.local/state/lightwalk; empty if there is no home.
+/// $XDG_STATE_HOME/lightwalk, default ~/.local/state/lightwalk; empty without a home folder.
 std::filesystem::path state_folder();
 
-/// For pictures and scenes: the current folder as "", or build/saved, which it makes, where that lies in the course's tree.
+/// Folder for pictures and scenes: "" (the current one), or build/saved if that is in the course's tree.
 std::filesystem::path saving_folder();
 
 }  // namespace lightwalk

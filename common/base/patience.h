@@ -1,12 +1,11 @@
-// A progress message during long work.
+// Progress messages of long work.
 #pragma once
 #include <chrono>
 #include <string>
 
 namespace lightwalk {
 
-/// Says "drawing: 512 of 4096 samples" on stderr: nothing in the first 3 s, then at most every 10 s; on a terminal one
-/// line that is drawn over, and gone at the end.
+/// Prints "drawing: 512 of 4096 samples" on stderr, after 3 s and then at most every 10 s.
 class Patience {
   public:
     /// Activity and unit: "drawing", "samples".

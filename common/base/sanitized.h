@@ -1,4 +1,4 @@
-// Whether this is built with a sanitizer.
+// Detection of sanitizer builds.
 #pragma once
 
 namespace lightwalk {
@@ -15,7 +15,7 @@ constexpr bool sanitized = false;
 constexpr bool sanitized = false;
 #endif
 
-/// Limits of time are times that.
+/// Factor on time limits.
 constexpr double slower = sanitized ? 20 : 1;
 
 }  // namespace lightwalk

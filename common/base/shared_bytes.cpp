@@ -34,7 +34,7 @@ void SharedBytes::grow(size_t bytes) {
 void SharedBytes::release(size_t first) {
     if (first >= size_) return;
     const int hole = FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE;
-    fallocate(file_, hole, static_cast<off_t>(first), static_cast<off_t>(size_ - first));  // else it stays in use
+    fallocate(file_, hole, static_cast<off_t>(first), static_cast<off_t>(size_ - first));
 }
 
 char* SharedBytes::reach(size_t bytes) {

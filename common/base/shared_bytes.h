@@ -1,22 +1,21 @@
-// Memory that two processes share.
+// Memory shared between two processes.
 #pragma once
 #include <cstddef>
 
 namespace lightwalk {
 
-/// A file without a name, in memory: both processes map it, so that large data crosses without a pipe. Sealed, so that
-/// neither can shorten it: to read a mapped page behind the end of a file kills a process.
+/// Anonymous memory file, mapped by both processes. Sealed, since reading beyond its end would kill a process.
 class SharedBytes {
   public:
     SharedBytes();
     ~SharedBytes();
     SharedBytes(const SharedBytes&) = delete;
 
-    /// At least so many bytes; pages take memory once they are written.
+    /// Grows to at least `bytes`. Pages use memory once written.
     void grow(size_t bytes);
-    /// Gives the memory from byte `first` on back; zeros remain.
+    /// Releases memory from byte `first` on; it then reads as zeros.
     void release(size_t first);
-    /// The first `bytes` of the file, mapped.
+    /// Maps at least `bytes`. May move the mapping.
     char* reach(size_t bytes);
     int file() const { return file_; }
 

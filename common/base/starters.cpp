@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An editor may end lines or the file in its own way.
+// Ignores white space, since editors change line ends.
 uint64_t digest_of(const fs::path& file) {
     std::string text = read_file(file);
     std::erase_if(text, [](char c) { return std::string_view(" \t\n\r\v\f").find(c) != std::string_view::npos; });
@@ -22,12 +22,12 @@ uint64_t digest_of(const fs::path& file) {
 struct Starter {
     fs::path file;
     uint64_t digest = 0;
-    fs::file_time_type written{};  ///< of the file when it was read last
+    fs::file_time_type written{};
     uintmax_t bytes = 0;
-    uint64_t answer = 0;  ///< its digest then
+    uint64_t answer = 0;
 };
 
-// Lines of tests/starters.txt: the digest in hexadecimal and the file. The id is in its path, NN_name/exercise/name.
+// Lines of tests/starters.txt: hexadecimal digest and path NN_name/exercise/name.
 std::map<std::string, Starter, std::less<>> read_starters() {
     std::map<std::string, Starter, std::less<>> found;
     const fs::path list = course_root() / "tests" / "starters.txt";
@@ -41,7 +41,6 @@ std::map<std::string, Starter, std::less<>> read_starters() {
     return found;
 }
 
-// The exercise with its current file contents; null if the list does not name it.
 const Starter* find(std::string_view id) {
     static auto starters = read_starters();
     const auto found = starters.find(id);
@@ -55,9 +54,7 @@ const Starter* find(std::string_view id) {
         starter.answer = digest_of(starter.file);
         starter.written = written;
         starter.bytes = bytes;
-    } catch (const InputError&) {
-        starter.answer = 0;  // it went away, or may not be read
-    }
+    } catch (const InputError&) { starter.answer = 0; }
     return &starter;
 }
 

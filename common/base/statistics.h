@@ -1,4 +1,4 @@
-// Median, quartiles, percentiles: robust for times, which have outliers, and for the tail of errors.
+// Percentiles: robust summaries of times and errors with outliers.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace lightwalk {
 
-/// The value below which `share` (0 to 1) of ascending, finite values lie, linear between neighbours: rank
-/// share (n - 1), Hyndman and Fan's type 7, as numpy's. NaN if there is none.
+/// Percentile of ascending, finite values at `share` in [0, 1], by linear interpolation at rank share (n - 1): Hyndman
+/// and Fan's type 7, as numpy. NaN if empty.
 template <class Values>
 double percentile_of_sorted(const Values& ascending, double share) {
     if (ascending.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -18,11 +18,10 @@ double percentile_of_sorted(const Values& ascending, double share) {
     const size_t below = static_cast<size_t>(rank);
     const size_t above = std::min(below + 1, ascending.size() - 1);
     const double low = static_cast<double>(ascending[below]), high = static_cast<double>(ascending[above]);
-    // Equal neighbours first: infinity minus itself would be NaN.
+    // Avoids infinity - infinity.
     return low == high ? low : low + (rank - static_cast<double>(below)) * (high - low);
 }
 
-/// The values in ascending order without the NaN among them, which have no rank. Count those yourself.
 template <class Values>
 std::vector<std::ranges::range_value_t<Values>> sorted_numbers(const Values& values) {
     std::vector<std::ranges::range_value_t<Values>> sorted;
@@ -32,7 +31,6 @@ std::vector<std::ranges::range_value_t<Values>> sorted_numbers(const Values& val
     return sorted;
 }
 
-/// As percentile_of_sorted, for values in any order; NaN among them are left out.
 template <class Values>
 double percentile(const Values& values, double share) {
     return percentile_of_sorted(sorted_numbers(values), share);
@@ -43,7 +41,6 @@ double median(const Values& values) {
     return percentile(values, 0.5);
 }
 
-/// First quartile, median and third quartile, in the values' unit.
 struct Quartiles {
     double q1 = 0, median = 0, q3 = 0;
 };

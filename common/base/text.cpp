@@ -12,7 +12,7 @@
 namespace lightwalk {
 namespace {
 
-// Bytes of the character that starts at `at`, 0 where that is no UTF-8 (RFC 3629: the shortest form, no surrogates).
+// Length of the UTF-8 character at `at`; 0 if invalid (RFC 3629: shortest form, no surrogates).
 size_t utf8_length(std::string_view text, size_t at) {
     const auto byte = [&](size_t i) { return at + i < text.size() ? static_cast<uint8_t>(text[at + i]) : uint8_t{0}; };
     const uint8_t first = byte(0);

@@ -1,4 +1,4 @@
-// Messages to a person: text from files and options, made safe for a terminal.
+// Messages with untrusted text, safe for terminals.
 #pragma once
 #include <fmt/core.h>
 
@@ -8,25 +8,23 @@
 
 namespace lightwalk {
 
-/// The text with every control character, and every byte that is not part of UTF-8, as \xNN: a name from outside can
-/// then neither end a line of a message nor move the cursor. With `lines` line breaks and tabs stay.
+/// Replaces control characters and invalid UTF-8 by \xNN. `lines`: keeps line breaks and tabs.
 std::string printable(std::string_view text, bool lines = false);
 
-/// "warning: TEXT" on stderr, one line. Within run_guarded() it is said by the process that waits.
+/// Prints "warning: TEXT" on stderr, in one line. Within run_guarded(), the waiting process prints it.
 void warn(std::string_view text);
 template <class... Values>
 requires(sizeof...(Values) > 0) void warn(fmt::format_string<Values...> format, Values&&... values) {
     warn(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-/// The same, but each text once per run.
 void warn_once(const std::string& text);
 
-/// Reports an exception from main(): "PREFIX: WHY" on stderr. Returns the exit code: 2 for bad input (one line), 1
-/// for other failures. A name that the system refuses (too long, links in a circle) is bad input.
+/// Prints "PREFIX: WHY" on stderr for an exception in main(). Returns the exit code: 2 for invalid input, including
+/// names that the system rejects (too long, circular links); 1 otherwise.
 int report_exception(const std::exception& exception, const char* prefix = "error");
 
-/// Where warnings go instead of stderr while this points somewhere: a line each. For run_guarded().
+/// Collects warnings, one per line, instead of printing them; null: print. For run_guarded().
 std::string*& collected_warnings();
 
 }  // namespace lightwalk

@@ -1,19 +1,17 @@
-// Toggles of exercises, set for a while.
+// Temporary exercise toggles.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace lightwalk {
 
-/// Sets toggles during its lifetime and restores them afterwards.
 class ToggleScope {
   public:
-    /// These exercises to the reference, where there is one, or to the student's version.
+    /// Selects the solution, if there is one, or the student's version; restores on destruction.
     ToggleScope(const std::vector<std::string>& ids, bool solution);
     ~ToggleScope();
     ToggleScope(const ToggleScope&) = delete;
 
-    /// True if one of them was the other version before.
     bool changed() const { return !changed_.empty(); }
 
   private:

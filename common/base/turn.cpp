@@ -12,8 +12,7 @@ namespace {
 
 std::mutex turn_mutex;
 std::condition_variable turn_served;
-uint64_t last_ticket = 0,
-         served_ticket = 0;  // tickets: a thread that gives its turn and asks again stands behind the others
+uint64_t last_ticket = 0, served_ticket = 0;
 thread_local bool has_turn = false;
 thread_local Turn::Spent times;
 thread_local size_t items_in_turn = 0;

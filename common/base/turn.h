@@ -1,32 +1,30 @@
-// Turns of threads on what they share: one makes and records, the others compute meanwhile.
+// Cooperative threads: one at a time uses shared state, the others compute.
 #pragma once
 #include <atomic>
 #include <string>
 
 namespace lightwalk {
 
-// [turn]
-/// The process's turn. While no Shared exists no thread has it, and nothing below does anything.
+/// Global lock with a fair queue. No effect until a Shared exists.
 class Turn {
   public:
     static bool is_mine();
-    static void take();  ///< waits behind all threads that asked before
+    static void take();
     static void give();
 
-    /// This thread's time with the turn and without.
     struct Spent {
-        double waited_ms = 0;    ///< until it had the turn
-        double longest_ms = 0;   ///< of its turns
-        std::string longest_in;  ///< the last activity begun in that turn
-        size_t most_items = 0;   ///< Turn::works in one of its turns
+        double waited_ms = 0;
+        double longest_ms = 0;   ///< longest turn
+        std::string longest_in;  ///< last activity begun in that turn
+        size_t most_items = 0;   ///< maximum of works() in one turn
     };
     static Spent& spent();
     static void begins(std::string activity);
 
-    /// Counts work on many things (texels, triangles, bytes): with the turn, others wait for it.
+    /// Counts processed items (texels, triangles, bytes), which delay other threads during a turn.
     static void works(size_t items);
 
-    /// Held by those who start further threads: their own thread has the turn until the last of these goes.
+    /// Enables the lock: the creating thread holds the turn until the last Shared is destroyed.
     class Shared {
       public:
         Shared();
@@ -34,13 +32,12 @@ class Turn {
         Shared(const Shared&) = delete;
     };
 
-    /// Thrown by aside() in a thread that shall end.
     struct Stopped {};
-    /// In this thread, aside() throws Stopped once `stop` is true; null: never.
+    /// Makes aside() in this thread throw Stopped once `stop` is true; null: never.
     static void stop_when(const std::atomic<bool>* stop);
     static void check_stopped();
 
-    /// The turn is given for as long as this lives, if this thread has it.
+    /// Releases the turn within a scope, if this thread holds it.
     class Aside {
       public:
         Aside() : given_(is_mine()) {
@@ -56,13 +53,12 @@ class Turn {
     };
 };
 
-/// Runs `work` while others have the turn: files, noise, compilation, waits. It touches nothing that threads share.
+/// Runs `work` without the turn: files, noise, compilation, waits. `work` must not touch shared state.
 template <class Work>
 decltype(auto) aside(const Work& work) {
     Turn::check_stopped();
     const Turn::Aside others;
     return work();
 }
-// [/turn]
 
 }  // namespace lightwalk

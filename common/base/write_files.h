@@ -1,4 +1,4 @@
-// Several files that belong together.
+// Atomic writes of several files.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -6,9 +6,7 @@
 
 namespace lightwalk {
 
-/// As write_file(), for files that belong together, by path: all are written beside their places before the first is renamed,
-/// so where one cannot be written, all are as they were. Only a renaming that fails leaves some new and some old. Throws
-/// InputError.
+/// Writes contents by path; if one cannot be written, none changes. Throws InputError.
 void write_files(const std::map<std::filesystem::path, std::string>& files);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Whether all invocations of a workgroup come to every barrier() together.
+// Check that all invocations of a workgroup execute the same barrier() calls.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -6,18 +6,15 @@
 
 namespace lightwalk {
 
-/// GLSL placed before an exercise. Each later barrier() records in `check_barriers_passed` that this invocation
-/// passed it, and where. memoryBarrier() and its kind do nothing: they order writes and do not wait, but software
-/// that runs a workgroup on one thread may wait there too, and a wrong answer would pass by accident. A check waits
-/// with check_barrier(), which is not recorded. Graded answers have no names with this prefix
-/// (common/course/check/glsl_answer.py).
+/// GLSL placed before an exercise. barrier() records its position per invocation in `check_barriers_passed`.
+/// memoryBarrier() and the like are disabled: drivers that run a workgroup on one thread may synchronise there, which
+/// would hide missing barriers. Checks use check_barrier(), which is not recorded. Graded answers cannot use names with
+/// this prefix (common/course/check/glsl_answer.py).
 std::string traced_barriers();
 
-/// The fault in `check_barriers_passed` of a workgroup's invocations, by index; empty if all passed the same barriers
-/// in the same order.
+/// Error message for a workgroup's `check_barriers_passed`, by invocation; empty if all agree.
 std::string barriers_wrong(std::span<const uint32_t> passed);
 
-/// For a barriers_wrong().
 inline constexpr const char* barrier_hint =
     "barrier() waits for every invocation of the workgroup: it stands where all come by, outside of each `if` and each "
     "loop that only some of them enter, and before any return that only some of them take";

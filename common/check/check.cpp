@@ -24,7 +24,7 @@ std::vector<ExerciseCheck>& registry() {
     return list;
 }
 
-// Outlives the program unless it is released: exit handlers of NVIDIA's driver unload it before static objects go.
+// Never destroyed implicitly: NVIDIA's driver is unloaded by exit handlers before static destructors run.
 std::unique_ptr<Gpu>& device() {
     static auto& gpu = *new std::unique_ptr<Gpu>;
     return gpu;
@@ -97,7 +97,7 @@ void Check::expect_no_square(const std::string& what, size_t few, const std::fun
             });
         });
     };
-    // In turns, so that another load meets all three; three rounds decide for an answer, six against it.
+    // Interleaved, so that other load affects all three equally. At least three rounds to pass, six to fail.
     const double noise_s = 0.005, most_growth = 40, most_sorts = 25;
     double few_s = std::numeric_limits<double>::infinity(), many_s = few_s, sort_s = few_s;
     const auto grows_evenly = [&] { return many_s < most_growth * few_s + noise_s; };
@@ -111,7 +111,7 @@ void Check::expect_no_square(const std::string& what, size_t few, const std::fun
     const std::string took = fmt::format("{} took {:.2g} s for {}", what, many_s, 10 * few);
     expect(grows_evenly(),
            fmt::format("{}, and {:.2g} s for {}: its time grows with the square of their number", took, few_s, few));
-    // Idle time that hides the growth does not hide the sum.
+    // Detects idle waiting that hides the growth.
     expect(is_quick(), fmt::format("{}, {:.0f} times as long as std::sort takes for as many numbers: its time grows "
                                    "with the square of their number, or it waits",
                                    took, many_s / sort_s));
@@ -122,13 +122,13 @@ Table Check::probe(const Probe& probe) {
     const size_t outputs = probe.truth(probe.inputs[0]).size();
     const Table results = run_probe(check_device(), probe, outputs);
     if (tables) tables->add(probe, results);
-    // An operation with an undefined result is wrong if the function's result depends on it.
+    // Undefined operations are errors if the function's result depends on them.
     std::map<size_t, const Undefined*> open;
     const std::optional<std::vector<Undefined>> looked_for = run_undefined(check_device(), probe, outputs);
     if (!looked_for)
         note = "operations that GLSL leaves undefined were not looked for in " + probe.include +
                ": the check cannot follow how it is written, a macro with half an expression perhaps";
-    const std::vector<Undefined> undefined = looked_for.value_or(std::vector<Undefined>());  // pointed into below
+    const std::vector<Undefined> undefined = looked_for.value_or(std::vector<Undefined>());  // `open` points into it
     for (const Undefined& one : undefined)
         if (counts_always(one.what) || !is_right(probe, probe.inputs[one.row], one.result)) open.emplace(one.row, &one);
     for (size_t row = 0; row < results.size(); ++row) {

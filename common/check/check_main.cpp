@@ -1,4 +1,4 @@
-// check_NN_name: runs the checks of a chapter's exercises and prints one JSON object for each.
+// Program check_NN_name: checks a chapter's exercises, printing one JSON object each.
 #include "common/check/run_checks.h"
 
 int main(int argc, char** argv) { return lightwalk::run_checks(argc, argv); }

@@ -1,4 +1,4 @@
-// Exercises that choose a method and its knobs for a scene: the check measures error and cost, both against limits.
+// Checks of exercises that choose method parameters per scene: error and cost have limits.
 #pragma once
 #include <functional>
 #include <span>
@@ -9,34 +9,33 @@
 
 namespace lightwalk {
 
-/// Figures of one scene's choice.
+/// Measured result of one scene.
 struct Weighed {
     double error = 0;
-    double cost = 0;       ///< counted: reads, samples, bytes
-    std::string unusable;  ///< "a size is 512 or 1024"; empty if it can be measured
+    double cost = 0;       ///< counts of reads, samples or bytes
+    std::string unusable;  ///< reason why it cannot be measured; empty: measured
 };
 
-/// A number of the choice, with its range.
 struct ChosenKnob {
     std::string name;
     int lowest, highest;
 };
 
 struct ChoiceScene {
-    std::string name;  ///< "the grooves"
+    std::string name;
     double most_error, most_cost;
-    std::function<Weighed(std::span<const int> knobs)> measure;  ///< in their ranges
+    std::function<Weighed(std::span<const int> knobs)> measure;
 };
 
 struct ChoiceTask {
-    std::string include, signature;  ///< as a Probe's; the argument is the scene's number
-    std::vector<ChosenKnob> knobs;   ///< of the result
-    std::string error_unit;          ///< "%" or " pixels"
-    std::string cost_unit;           ///< "reads"
+    std::string include, signature;  ///< file and signature, as in Probe; the argument is the scene's index
+    std::vector<ChosenKnob> knobs;
+    std::string error_unit;
+    std::string cost_unit;
     std::vector<ChoiceScene> scenes;
 };
 
-/// Expects both figures of every scene within their limits; the note states all of them.
+/// Expects error and cost of every scene within limits; the note lists all figures.
 void weigh(Check& check, const ChoiceTask& choice);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// A locale that writes 1.5 as 1,5, for C and C++, without an installed one.
+// Locale with a decimal comma, for C and C++, independent of installed locales.
 #pragma once
 #include <clocale>
 #include <cstdlib>
@@ -15,8 +15,7 @@ struct CommaPoint : std::numpunct<char> {
     std::string do_grouping() const override { return "\3"; }
 };
 
-/// In force while it lives. The C++ streams' locale is always to be had; C's is written in glibc's format to a folder
-/// of its own, from where setlocale takes it.
+/// Active during its lifetime. C's locale is loaded from a temporary file in glibc's binary format.
 class CommaLocale {
   public:
     CommaLocale() {
@@ -24,8 +23,7 @@ class CommaLocale {
         if (!mkdtemp(folder)) return;
         folder_ = folder;
         std::filesystem::create_directory(folder_ / "comma");
-        // Magic number, number of entries, where each begins; then decimal point, thousands separator, grouping, both
-        // as wide characters, and the encoding.
+        // Magic number, entry count, offsets; decimal point, separator, grouping, wide versions, encoding.
         const uint32_t head[] = {0x20031115u ^ LC_NUMERIC, 6, 32, 34, 36, 40, 44, 48};
         const char data[] = ",\0.\0\3\3\0\0,\0\0\0.\0\0\0UTF-8";
         std::ofstream out(folder_ / "comma" / "LC_NUMERIC", std::ios::binary);

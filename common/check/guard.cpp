@@ -10,7 +10,7 @@
 namespace lightwalk {
 namespace {
 
-// The sanitizer has handlers of its own, which say more, and makes everything slower.
+// Sanitizers have better handlers, and slow everything down.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool sanitized = true;
 #else
@@ -35,7 +35,7 @@ std::string words_for(int signal) {
     }
 }
 
-// The program ends anyway, so calls that are unsafe in a signal handler do no harm.
+// Not async-signal-safe, which is acceptable since the program exits.
 void give_up(int signal) {
     std::signal(signal, SIG_DFL);
     std::signal(SIGALRM, SIG_DFL);
@@ -55,7 +55,7 @@ int call_limit_s() {
 void guard_calls(std::function<void(const std::string&)> report) {
     tell = std::move(report);
     if (sanitized) return;
-    static char stack[1 << 16];  // own stack, since the program's may have overflowed
+    static char stack[1 << 16];
     const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
     sigaltstack(&other, nullptr);
     struct sigaction action = {};

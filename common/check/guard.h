@@ -1,21 +1,19 @@
-// Guard against student C++ that crashes or never returns.
+// Protection against student C++ that crashes or hangs.
 #pragma once
 #include <functional>
 #include <string>
 
 namespace lightwalk {
 
-/// Of a call: $LIGHTWALK_TIMEOUT_S, else 5.
+/// Time limit per call: $LIGHTWALK_TIMEOUT_S, default 5 s.
 int call_limit_s();
 
-/// From here on, a call that crashes or does not return within call_limit_s() ends the program with code 1, after a
-/// message to `report`: "parse_face("f 1 2") crashed: ...". Disabled under sanitizers, which report more.
+/// Ends the program with code 1 after a crash or time-out, with a message to `report`. Off under sanitizers.
 void guard_calls(std::function<void(const std::string& message)> report);
 
-/// Names the next call for messages: "parse_face("f 1 2")". Starts the clock; "" stops it.
+/// Sets the call's name for messages and starts the timer; "" stops it.
 void guard_call(std::string what);
 
-/// The current call; "" if none.
 const std::string& guarded();
 
 }  // namespace lightwalk

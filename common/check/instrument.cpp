@@ -9,7 +9,7 @@ namespace {
 
 struct Token {
     std::string text;
-    std::string space;  ///< before it
+    std::string space;
 };
 
 bool is_word(const std::string& text) {
@@ -17,7 +17,7 @@ bool is_word(const std::string& text) {
                              (text[0] == '.' && text.size() > 1 && std::isdigit(static_cast<unsigned char>(text[1]))));
 }
 
-// Words, numbers and operators; comments, line ends and directives are space.
+// Words, numbers and operators; comments, line ends and directives count as white space.
 std::vector<Token> tokens_of(const std::string& glsl) {
     std::vector<Token> tokens;
     std::string space;
@@ -76,8 +76,7 @@ class Rewriter {
     std::string all() { return expression(tokens_.size() - 1) + tokens_.back().space; }
 
   private:
-    // Tokens up to `end`, with each division as a call. `factors` is where the product that is being written begins,
-    // `operand` where its last operand does.
+    // Rewrites tokens up to `end`. `factors`: start of the current product; `operand`: start of its last operand.
     std::string expression(size_t end) {
         std::string out;
         size_t factors = 0, operand = 0;
@@ -115,10 +114,10 @@ class Rewriter {
                 after_operand = text != "{";
                 if (text == "{") factors = operand = out.size();
             } else if (text == "const" && end + 1 == tokens_.size()) {
-                out += token.space;  // a global initialised by a call is not constant
+                out += token.space;  // globals initialised by calls are not constant
                 ++at_;
             } else if (is_word(text)) {
-                declares_ = after_operand && !product_;  // a type was before it
+                declares_ = after_operand && !product_;
                 if (!after_operand || declares_) {
                     operand = out.size() + token.space.size();
                     if (!product_) factors = operand;
@@ -148,7 +147,6 @@ class Rewriter {
         return out;
     }
 
-    // One operand with its signs, calls, indices and members.
     std::string unary(size_t end) {
         std::string signs;
         while (at_ < end && std::string("+-!~").find(tokens_[at_].text) != std::string::npos) {

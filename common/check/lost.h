@@ -1,10 +1,10 @@
-// Outcome of a student's C++ call in another process that never came back.
+// Failure of a process that runs student C++.
 #pragma once
 #include "common/base/error.h"
 
 namespace lightwalk {
 
-/// The process crashed, timed out or sent an invalid answer. The text is a whole sentence.
+/// A process running student C++ crashed, timed out or sent invalid data. The text is a full sentence.
 struct Lost : Failure {
     using Failure::Failure;
 };

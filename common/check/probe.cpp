@@ -36,7 +36,7 @@ Signature parse(const std::string& text) {
     return result;
 }
 
-// How many numbers a built-in type has; 0: a struct, of which nothing is known here.
+// Components of a built-in type; 0: struct.
 size_t components(const std::string& type) {
     if (type == "float" || type == "int" || type == "uint" || type == "bool") return 1;
     if (type == "mat3") return 9;
@@ -47,10 +47,8 @@ size_t components(const std::string& type) {
 
 bool is_whole(const std::string& type) { return type == "bool" || type[0] == 'i' || type[0] == 'u'; }
 
-// The files that are asked, without the function's call.
 std::string text_of(const Probe& probe) { return probe.before + "#include \"" + probe.include + "\"\n"; }
 
-// The shader that runs the function once per row: `include` is the text before it, `call` the use of "CALL".
 std::string shader_text(const Signature& s, const std::string& include, const std::string& output, std::string call) {
     std::string text = include + "layout(local_size_x = 64) in;\nstruct ProbeInput {\n";
     for (const Parameter& p : s.parameters) text += "    " + p.type + " " + p.name + ";\n";
@@ -68,7 +66,7 @@ std::string shader_text(const Signature& s, const std::string& include, const st
     return text + call + "}\n";
 }
 
-// The words of a row: integers as such, the rest as floats.
+// Integers are packed as such, other values as floats.
 std::vector<uint32_t> pack(const Signature& s, const Table& table) {
     std::vector<uint32_t> words;
     for (const Row& row : table) {
@@ -79,7 +77,7 @@ std::vector<uint32_t> pack(const Signature& s, const Table& table) {
                                   : std::bit_cast<uint32_t>(static_cast<float>(value)));
         };
         for (const Parameter& p : s.parameters) {
-            // The members of a struct, which comes last or is the only one, are the rest of the row.
+            // A struct is the last parameter and takes the rest of the row.
             const size_t count = components(p.type) ? components(p.type) : row.size() - at;
             if (at + count > row.size()) throw Failure("a row for " + s.function + " has too few numbers");
             for (size_t i = 0; i < count; ++i) put(components(p.type) && is_whole(p.type));
@@ -102,7 +100,6 @@ double Bound::allowed(double truth) const {
 
 namespace {
 
-// The words that `source` writes, `count` of them.
 std::vector<uint32_t> run(Gpu& gpu, const Probe& probe, const Signature& s, const std::string& source, size_t count) {
     const std::vector<uint32_t> words = pack(s, probe.inputs);
     const Pipeline pipeline = compute({.shader = "probe of " + s.function, .macros = probe.macros, .source = source});
@@ -164,7 +161,7 @@ std::optional<std::vector<Undefined>> run_undefined(Gpu& gpu, const Probe& probe
         words = run(gpu, probe, s, source, stride * kinds * probe.inputs.size());
     } catch (const ShaderError& e) {
         if (check_options().strict) throw;
-        return std::nullopt;  // instrumented() does not follow every text
+        return std::nullopt;
     }
     std::vector<Undefined> found;
     for (size_t at = 0; at < words.size(); at += stride) {
@@ -193,10 +190,10 @@ bool is_integer(double value) { return value == std::trunc(value) && std::fabs(v
 
 std::string number_text(double value) {
     if (std::isnan(value)) return "NaN";
-    if (value == 0) return "0";  // and not -0
+    if (value == 0) return "0";
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     char buffer[32];
-    // An identifier may be beyond the integers that a float holds.
+    // Integers may exceed a float's exact range.
     const auto [end, error] = is_integer(value)
                                   ? std::to_chars(buffer, buffer + sizeof buffer, static_cast<int64_t>(value))
                                   : std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value));
@@ -234,7 +231,6 @@ std::string tuple_text(std::span<const double> values) {
     return text + ")";
 }
 
-// In the probe's words for it, where it has some.
 std::string value_text(const Probe& probe, const std::string& name, std::span<const double> values) {
     const std::string words = probe.words ? probe.words(name, values) : "";
     return words.empty() ? tuple_text(values) : words;

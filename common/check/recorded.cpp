@@ -11,7 +11,7 @@ namespace {
 
 using Kind = RecordedStep::Kind;
 
-// An exercise has a few dozen steps; a stranger's bytes may have millions.
+// Bound on untrusted input; exercises record a few dozen steps.
 constexpr size_t most_steps = 10000;
 
 template <class T>
@@ -73,14 +73,14 @@ const Sampler& checked(const Sampler& sampler, const std::string& binding, std::
     if (!(sampler.anisotropy >= 1 && sampler.anisotropy <= 16) || !(sampler.min_lod >= 0) ||
         !(sampler.max_lod >= sampler.min_lod) || !(std::abs(sampler.lod_bias) <= 15))
         throw Failure("a sampler has a number that no device takes");
-    // Devices differ in this: Mesa 25 filters depths, Mesa 22 does not.
+    // Mesa 25 filters depth images, Mesa 22 does not.
     const auto is_depth = [](const ImageView& view) { return view.image && view.image->is_depth(); };
     if (sampler.filter == Filter::linear && sampler.compare == Compare::off && std::ranges::any_of(views, is_depth))
         throw Failure("'{}' is a depth image with a linear filter: many devices have none for it", binding);
     return sampler;
 }
 
-// Sets a uniform block from bytes: set() takes a type, and its size must be known at compile time.
+// Access to byte-based setters: typed set() needs compile-time sizes.
 struct Setting : Pass {
     using Pass::set_bytes;
     using Pass::set_images;
@@ -88,7 +88,6 @@ struct Setting : Pass {
 
 template <class Any>
 void step_again(Any& pass, const RecordedStep& step, const Cast& cast) {
-    // Both are the same functions for every pass.
     const auto set_bytes = &Setting::set_bytes;
     const auto set_images = &Setting::set_images;
     const glm::uvec3 n = step.counts;
@@ -218,7 +217,6 @@ void Recorder::begins(const std::string& pass, const ComputeAccess& access) {
     if (cast_ && !quiet_) begin(pass, access.reads, access.writes, access.with).is_compute = true;
 }
 
-// Null if nobody asks for it.
 RecordedStep* Recorder::add(Kind kind) {
     if (!cast_ || quiet_ || frame_.passes.empty()) return nullptr;
     auto& steps = frame_.passes.back().steps;

@@ -1,4 +1,4 @@
-// A recorded frame as data: recorded by an exercise in one process, replayed and judged in another.
+// Frames as data: recorded by an exercise in one process, replayed and judged in another.
 #pragma once
 #include <functional>
 #include <glm/glm.hpp>
@@ -9,9 +9,9 @@
 
 namespace lightwalk {
 
-// Of RecordedFrame every number may be a stranger's.
+// Untrusted: every number of a RecordedFrame may be invalid.
 struct RecordedView {
-    int32_t image = -1;  ///< of Cast::images; below 0: none
+    int32_t image = -1;  ///< index into Cast::images; negative: none
     uint32_t first_mip = 0, mips = 0, first_layer = 0, layers = 0;
     VkImageViewType type = VK_IMAGE_VIEW_TYPE_2D;
     VkFormat format = VK_FORMAT_UNDEFINED;
@@ -28,12 +28,12 @@ struct RecordedTarget {
 struct RecordedStep {
     enum class Kind : uint32_t { use, set_views, set_bytes, draw, call, dispatch, wait };
     Kind kind = Kind::wait;
-    uint32_t index = 0;   ///< of Cast::pipelines or Cast::calls
-    std::string binding;  ///< its name
+    uint32_t index = 0;
+    std::string binding;
     std::vector<RecordedView> views;
     Sampler sampler;
     std::vector<uint8_t> bytes;
-    glm::uvec3 counts{0};  ///< groups, or vertices, instances and the first instance
+    glm::uvec3 counts{0};  ///< workgroups; or vertices, instances, first instance
 };
 
 struct RecordedPass {
@@ -42,7 +42,7 @@ struct RecordedPass {
     std::vector<RecordedTarget> color;
     RecordedTarget depth;
     std::vector<RecordedView> reads, writes;
-    std::vector<uint32_t> with;  ///< of Cast::given
+    std::vector<uint32_t> with;
     uint32_t layers = 1;
     glm::uvec2 size{0};
     std::vector<RecordedStep> steps;
@@ -50,23 +50,22 @@ struct RecordedPass {
 
 struct RecordedFrame {
     std::vector<RecordedPass> passes;
-    std::string error;  ///< the exception thrown while recording
+    std::string error;
 };
 
-/// All that an exercise's passes may name, in one order where they are recorded and where they are replayed.
+/// Objects that an exercise may use, in equal order in both processes.
 struct Cast {
     std::vector<const Image*> images;
     std::vector<const Pipeline*> pipelines;
     std::vector<const Given*> given;
-    std::vector<std::function<void(Raster&)>> calls;  ///< draw functions given to an exercise
+    std::vector<std::function<void(Raster&)>> calls;
 };
 
-/// Stores everything recorded into the frames that it listens to.
 class Recorder : public PassListener {
   public:
-    /// Runs `record` on a frame of this recorder's; an exception is stored in the result, under `name`.
+    /// Runs `record` on a frame with this listener. Exceptions are stored in the result, prefixed with `name`.
     RecordedFrame listen(const Cast& cast, const std::string& name, const std::function<void()>& record);
-    /// The i-th of the cast's calls, as an exercise is given it.
+    /// Recordable stand-in for the cast's i-th call.
     std::function<void(Raster&)> call(uint32_t i);
 
     void begins(const std::string& pass, const RasterTargets& targets) override;
@@ -90,12 +89,10 @@ class Recorder : public PassListener {
     RecordedFrame frame_;
 };
 
-/// Records it again into a frame that has begun, with images and pipelines of this process. Returns the exception
-/// thrown there or here; empty if none.
+/// Replays into a begun frame. Returns the exception text of recording or replay; empty if none.
 std::string replay(Frame& frame, const RecordedFrame& recorded, const Cast& cast);
 
-/// Both frames, which begin with stage.begin(1) and (2): the exception thrown, and the second one's compute passes as
-/// "first, second".
+/// Replays two frames. Returns the exception text, and the compute passes of the second as "first, second".
 template <class Stage>
 std::pair<std::string, std::string> replay_twice(Stage& stage, const std::vector<RecordedFrame>& recorded) {
     if (recorded.size() != 2) return {"it was not recorded twice", ""};

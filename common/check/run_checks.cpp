@@ -33,7 +33,6 @@ void print_check(const ExerciseCheck& exercise, const Check& check) {
     std::fflush(stdout);
 }
 
-/// Prints the verdict, which a crash has as well. Returns whether it is right.
 bool check(const ExerciseCheck& exercise, bool solution) {
     const auto report = [&exercise](const std::string& message) {
         Check check;
@@ -53,8 +52,8 @@ const ExerciseCheck& find_check(const std::string& id) {
     throw InputError("no check of an exercise '" + id + "' here");
 }
 
-/// Checks an exercise for each line of standard input: {"exercise": its id, "variant": a C++ answer (variants.h), "overlay":
-/// a folder of shaders in place of the tree's}; the last two may be missing.
+// Handles requests on stdin, one per line: {"exercise": id, "variant": C++ answer (variants.h), "overlay": folder that
+// replaces shaders}; the last two are optional.
 void answer_requests() {
     for (std::string line; std::getline(std::cin, line);) {
         const nlohmann::json request = nlohmann::json::parse(line);
@@ -90,7 +89,7 @@ int run(int argc, char** argv) {
         if (e.get_exit_code() == 0) return app.exit(e);
         throw InputError(e.what());
     }
-    // A student's loop without an end must not hold everything up for a minute.
+    // Bounds endless loops of students more tightly than the default minute.
     setenv("LIGHTWALK_TIMEOUT_S", std::to_string(call_limit_s()).c_str(), 0);
     bool ok = true;
     if (options.requests) answer_requests();

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t most_rows = 400, first_rows = 200;
-constexpr double no_bound = 1e6;  // for probes judged by other means
+constexpr double no_bound = 1e6;  // threshold of probes judged by other means
 
 Json number(double value) {
     if (!std::isfinite(value)) return number_text(value);
@@ -30,7 +30,7 @@ Json numbers(std::span<const double> row) {
     return list;
 }
 
-// Cases written by hand come first; of the random ones behind them every n-th.
+// All handwritten rows, which come first, and every n-th random one.
 std::vector<size_t> kept_rows(size_t count) {
     std::vector<size_t> kept;
     for (size_t i = 0; i < std::min(count, first_rows); ++i) kept.push_back(i);
@@ -39,7 +39,7 @@ std::vector<size_t> kept_rows(size_t count) {
     return kept;
 }
 
-// A hint depends on the result: asked for each kind of wrong one. The page knows them by these names.
+// Hints depend on the result, so they are stored for these kinds of wrong results, named as in the page.
 Row wrong_result(const std::string& kind, const Row& truth) {
     Row row;
     for (const double t : truth)
@@ -68,7 +68,7 @@ Json hints_of(const Probe& probe, const std::vector<size_t>& rows) {
 void ProbeTables::add(const Probe& probe, const Table& results) {
     if (probe.bound.absolute > no_bound) return;
     rows_ += static_cast<int>(results.size());
-    if (probe.grants) add_other();  // a page knows the truths alone
+    if (probe.grants) add_other();  // pages know only the reference
     Json one = {
         {"signature", probe.signature},
         {"text", flatten_text(probe.before + "#include \"" + probe.include + "\"\n", "probe", "99", probe.macros).text},

@@ -1,4 +1,4 @@
-// The device of a trial (trial.h) that records frames.
+// Device of trials that record frames (trial.h).
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// Any device, validated: the first message goes to `first`, which must outlive the device.
+/// Any device, with validation: its first message goes to `first`, which must outlive the device.
 inline DeviceOptions trial_device(std::string& first) {
     return {.name = "", .validate = true, .surface_extensions = {}, .on_message = [&first](const char* message) {
                 if (first.empty()) first = message;

@@ -8,14 +8,13 @@ namespace lightwalk {
 namespace {
 
 struct Operation {
-    const char* name;       ///< the function's in GLSL
-    int operands;           ///< of each component
+    const char* name;
+    int operands;
     const char* undefined;  ///< condition on a and b
-    const char* words;      ///< with A and B for the operands
+    const char* words;
 };
 
-// GLSL 4.60, chapters 5.9 and 8.1 to 8.5; their results for NaN are undefined too. The first entry stands for none,
-// the second is an operator.
+// GLSL 4.60, chapters 5.9 and 8.1 to 8.5; results for NaN are undefined, too. Entry 0: none; entry 1: an operator.
 constexpr Operation operations[] = {
     {"", 0, "", ""},
     {"divide", 2, "b == 0.0", "divides A by 0"},
@@ -41,7 +40,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-// From here on the functions' own names mean ours.
 std::string defines() {
     std::string text = "#define normalize undefined_normalize\n#define atan undefined_atan\n";
     for (const Operation& op : operations)
@@ -67,7 +65,7 @@ std::string undefined_glsl() {
         const std::string name = "undefined_" + std::string(op.name);
         const bool divide = std::string(op.name) == "divide";
         const std::string names[] = {"a", "b", "c"};
-        // The operands' types: all alike, or one of them a float.
+        // Operand types: equal, or one of them float.
         const auto overload = [&](const std::string& result, const std::vector<std::string>& types) {
             std::string head, call, body;
             for (size_t i = 0; i < types.size(); ++i) {

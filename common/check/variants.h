@@ -1,7 +1,7 @@
-// Several answers to the C++ exercises of a chapter in one program. A check calls the one that was chosen.
+// Several student answers to C++ exercises in one program; the check calls the chosen one.
 //
-// Included before a chapter's exercises.h, in a file of its own (common/course/check/variants.py writes it): there EXERCISE
-// defines each function as one that calls the chosen answer. Each answer is in a namespace of its own.
+// Included before a chapter's exercises.h in a generated file (common/course/check/variants.py): EXERCISE then defines
+// functions that call the chosen answer. Each answer has its own namespace.
 #pragma once
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// Throws InputError if there is no answer of that name: "parse_face.half".
+/// Selects an answer, such as "parse_face.half". Throws InputError if it does not exist.
 void choose_variant(const std::string& name);
 
 struct RegisterVariant {
@@ -27,7 +27,7 @@ struct Chosen<Exercise, Result(Arguments...)> {
 
 }  // namespace lightwalk
 
-// The function's symbol is found when the program starts (ifunc): any signature, without naming its parameters.
+// ifunc resolves the symbol at program start, for any signature without naming parameters.
 #undef EXERCISE
 #define EXERCISE(id, result, name, ...)                                         \
     using Chosen_##name = Chosen<struct ChosenOf_##name, result(__VA_ARGS__)>;  \

@@ -13,7 +13,7 @@
 namespace lightwalk {
 namespace {
 
-// Which invocation each one stands for: itself; the last first; two without any order.
+// Orders: identity, reverse, two random permutations.
 std::vector<uint32_t> orders() {
     std::vector<uint32_t> all;
     std::mt19937 random(7);
@@ -28,14 +28,13 @@ std::vector<uint32_t> orders() {
     return all;
 }
 
-// Names of the check's own: an answer that could name them could answer in the place of others. No answer that is
-// graded has a name with this beginning (common/course/check/glsl_answer.py).
+// Prefixes the check's identifiers, so that answers cannot name them (common/course/check/glsl_answer.py).
 std::string hidden(std::string text) {
     static const std::regex own(R"(\b(case_index|put_at|stands_for|given|puts|put|orders)\b)");
     return std::regex_replace(text, own, "check_$1");
 }
 
-// In a buffer of its own: shared memory could be overwritten from an array beside it.
+// Separate buffer, since overruns of shared arrays could overwrite counters.
 std::string counting(uint32_t counts) {
     if (counts == 0) return "";
     return "layout(scalar) buffer CountBuffer { uint check_counts[]; };\n"
@@ -44,7 +43,7 @@ std::string counting(uint32_t counts) {
            std::to_string(counts) + "u + i], 1u); }\n";
 }
 
-// A name that would go round the order.
+// Replaces built-ins that would reveal the true index.
 void replace_all(std::string& text, const std::string& old, const std::string& with) {
     for (size_t at = 0; (at = text.find(old, at)) != text.npos; at += with.size()) text.replace(at, old.size(), with);
 }
@@ -64,7 +63,7 @@ WorkgroupResults::WorkgroupResults(Gpu& gpu, const WorkgroupRun& run)
     text = text.substr(text.find("#line 1 "));
     replace_all(text, "gl_LocalInvocationIndex", "check_stands_for");
     replace_all(text, "gl_LocalInvocationID", "uvec3(check_stands_for, 0, 0)");
-    // Waits of the check itself are not the exercise's.
+    // The check's own barriers are not recorded.
     static const std::regex wait(R"(\bbarrier\b)");
     const std::string call = hidden(std::regex_replace(run.call, wait, "check_barrier"));
     text = "layout(local_size_x = " + size + ") in;\n" + traced_barriers() + text +

@@ -29,7 +29,6 @@ VkDescriptorBufferInfo Arena::copy(std::span<const std::byte> bytes, VkDeviceSiz
 }
 
 DescriptorSets::Pool DescriptorSets::make_pool(const BuiltPipeline& pipeline) const {
-    // Several of each kind a set, and in any case enough for sets of the pipeline that asks.
     std::vector<VkDescriptorPoolSize> sizes;
     for (const VkDescriptorType type : {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}) {

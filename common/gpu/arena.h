@@ -1,4 +1,4 @@
-// Memory of one frame: bytes for the device to read, and descriptor sets. Both restart with every frame.
+// Transient memory of one frame: host-visible buffers and descriptor sets, both reset each frame.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,12 +9,11 @@
 
 namespace lightwalk {
 
-/// Host-visible buffers filled one after the other. Each frame in flight has its own.
 class Arena {
   public:
     Arena(Device& device, std::string name) : device_(device), name_(std::move(name)) {}
 
-    /// Copies the bytes to a place at a multiple of `alignment`.
+    /// Copies `bytes` into a buffer. The offset is a multiple of `alignment`, in bytes.
     VkDescriptorBufferInfo copy(std::span<const std::byte> bytes, VkDeviceSize alignment);
     void reset() { current_ = 0, used_ = 0; }
 
@@ -26,12 +25,11 @@ class Arena {
     VkDeviceSize used_ = 0;
 };
 
-/// Descriptor sets, allocated from pools and written once, for one draw or dispatch and those after it that bind the same.
 class DescriptorSets {
   public:
     explicit DescriptorSets(Device& device) : device_(device) {}
 
-    /// A set that holds `writes`, until the next reset().
+    /// Descriptor set holding `writes`, valid until reset().
     VkDescriptorSet make(const BuiltPipeline& pipeline, std::span<VkWriteDescriptorSet> writes);
     void reset();
 

@@ -9,7 +9,7 @@ bool covers(VkPipelineStageFlags2 stages, VkPipelineStageFlags2 wanted) {
     return stages & VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT || (stages & wanted) == wanted;
 }
 
-// True if a barrier from `from` is needed; updates the history to hold `next`.
+// Updates the history with `next`. True if a barrier is needed, from the access `from`.
 bool advance(AccessHistory& history, const Access& next, bool image, Access& from) {
     const bool new_layout = image && history.layout != next.layout;
     from = history.last_write;
@@ -25,7 +25,7 @@ bool advance(AccessHistory& history, const Access& next, bool image, Access& fro
     return from.stages != VK_PIPELINE_STAGE_2_NONE;
 }
 
-// Appends, or makes the last one wider where this is its neighbour and otherwise the same.
+// Appends a barrier, or extends an existing one that differs only by an adjacent subresource range.
 void append(std::vector<VkImageMemoryBarrier2>& list, size_t first, const VkImageMemoryBarrier2& one) {
     for (size_t i = first; i < list.size(); ++i) {
         VkImageMemoryBarrier2& other = list[i];
@@ -53,7 +53,7 @@ void Barriers::add(const ImageView& view, const Access& next) {
     ImageHistory& history = view.image->history;
     VkImageSubresourceRange range = view.range();
     if (view.is_volume()) {
-        range.baseArrayLayer = 0;  // slices are no subresources
+        range.baseArrayLayer = 0;  // depth slices share one subresource
         range.layerCount = 1;
     }
     Access from;
@@ -82,7 +82,6 @@ void Barriers::add(const ImageView& view, const Access& next) {
         }
         history.each.assign(size_t(mips) * layers, history.all);
     }
-    // First the layers of each mip, then mips with equal layers.
     const size_t first = images.size();
     std::vector<VkImageMemoryBarrier2> of_mip;
     for (uint32_t mip = range.baseMipLevel; mip < range.baseMipLevel + range.levelCount; ++mip) {

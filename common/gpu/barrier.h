@@ -1,4 +1,4 @@
-// Barriers derived from the statements of a pass, recorded at once.
+// Barriers derived from the resource accesses that passes declare.
 #pragma once
 #include <vector>
 
@@ -9,19 +9,16 @@ namespace lightwalk {
 
 class Barriers {
   public:
-    /// Adds the barriers that `next` requires after all earlier accesses to those mips and layers. Parts of a view
-    /// with equal histories share a barrier.
+    /// Adds the barriers that `next` requires after earlier accesses, and updates the history. Neighbours share one.
     void add(const ImageView& view, const Access& next);
     void add(const Buffer& buffer, const Access& next);
 
-    /// One command for all that was added, or none; forgets them.
     void record(VkCommandBuffer commands);
 
     std::vector<VkImageMemoryBarrier2> images;
     std::vector<VkBufferMemoryBarrier2> buffers;
 };
 
-/// One alone.
 template <class T>
 void barrier(VkCommandBuffer commands, const T& resource, const Access& next) {
     Barriers one;
@@ -29,7 +26,6 @@ void barrier(VkCommandBuffer commands, const T& resource, const Access& next) {
     one.record(commands);
 }
 
-/// A barrier between stages alone, for all memory.
 void barrier(VkCommandBuffer commands, const VkMemoryBarrier2& memory);
 
 }  // namespace lightwalk

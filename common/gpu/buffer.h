@@ -1,4 +1,4 @@
-// A contiguous run of device memory, named, freed by its owner once no frame uses it any more.
+// Named device buffer for storage, uniform, index and indirect use, freed once no frame in flight uses it.
 #pragma once
 #include <string>
 
@@ -7,17 +7,15 @@
 
 namespace lightwalk {
 
-/// Usable as storage, uniform, index and indirect buffer alike.
-/// Large (7 functions, 9 members): Vulkan's handles.
 class Buffer {
   public:
     struct Desc {
         std::string name;
-        VkDeviceSize bytes = 0;     ///< 16 at least
-        bool host_visible = false;  ///< mapped for its whole life
+        VkDeviceSize bytes = 0;     ///< at least 16
+        bool host_visible = false;  ///< persistently mapped
     };
     Buffer() = default;
-    /// Throws Failure if the device has no such memory, or not as much.
+    /// Throws Failure if no memory type fits or the heap is full.
     Buffer(Device& device, const Desc& desc);
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept {
@@ -28,12 +26,12 @@ class Buffer {
     ~Buffer();
 
     VkBuffer handle = VK_NULL_HANDLE;
-    VkDeviceSize bytes = 0;     ///< visible to shaders
-    VkDeviceSize capacity = 0;  ///< bytes that `bytes` may be set to without another allocation
+    VkDeviceSize bytes = 0;  ///< range visible to shaders
+    VkDeviceSize capacity = 0;
     std::byte* mapped = nullptr;
     std::string name;
     mutable AccessHistory history;
-    mutable bool constant = false;  ///< uploaded, not written since: every pass may read it without saying so
+    mutable bool constant = false;  ///< uploaded and unwritten since: readable without being declared
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
 
   private:

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* library = "librenderdoc.so";
 
 #ifdef LIGHTWALK_HAS_RENDERDOC
-// RenderDoc's functions, where its library is in this process; it is never loaded by asking.
+// RTLD_NOLOAD: finds the library without loading it.
 RENDERDOC_API_1_1_2* interface() {
     static RENDERDOC_API_1_1_2* found = nullptr;
     if (found) return found;
@@ -27,7 +27,7 @@ RENDERDOC_API_1_1_2* interface() {
     void* made = nullptr;
     if (!get || get(eRENDERDOC_API_Version_1_1_2, &made) != 1) return nullptr;
     found = static_cast<RENDERDOC_API_1_1_2*>(made);
-    // F12 is our screenshot, and a picture has no letters of another program over it.
+    // F12 is the course's screenshot key; the overlay would appear in pictures.
     found->SetCaptureKeys(nullptr, 0);
     found->MaskOverlayBits(eRENDERDOC_Overlay_None, eRENDERDOC_Overlay_None);
     found->SetCaptureOptionU32(eRENDERDOC_Option_RefAllResources, 1);
@@ -39,7 +39,7 @@ RENDERDOC_API_1_1_2* interface() {
 
 #ifdef LIGHTWALK_HAS_RENDERDOC
 void load_renderdoc() {
-    setenv("ENABLE_VULKAN_RENDERDOC_CAPTURE", "1", 1);  // its layer is implicit, and off without this
+    setenv("ENABLE_VULKAN_RENDERDOC_CAPTURE", "1", 1);  // enables RenderDoc's implicit layer
     if (!dlopen(library, RTLD_NOW)) throw InputError("a capture needs RenderDoc: apt install renderdoc");
     if (!interface()) throw Failure("RenderDoc's library has no interface of version 1.1.2");
 }

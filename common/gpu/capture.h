@@ -1,25 +1,23 @@
-// Captures of a frame for RenderDoc, through its in-application interface.
+// Frame captures through RenderDoc's in-application API.
 #pragma once
 #include <string>
 
 namespace lightwalk {
 
-/// Loads RenderDoc's library, which has to be there before a device is made. Throws InputError if there is none, or
-/// where the course was built without its header.
+/// Loads RenderDoc's library, before the device is created. Throws InputError if it is not installed or built in.
 void load_renderdoc();
 
-/// Whether its library is in this process: load_renderdoc loaded it, or RenderDoc started the program.
+/// True if RenderDoc's library is loaded, by load_renderdoc() or because RenderDoc launched the program.
 bool has_renderdoc();
 
-/// All that is submitted while it lives, in one capture.
+/// Captures everything submitted during its lifetime.
 class Capture {
   public:
     Capture();
     ~Capture();
     Capture(const Capture&) = delete;
 
-    /// Ends the capture and writes it to `file` (.rdc). Throws InputError if that cannot be, Failure if RenderDoc
-    /// made none.
+    /// Ends the capture and writes it to `file` (.rdc). Throws InputError (not writable) or Failure (no capture).
     void write(const std::string& file);
 
   private:

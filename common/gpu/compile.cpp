@@ -32,13 +32,12 @@ EShLanguage language(Stage stage) {
     return EShLangVertex;
 }
 
-// Line `number` of a shader, for a message about it; nothing if the file is none of the course's shaders: any text
-// may say "#line 3" and name any file.
+// Source line for a message; empty unless `file` is the course's, since #line may name any file.
 std::string line_of(const std::string& file, int number) {
     const fs::path path = fs::path(file).lexically_normal();
     const std::string room = path.empty() ? "" : path.begin()->string();
     std::error_code error;
-    // A grader shows this message to students, and a broken line may end in a reference solution that follows it.
+    // Students see this message in grading, and a syntax error may end within a reference solution that follows.
     if (std::getenv("LIGHTWALK_SANDBOXED") && std::ranges::count(path, fs::path("solution"))) return "";
     if (path.is_absolute() || (room != "shaders" && room != "tests") ||
         !fs::is_regular_file(course_root() / path, error) || !lies_below(course_root() / path, course_root() / room))
@@ -51,7 +50,6 @@ std::string line_of(const std::string& file, int number) {
     return !source ? "" : "\n    " + (text.size() > 200 ? text.substr(0, 200) + " ..." : text);
 }
 
-// "file:line: message" and the line itself, from glslang's "ERROR: file:line: message".
 std::string readable(const std::string& log) {
     static const std::regex pattern(R"(ERROR: ("?)([^:"]+)\1:(\d+): (.*))");
     std::istringstream in(log);
@@ -93,7 +91,7 @@ std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const st
     return spirv;
 }
 
-// Larger than any module; a cache's entry may say any size.
+// Upper bound against damaged cache entries, in bytes.
 constexpr size_t most_module_bytes = size_t{1} << 26;
 
 }  // namespace

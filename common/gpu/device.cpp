@@ -68,8 +68,7 @@ VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
                                            .pEnabledValidationFeatures = &synchronisation};
     if (options.validate && !has_layer(validation_layer))
         throw InputError("--validate on needs the Vulkan validation layer: apt install vulkan-validationlayers");
-    // Layers since 1.3.290 ignore shader accesses unless told otherwise. Debian 12's headers lack
-    // VK_EXT_layer_settings for the same setting.
+    // Shader accesses are unchecked by default since 1.3.290. Debian 12's headers lack VK_EXT_layer_settings.
     if (options.validate) setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "true", 0);
     const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                       .pNext = options.validate ? &features : nullptr,
@@ -161,7 +160,7 @@ Device::Device(const DeviceOptions& options) : Device() {
         load(instance, create_messenger, "vkCreateDebugUtilsMessengerEXT");
         check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
     }
-    timeout_ns();  // rejects an invalid time before anything is drawn
+    timeout_ns();  // rejects an invalid value early
     physical = choose(physical_devices(instance), options.name);
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
@@ -240,7 +239,7 @@ uint64_t Device::timeout_ns() const {
     const double seconds = std::strtod(text.c_str(), &end);
     if (*end || !(seconds > 0))
         throw InputError("LIGHTWALK_TIMEOUT_S is '{}'; it takes a number of seconds above 0", text);
-    // Thirty years are as good as more, and their nanoseconds still fit into 64 bits, with today's date added.
+    // Upper bound of 30 years, so that nanoseconds plus the current time fit into 64 bits.
     return static_cast<uint64_t>(std::min(seconds, 1e9) * 1e9);
 }
 

@@ -1,4 +1,4 @@
-// The device: choice of a Vulkan 1.3 driver, its queue, validation and object names.
+// Vulkan 1.3 device: selection, queue, validation, object names, deferred destruction.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -11,34 +11,34 @@
 
 namespace lightwalk {
 
-/// Throws Failure with the name of the result unless it is VK_SUCCESS.
+/// Throws Failure with the name of `result` unless it is VK_SUCCESS.
 void check(VkResult result, const char* what);
 
-/// As the Vulkan headers spell it, such as "ErrorOutOfDeviceMemory".
+/// Name as in vulkan.hpp, for instance "ErrorOutOfDeviceMemory".
 std::string name_of(VkResult result);
 
-/// For tests of failures: number of calls of check() that still succeed before one throws; below 0: all.
+/// Fault injection for tests: number of check() calls that succeed before one throws; negative: no fault.
 int& checks_until_failure();
 
 struct DeviceInfo {
-    std::string name;    ///< as the driver gives it
-    std::string driver;  ///< driver name and version
-    std::string type;    ///< discrete, integrated, virtual, software or other
-    std::string lacks;   ///< required features that this device lacks; empty: usable
+    std::string name;
+    std::string driver;
+    std::string type;   ///< discrete, integrated, virtual, software or other
+    std::string lacks;  ///< missing required features; empty: usable
 };
 
-/// Every Vulkan device on this machine, best first. Throws InputError if no driver is installed.
+/// Every Vulkan device of this machine, best first. Throws InputError if no driver is installed.
 std::vector<DeviceInfo> list_devices();
 
 struct DeviceOptions {
-    std::string name;       ///< a part of the wanted device's name, or its type; empty: hardware before software
-    bool validate = false;  ///< core and synchronisation validation; every message is kept
-    std::vector<const char*> surface_extensions;  ///< required by GLFW; empty: headless, no surface at all
+    std::string name;       ///< part of a device name, or a device type; empty: hardware before software
+    bool validate = false;  ///< core and synchronisation validation
+    std::vector<const char*> surface_extensions;  ///< GLFW's extensions; empty: headless
 
-    std::function<void(const char*)> on_message;  ///< also receives validation messages, until destruction ends
+    std::function<void(const char*)> on_message;  ///< receives every message until the device is destroyed
 };
 
-/// Objects of one resource, to be destroyed together.
+/// Vulkan objects of one resource, destroyed together once no frame uses them.
 struct Doomed {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
@@ -46,10 +46,9 @@ struct Doomed {
     VkDeviceMemory memory = VK_NULL_HANDLE;
 };
 
-/// Large (19 functions, 22 members): Vulkan's handles and limits.
 class Device {
   public:
-    /// Throws InputError (no driver, no such device, validation layer missing) or Failure.
+    /// Throws InputError (no driver, no such device, no validation layer) or Failure.
     explicit Device(const DeviceOptions& options);
     ~Device();
     Device(const Device&) = delete;
@@ -61,46 +60,44 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;  ///< graphics and compute
     uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
-    VkPhysicalDeviceFeatures has{};  ///< optional features that the device has, all enabled
+    VkPhysicalDeviceFeatures has{};  ///< optional features; all are enabled
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
-    bool hides_blocks = false;  ///< uniform blocks are elements of arrays (hidden_blocks.h)
+    bool hides_blocks = false;  ///< uniform blocks are array elements (hidden_blocks.h)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
-    /// Names an object for validation messages and frame debuggers.
     void set_name(VkObjectType type, uint64_t object, const std::string& name) const;
     void begin_label(VkCommandBuffer commands, const char* name) const;
     void end_label(VkCommandBuffer commands) const;
 
-    /// Throws Failure with the first of validation's messages after `heard` of them, where there are any.
+    /// Throws Failure with the first validation message after the first `heard` ones.
     void check_validation(size_t heard = 0) const;
     size_t validation_message_count() const;
 
-    /// Allocates memory for `name`. Throws Failure if no type has the properties, or its heap is too small.
+    /// Throws Failure if no memory type has `properties` or the heap is too small. `name` appears in the error.
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties,
                             const std::string& name) const;
 
-    /// How long one pass may take before it counts as endless. $LIGHTWALK_TIMEOUT_S, else 60 s. May throw InputError.
+    /// Time limit of one pass, in ns: $LIGHTWALK_TIMEOUT_S, default 60 s. Throws InputError for an invalid value.
     uint64_t timeout_ns() const;
 
-    /// Between the two a frame is recorded or runs: objects given to destroy() meanwhile are destroyed after all
-    /// frames begun before have ended.
+    /// Frames in use. Objects passed to destroy() are kept until every frame begun before that call has ended.
     uint64_t begin_use();
     void end_use(uint64_t use);
-    /// This thread records a frame: from begin_use() to end_recording() or end_use().
+    /// True while this thread records a frame: from begin_use() to end_recording() or end_use().
     bool is_recording() const;
     void end_recording(uint64_t use);
     void destroy(Doomed objects);
     size_t doomed_count() const { return doomed_.size(); }
 
   private:
-    Device() = default;  // the other constructor goes on from it, so that the destructor runs where that throws
+    Device() = default;  // delegated to: ensures the destructor runs if construction fails
     void destroy_now(const Doomed& objects);
     std::vector<uint64_t> uses_;
     std::vector<std::pair<uint64_t, std::thread::id>> recording_;
     uint64_t last_use_ = 0;
-    std::vector<std::pair<uint64_t, Doomed>> doomed_;  ///< with the last frame that had begun
+    std::vector<std::pair<uint64_t, Doomed>> doomed_;
 
     friend VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                  const VkDebugUtilsMessengerCallbackDataEXT*, void*);

@@ -36,8 +36,8 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     need(has13.synchronization2, v13.synchronization2, "synchronization2");
     need(has13.maintenance4, v13.maintenance4, "maintenance4");
     for (const auto& [name, member] : needed_core) need(has.features.*member, core.features.*member, name);
-    core.features.geometryShader = has.features.geometryShader;  // chapter 06's `cull` says where it is missing
-    core.features.shaderUniformBufferArrayDynamicIndexing =      // for hidden_blocks.h
+    core.features.geometryShader = has.features.geometryShader;  // optional: chapter 06, `cull`
+    core.features.shaderUniformBufferArrayDynamicIndexing =      // optional: hidden_blocks.h
         has.features.shaderUniformBufferArrayDynamicIndexing;
 }
 

@@ -1,4 +1,4 @@
-// Device features required by the course, in one place.
+// Required device features and limits.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -14,7 +14,6 @@ namespace lightwalk {
 constexpr const char* no_driver_message =
     "no Vulkan driver is installed; a graphics card's own, or for software rendering: apt install mesa-vulkan-drivers";
 
-/// The features to enable.
 struct DeviceFeatures {
     explicit DeviceFeatures(VkPhysicalDevice physical);
     DeviceFeatures(const DeviceFeatures&) = delete;
@@ -22,21 +21,20 @@ struct DeviceFeatures {
     VkPhysicalDeviceVulkan11Features v11{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
     VkPhysicalDeviceVulkan13Features v13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-    std::string lacks;  ///< names of needed features that are absent
+    std::string lacks;
 };
 
-/// Device limits beyond VkPhysicalDeviceProperties.
 struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     VkDriverId driver{};
-    uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
+    uint32_t shuffling_lanes = 1;  ///< smallest subgroup size of compute shaders with shuffle support
 };
 
 DeviceInfo describe_device(VkPhysicalDevice physical);
 std::optional<uint32_t> graphics_family(VkPhysicalDevice physical);
 
-/// Smaller is preferred: discrete, integrated, virtual, other, software.
+/// Preference, smallest first: discrete, integrated, virtual, other, software.
 int device_rank(VkPhysicalDevice physical);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Lifetime of objects in device memory.
+// Device memory: allocation and deferred destruction.
 #include <algorithm>
 #include <utility>
 

@@ -1,11 +1,10 @@
-// Waiting for a device.
+// Waiting for the device with a time limit.
 #pragma once
 #include "common/gpu/device.h"
 
 namespace lightwalk {
 
-/// The result of `wait`, called with Device::timeout_ns() as its limit. A software device runs in this process: on a
-/// busy machine the wait is repeated, up to ten times, until the process has received that much processor time.
+/// Calls `wait` with Device::timeout_ns(); for software devices up to ten times, until that much CPU time is used.
 VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t most_ns)>& wait);
 
 }  // namespace lightwalk

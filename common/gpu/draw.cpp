@@ -1,4 +1,4 @@
-// Draws and dispatches of passes, once everything is bound.
+// Draw and dispatch commands of passes.
 #include "common/base/error.h"
 #include "common/gpu/frame.h"
 

@@ -13,15 +13,14 @@ namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
 
-// "02" for "02_lambert_phong/x.glsl", and for a test's file in tests/02_lambert_phong; "00" for common.
+// Chapter number of a path: "02" for "02_lambert_phong/x.glsl" and for tests/02_lambert_phong; "00" for common.
 std::string chapter_of(const std::string& name) {
     for (const fs::path& folder : fs::path(name))
         if (std::isdigit(static_cast<unsigned char>(folder.native()[0]))) return folder.string().substr(0, 2);
     return "00";
 }
 
-// $LIGHTWALK_OVERLAY: a folder of shaders that replace those at the same path, to try a change without editing the
-// tree.
+// Path below $LIGHTWALK_OVERLAY if the file exists there: shader changes without editing the tree.
 fs::path overlaid(const fs::path& file) {
     const char* const overlay = std::getenv("LIGHTWALK_OVERLAY");
     if (!overlay || !*overlay) return file;
@@ -29,7 +28,7 @@ fs::path overlaid(const fs::path& file) {
     return fs::exists(other) ? other : file;
 }
 
-// A file that gives its lines other numbers and another name would put its mistakes down to that one.
+// #line would attribute errors to another file.
 void refuse_line_numbers(const std::string& text, const std::string& shown) {
     static const std::regex directive(R"re(^\s*#\s*line\b.*)re");
     std::istringstream in(text);
@@ -38,8 +37,7 @@ void refuse_line_numbers(const std::string& text, const std::string& shown) {
         if (std::regex_match(line, directive)) throw ShaderError("{}:{}: no shader has a #line", shown, number);
 }
 
-// A test's text, on disk or in its program. It may state `#pragma replaces "05_shadow_maps/x.glsl"`: an include of
-// that file then reads nothing, since the text before replaces it.
+// Test shader, on disk or inline. `#pragma replaces "05_shadow_maps/x.glsl"` makes includes of that file empty.
 bool is_of_tests(const std::string& shown) { return shown.starts_with("tests/") || !shown.starts_with("shaders/"); }
 
 class Flattener {
@@ -50,7 +48,7 @@ class Flattener {
     void include(const std::string& name, const std::string& from, int line) {
         const fs::path file = resolve(name, from, line);
         if (!seen_.insert(file).second) return;
-        if (!fs::is_regular_file(overlaid(file)))  // a device has no end
+        if (!fs::is_regular_file(overlaid(file)))  // a device file may be endless
             throw ShaderError("{}:{}: shaders/{} is not a regular file", from, line, name);
         result.files.push_back(file);
         std::string text;
@@ -93,7 +91,7 @@ class Flattener {
                 result.text += line + "\n";
                 continue;
             }
-            if (!std::regex_match(line, match, directive)) {  // <...>: a C++ header of a shared struct
+            if (!std::regex_match(line, match, directive)) {  // <...>: C++ header of a shared struct
                 result.text += "\n";
                 continue;
             }
@@ -101,11 +99,10 @@ class Flattener {
             const auto other = macros_.files().find(name);
             const bool replaced = other != macros_.files().end();
             if (replaced) name = other->second;
-            // ../tests: includes of a test's probe.
             const fs::path below = name.starts_with("../tests/") ? name.substr(3) : name;
             if (below.is_absolute() || std::ranges::count(below, fs::path("..")))
                 throw ShaderError("{}:{}: #include \"{}\": an include is a path below shaders/", shown, number, name);
-            // Included once, wherever first met: within an #if that would depend on the order of files.
+            // Files are included once; within #if, inclusion would depend on file order.
             if (depth > 0) throw ShaderError("{}:{}: #include within #if; move it to the top", shown, number);
             if (chapter_of(name) > chapter && !replaced)
                 throw ShaderError("{}:{}: chapter {} may not include the later chapter's {}", shown, number, chapter,
@@ -140,7 +137,6 @@ FlatShader included(const std::string& name, const Macros& macros) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// The words of a line that could be macros, up to a comment.
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
     line = line.substr(0, std::min(line.find("//"), line.size()));
@@ -153,7 +149,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
-// An #if takes a name that nobody has defined for 0, and the wrong half of a shader is compiled in silence.
+// GLSL evaluates undefined macros in #if as 0, which would silently compile the wrong branch.
 void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     std::set<std::string, std::less<>> known;
     for (const auto& [name, value] : macros) known.insert(name);
@@ -169,7 +165,7 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
             numbers >> number >> file;
             --number;
         } else if ((words[0] == "define" || words[0] == "ifndef" || words[0] == "ifdef") && words.size() > 1) {
-            known.emplace(words[1]);  // defined, or asked for first
+            known.emplace(words[1]);  // tested for definition first
         } else if (words[0] == "if" || words[0] == "elif") {
             for (size_t i = 1; i < words.size(); ++i) {
                 if (words[i] == "defined") {
@@ -185,14 +181,14 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     }
 }
 
-// Defines only the macros that the text names: others must not create another variant.
+// Unnamed macros would create needless variants.
 FlatShader with_header(FlatShader shader, const Macros& macros) {
     refuse_unknown_macros(shader.text, macros);
     std::string header =
         "#version 460\n"
         "#extension GL_EXT_scalar_block_layout : require\n"
         "#extension GL_GOOGLE_cpp_style_line_directive : require\n";
-    for (const char* cpp : {"BEGIN_SHARED", "END_SHARED", "SHARED_FUNCTION"})  // for C++ alone: shaders/common/shared.h
+    for (const char* cpp : {"BEGIN_SHARED", "END_SHARED", "SHARED_FUNCTION"})  // macros of shaders/common/shared.h
         if (names_macro(shader.text, cpp)) header += fmt::format("#define {}\n", cpp);
     for (const auto& [name, value] : macros)
         if (names_macro(shader.text, name)) header += fmt::format("#define {} {}\n", name, value);

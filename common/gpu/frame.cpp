@@ -20,7 +20,7 @@ Frame::Frame(Gpu& owner, const FrameWatch& watch) : gpu(owner), watch_(watch) {
 Frame::~Frame() {
     try {
         finish();
-    } catch (const std::exception&) {  // the device was lost, or a test says so
+    } catch (const std::exception&) {  // device lost
         vkDeviceWaitIdle(gpu.device.handle);
     }
     for (const auto& one : recordings_)
@@ -28,7 +28,7 @@ Frame::~Frame() {
 }
 
 void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
-    Recording& abandoned = recording();  // recorded and not submitted
+    Recording& abandoned = recording();  // recorded but not submitted
     if (abandoned.use && !abandoned.ends_at) gpu.device.end_use(std::exchange(abandoned.use, 0));
     if (gpu.device.is_recording()) throw Failure("a frame begins while another one is being recorded");
     if (size != size_in_pixels) {
@@ -53,8 +53,7 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
     ++begun;
 }
 
-// Makes room for one more pass, before anything is copied for it. Long recordings, such as a thousand lens samples,
-// are submitted in parts.
+// Splits frames with more passes than one submission can time, such as a thousand lens samples.
 void Frame::make_room() {
     if (recording().has_room()) return;
     submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
@@ -76,7 +75,7 @@ void Frame::end_pass() {
     recording().end_pass();
 }
 
-// A pass that throws is ended all the same: its barriers are in the images' histories, so it must be submitted.
+// A pass that throws is still ended and submitted: the images' histories already include its barriers.
 template <class Record, class End>
 void Frame::record_and_end(const Record& record, const End& end) {
     try {
@@ -94,7 +93,7 @@ void Frame::add_output(const std::string& name, const ImageView& view) {
 
 void Frame::run_after_pass(size_t outputs_before) {
     if (!after_pass || outputs.size() == outputs_before) return;
-    const auto function = std::exchange(after_pass, nullptr);  // its own passes do not call it
+    const auto function = std::exchange(after_pass, nullptr);  // no recursion
     function();
     after_pass = function;
 }
@@ -109,7 +108,7 @@ bool holds(const ImageView& view, uint64_t frame) {
 }  // namespace
 
 void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stated, const Rendering* targets) const {
-    // A resource in both lists may be written first, by a dispatch of the pass itself.
+    // A resource in both lists may be written by an earlier dispatch of the same pass.
     const auto refuse = [&](const ImageView& view) {
         throw Failure("pass '{}' reads {}, which no pass of this frame wrote", pass, view.name());
     };
@@ -189,7 +188,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
 
 void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record) {
     std::vector<Stated> stated;
-    state(stated, name, access.reads, access.writes);  // throws where they overlap
+    state(stated, name, access.reads, access.writes);
     note_writes(stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "transfer");
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
@@ -202,7 +201,7 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access, Funct
     barriers.record(commands);
     record_and_end([&] { record(commands); },
                    [&] {
-                       // Resources that every pass may read unstated must keep their layout.
+                       // Constant resources are bound without barriers, so they must keep the layout for reading.
                        for (const auto* list : {&access.reads, &access.writes})
                            for (const Resource& r : *list)
                                if (r.buffer ? r.buffer->constant : r.view.image->constant) add(r, any_read);

@@ -1,4 +1,4 @@
-// Transfers between host and device within a frame.
+// Uploads and read-backs within a frame.
 #include "common/base/error.h"
 #include "common/gpu/frame.h"
 
@@ -13,7 +13,7 @@ VkDescriptorBufferInfo Frame::copy_to_arena(std::span<const std::byte> bytes) {
 
 void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes) {
     const VkDeviceSize needed = std::max<VkDeviceSize>(bytes.size(), 16);
-    // Half as much again, so that one which grows a little each frame is not recreated each frame.
+    // Growth by half avoids recreating a slowly growing buffer every frame.
     if (buffer.capacity < needed)
         buffer = Buffer(gpu.device, {.name = name, .bytes = std::max(needed, buffer.capacity + buffer.capacity / 2)});
     buffer.bytes = needed;
@@ -83,7 +83,7 @@ void Frame::fill(const std::string& name, const Image& image, glm::vec4 value) {
     });
 }
 
-// The bytes of the last frame that ended stay as they are until this one has.
+// Double buffering: contents of the last ended frame stay valid until this frame ends.
 const Buffer& Frame::staging_for(ReadBack& into, const std::string& name, VkDeviceSize bytes) {
     if (!into.state_) into.state_ = std::make_shared<ReadBack::State>();
     Buffer staging = std::move(into.state_->spare);

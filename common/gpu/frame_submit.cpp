@@ -12,12 +12,11 @@ void Frame::end(VkSemaphore wait, VkSemaphore signal) {
     try {
         if (!ended.passes.empty()) submit(wait, signal);
     } catch (...) {
-        vkDeviceWaitIdle(gpu.device.handle);  // resources in use are destroyed next
+        vkDeviceWaitIdle(gpu.device.handle);  // resources in use are destroyed during unwinding
         throw;
     }
     if (ended.use) gpu.device.end_recording(ended.use);
     if (recordings_.size() == 1 || !ended.ends_at) return retire(ended);
-    // Those that have ended by now; the next begin() waits for the oldest.
     uint64_t counted = 0;
     check(vkGetSemaphoreCounterValue(gpu.device.handle, timeline_, &counted), "vkGetSemaphoreCounterValue");
     for (size_t i = 1; i <= recordings_.size(); ++i)
@@ -39,7 +38,6 @@ void Frame::fly(size_t in_flight) {
     current_ = std::min(current_, recordings_.size() - 1);
 }
 
-// One submission: all passes of the frame, in one command buffer.
 void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
     const auto semaphore_info = [](VkSemaphore semaphore, uint64_t value) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
@@ -59,11 +57,11 @@ void Frame::submit(VkSemaphore wait, VkSemaphore signal) {
                                .signalSemaphoreInfoCount = signal ? 2u : 1u,
                                .pSignalSemaphoreInfos = signals};
     const VkResult submitted = vkQueueSubmit2(gpu.device.queue, 1, &submit, VK_NULL_HANDLE);
-    if (submitted == VK_SUCCESS) recording().ends_at = ++submitted_;  // it is waited for, whatever fails next
+    if (submitted == VK_SUCCESS) recording().ends_at = ++submitted_;  // must be waited for, whatever fails next
     check(submitted, "vkQueueSubmit2");
 }
 
-// The clock restarts whenever a pass has ended: a frame of many passes may take its time.
+// The time limit applies per pass: it restarts whenever one ends.
 void Frame::wait_for(const Recording& one) {
     const VkSemaphoreWaitInfo wait_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
                                         .semaphoreCount = 1,
@@ -85,7 +83,6 @@ void Frame::wait_for(const Recording& one) {
     }
 }
 
-// Waits for a frame; then its times and read-backs are there, and its memory is free.
 void Frame::retire(Recording& one) {
     if (one.ends_at) {
         wait_for(one);

@@ -1,4 +1,4 @@
-// A module's contribution to a pass: macros, uniforms, resources read, and bindings.
+// Contribution of a module to a pass: macros, uniforms, resources read, bindings.
 #pragma once
 #include <span>
 #include <vector>
@@ -11,26 +11,22 @@ namespace lightwalk {
 class Pass;
 struct Resource;
 
-/// A pass states it in `.with`; Module is the one there is.
 class Given {
   public:
     virtual ~Given() = default;
 
-    /// Kind that names the macros, blocks and bindings; a pass takes one of each kind.
+    /// Prefix of its macros, blocks and bindings. A pass accepts one instance of each kind.
     virtual const std::string& kind() const = 0;
     virtual Macros macros() const = 0;
 
-    /// The bytes of a uniform block, where it is this one's; else none. Good until the next call. Throws Failure if the shader's members do
-    /// not fit.
+    /// Contents of a uniform block, until the next call; empty: unknown block. Throws Failure if members differ.
     virtual std::span<const std::byte> block(const Binding& binding) const = 0;
 
-    /// Resources that the pass reads on its behalf.
     virtual std::vector<Resource> reads() const;
 
-    /// Sets those of its bindings that the current pipeline uses; called after each use().
+    /// Sets this module's bindings in the pass's current pipeline. Called after each use().
     virtual void bind(Pass&) const {}
 
-    /// Adds it and its dependencies.
     virtual void expand(std::vector<const Given*>& into) const { into.push_back(this); }
 };
 

@@ -40,7 +40,7 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                                .commandBufferCount = 1};
     ++gpu_work.transfers;
-    // Another thread's may run meanwhile.
+    // One fence per call: threads may transfer concurrently.
     Owned<VkFence, vkDestroyFence> fence;
     const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     check(vkCreateFence(device.handle, &fence_info, nullptr, fence.put(device.handle)), "vkCreateFence");
@@ -68,7 +68,7 @@ void Gpu::submit_now(const std::function<void(VkCommandBuffer)>& record) {
                                        static_cast<double>(device.timeout_ns()) / 1e9));
         check(waited, "vkWaitForFences");
     } catch (...) {
-        vkDeviceWaitIdle(device.handle);  // resources in use are destroyed next
+        vkDeviceWaitIdle(device.handle);  // resources in use are destroyed during unwinding
         vkFreeCommandBuffers(device.handle, pool_, 1, &commands);
         throw;
     }

@@ -1,4 +1,4 @@
-// The device with its samplers, pipelines, uploads and read-backs.
+// Device with samplers, pipelines, and blocking transfers.
 #pragma once
 #include <functional>
 #include <span>
@@ -22,49 +22,42 @@ class Gpu {
     Samplers samplers{device};
     PipelineLibrary pipelines{device};
 
-    /// A device-local buffer holding `bytes`, through a staging buffer. Every pass may read it. Waits: for loading; in
-    /// a frame, Frame::upload.
+    /// Device-local buffer with contents `bytes`, readable by every pass. Blocks; within a frame use Frame::upload().
     Buffer upload(const std::string& name, std::span<const std::byte> bytes);
     template <class T>
     Buffer upload(const std::string& name, const std::vector<T>& items) {
         return upload(name, std::as_bytes(std::span(items)));
     }
 
-    /// Fills an image of one mip level, layer by layer, from tightly packed texels. Throws Failure for another number of
-    /// bytes.
+    /// Fills an image with one mip level, layer by layer, tightly packed. Throws Failure if the byte count differs.
     void upload(Image& image, std::span<const std::byte> texels);
 
-    /// Fills every mip level: `levels` has as many as the image, each all layers, tightly packed (common/image/mip_levels.h).
+    /// Fills every mip level: `levels` holds all layers of each, tightly packed (common/image/mip_levels.h).
     void upload(Image& image, const std::vector<std::vector<std::byte>>& levels);
 
-    /// The texels of the view's first mip, layer by layer, tightly packed. Waits; in a frame, Frame::read_back. Throws
-    /// Failure for an image with several samples.
+    /// Texels of the view's first mip, layer by layer, tightly packed. Blocks. Throws Failure for a multisampled image.
     std::vector<std::byte> read_back(const ImageView& view);
     std::vector<std::byte> read_back(const Buffer& buffer);
 
-    /// Records, submits and waits: for uploads and read-backs, not for frames.
     void submit_now(const std::function<void(VkCommandBuffer)>& record);
 
-    /// Bytes uploaded so far, to show that nothing is uploaded twice.
     uint64_t uploaded_bytes = 0;
 
   private:
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
 };
 
-/// The view's first mip, all its layers, tightly packed in a buffer from byte `offset` on.
+/// Copy region of the view's first mip, all layers, tightly packed from byte `offset` on.
 VkBufferImageCopy region_of(VkDeviceSize offset, const ImageView& view);
 
-/// Copies between a buffer, from byte `offset` on, and the view's first mip, all its layers. The image is in the layout
-/// for transfers.
+/// Copies between a buffer and the view's first mip, all layers. The image must be in the transfer layout.
 void copy(VkCommandBuffer commands, VkBuffer from, VkDeviceSize offset, const ImageView& to);
 void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to);
 
-/// Ends the process at once with a line on stderr and exit code 1: the device is still busy with a command that never
-/// ends, so that destroying anything would wait for ever.
+/// Exits immediately with code 1: after an endless command, destroying the device's objects would block for ever.
 [[noreturn]] void abandon_device(const std::string& message);
 
-/// Called with the message before the process ends so; empty: the line goes to stderr alone.
+/// Optional callback of abandon_device(), given the message before exit.
 std::function<void(const std::string&)>& on_abandoned_device();
 
 }  // namespace lightwalk

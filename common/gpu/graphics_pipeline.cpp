@@ -8,7 +8,6 @@ namespace {
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend, VkColorComponentFlags write) {
     VkPipelineColorBlendAttachmentState state{.blendEnable = blend != Blend::opaque, .colorWriteMask = write};
-    // For colour and alpha alike: blend factors and operation.
     const auto set = [&](VkBlendFactor source, VkBlendFactor target, VkBlendOp op = VK_BLEND_OP_ADD) {
         state.srcColorBlendFactor = state.srcAlphaBlendFactor = source;
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = target;
@@ -63,7 +62,7 @@ std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats)
 
 VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const TargetFormats& formats,
                            const std::vector<VkPipelineShaderStageCreateInfo>& stages, VkPipelineLayout layout) {
-    // Vertices are read from a storage buffer by gl_VertexIndex: there is no vertex input to describe.
+    // Vertex pulling from a storage buffer: no vertex input.
     const VkPipelineVertexInputStateCreateInfo vertex_input{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly{
@@ -86,7 +85,6 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
         .rasterizationSamples = static_cast<VkSampleCountFlagBits>(formats.samples),
         .alphaToCoverageEnable = desc.alpha_to_coverage};
     const bool has_depth = formats.depth != VK_FORMAT_UNDEFINED;
-    // Reverse depth: nearer is greater.
     const VkPipelineDepthStencilStateCreateInfo depth{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth && desc.depth_test,
@@ -125,7 +123,7 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                             .pColorBlendState = &blend,
                                             .pDynamicState = &dynamic,
                                             .layout = layout};
-    // Checked here, since a driver may ignore a missing feature, or crash.
+    // Drivers may ignore the missing feature, or crash.
     if (!desc.geometry.empty() && !device.has.geometryShader)
         throw Failure("{} + {}: the device has no geometry shaders", desc.vertex, desc.fragment);
     VkPipeline pipeline = VK_NULL_HANDLE;

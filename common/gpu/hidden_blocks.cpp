@@ -19,11 +19,10 @@ void add(Words& to, SpvOp op, std::initializer_list<uint32_t> operands) {
     to.insert(to.end(), operands);
 }
 
-/// The parts of a module's declarations that matter here.
 struct Declared {
-    std::map<uint32_t, uint32_t> pointee;   ///< of pointers to uniform blocks
-    std::map<uint32_t, uint32_t> block_of;  ///< of variables
-    uint32_t integer = 0;                   ///< the type uint, where the module has it
+    std::map<uint32_t, uint32_t> pointee;   // block type by pointer type
+    std::map<uint32_t, uint32_t> block_of;  // block type by variable
+    uint32_t integer = 0;
 };
 
 Declared read_declarations(const Words& spirv) {
@@ -71,7 +70,7 @@ void hide_blocks(Words& spirv) {
         const uint32_t* const word = &spirv[at];
         const uint32_t count = word[0] >> SpvWordCountShift, op = word[0] & SpvOpCodeMask;
         const bool of_block = op == SpvOpVariable && declared.block_of.count(word[2]);
-        if (of_block) continue;  // declared with the arrays
+        if (of_block) continue;  // declared again as an array
         if (!decorated && (op == SpvOpDecorate || op == SpvOpMemberDecorate)) {
             result.insert(result.end(), decorations.begin(), decorations.end());
             decorated = true;

@@ -1,4 +1,4 @@
-// How a resource was last used, from which a pass derives its barriers.
+// Access history of a resource, from which barriers are derived.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// How a pass touches a resource: the other half of a barrier.
+/// Stages, access mask and layout of one use of a resource.
 struct Access {
     VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
     VkAccessFlags2 access = VK_ACCESS_2_NONE;
@@ -15,7 +15,6 @@ struct Access {
     bool operator==(const Access&) const = default;
 };
 
-/// The last write and the reads since then.
 struct AccessHistory {
     Access last_write;
     VkPipelineStageFlags2 readers = VK_PIPELINE_STAGE_2_NONE;
@@ -23,17 +22,17 @@ struct AccessHistory {
     bool operator==(const AccessHistory&) const = default;
 };
 
-/// An image's: one for all of it, for as long as its parts are used alike.
+/// History of an image: one entry while all subresources share it.
 struct ImageHistory {
     AccessHistory all;
-    std::vector<AccessHistory> each;  ///< mip by mip the layers; empty: `all` holds
+    std::vector<AccessHistory> each;  ///< mip-major, then layer; empty: `all` applies
 };
 
 constexpr Access transfer_read{VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
 constexpr Access transfer_write{VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
-/// By any stage: reads of uploaded data.
+/// Shader reads of uploaded data, in any stage.
 constexpr Access any_read{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 constexpr Access host_read{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT, VK_IMAGE_LAYOUT_UNDEFINED, false};

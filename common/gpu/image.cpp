@@ -14,18 +14,16 @@ VkImageUsageFlags usage_of(const Device& device, const Image& image) {
     const VkFormatFeatureFlags has = supported.optimalTilingFeatures;
     VkImageUsageFlags usage =
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    // Single-sample colour only: storing individual samples takes another feature, and an NVIDIA H200 (driver 580) rejects
-    // fragments by block depths that writes to a depth image from compute leave stale.
+    // Multisampled storage images need another feature; an H200 (driver 580) misrenders depth written by compute.
     if (has & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT && image.desc.samples == 1 && !image.is_depth())
         usage |= VK_IMAGE_USAGE_STORAGE_BIT;
-    // Through codes(): every device has 8-bit storage images.
+    // sRGB images are written through codes(), as 8-bit storage images, which every device supports.
     if (image.desc.format == VK_FORMAT_R8G8B8A8_SRGB && image.desc.samples == 1) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (has & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     if (image.is_depth()) usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     return usage;
 }
 
-// Throws Failure if the device has no such image.
 void check_supported(const Device& device, const VkImageCreateInfo& info, const std::string& name) {
     const auto fail = [&](const std::string& why) { throw Failure("image {}: {}", name, why); };
     VkImageFormatProperties most;
@@ -54,7 +52,7 @@ Image::Image(Device& device, const Desc& wanted) : Image() {
         throw Failure("image {}: a volume has one layer, a cube a multiple of 6", desc.name);
     VkImageCreateFlags flags = 0;
     if (desc.cube) flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
-    if (desc.depth) flags |= VK_IMAGE_CREATE_2D_ARRAY_COMPATIBLE_BIT;  // its slices are targets
+    if (desc.depth) flags |= VK_IMAGE_CREATE_2D_ARRAY_COMPATIBLE_BIT;
     usage_ = usage_of(device, *this);
     writes_codes_ = desc.format == VK_FORMAT_R8G8B8A8_SRGB && usage_ & VK_IMAGE_USAGE_STORAGE_BIT;
     if (writes_codes_) flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT;

@@ -76,7 +76,7 @@ VkImageSubresourceLayers ImageView::first_mip_layers() const {
     return {range().aspectMask, first_mip, is_volume() ? 0 : first_layer, is_volume() ? 1 : layers};
 }
 
-// The slices of a volume are one subresource.
+// All slices of a volume are one subresource.
 bool ImageView::contains(const ImageView& other) const {
     const bool holds_layers =
         image == other.image &&
@@ -107,7 +107,7 @@ VkImageView ImageView::handle() const {
         if (view == *this) return made;
     const Device& device = *image->device_;
     const bool own = format == VK_FORMAT_UNDEFINED;
-    // An image written only through codes() supports no storage view in its own format.
+    // An sRGB image has no storage view in its own format, only through codes().
     const VkImageViewUsageCreateInfo without_storage{
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
         .usage = image->usage_ & ~VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT)};
@@ -117,7 +117,7 @@ VkImageView ImageView::handle() const {
                                      .viewType = type,
                                      .format = own ? image->desc.format : format,
                                      .subresourceRange = range()};
-    // The entry first, so that the image destroys the view even after a failure.
+    // Stored first, so that the image owns the view even if naming it fails.
     VkImageView& made = image->views_.emplace_back(*this, VK_NULL_HANDLE).second;
     const VkResult result = vkCreateImageView(device.handle, &info, nullptr, &made);
     if (result == VK_SUCCESS) device.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(made), name());

@@ -1,4 +1,4 @@
-// Macros for shaders, and substitutes for included files.
+// Shader macros and include substitutions.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -10,8 +10,7 @@
 
 namespace lightwalk {
 
-/// Names and values, substituted files, and a hash of both that identifies a variant of a pipeline. Copies share their
-/// texts until one of them changes.
+/// Macros, substituted files and a hash of both, which identifies a pipeline variant. Copy-on-write.
 class Macros {
   public:
     using Texts = std::map<std::string, std::string>;
@@ -20,12 +19,11 @@ class Macros {
         for (const auto& [name, value] : list) set(name, value);
     }
     void set(const std::string& name, const std::string& value) { put(own().values, name, value); }
-    /// Reads shaders/`other`, which may be a later chapter's, where shaders/`file` is included.
+    /// Includes shaders/`other`, possibly of a later chapter, wherever shaders/`file` is included.
     Macros& replace_file(const std::string& file, const std::string& other) {
         put(own().files, file, other);
         return *this;
     }
-    /// Adds all of `other`; its values take precedence.
     void add(const Macros& other) {
         for (const auto& [name, value] : other.values()) set(name, value);
         for (const auto& [file, replacement] : other.files()) replace_file(file, replacement);
@@ -56,8 +54,7 @@ class Macros {
         }
         hash_ += of(name, value);
     }
-    // Mixed once more (D. Stafford's variant 13 of MurmurHash3's finalizer, 2011): the hash of a short text alone
-    // differs from another's by so little that the changes of two macros can cancel in the sum.
+    // MurmurHash3's finalizer, variant 13 (D. Stafford, 2011): without it, changes of two macros can cancel.
     static uint64_t of(const std::string& name, const std::string& value) {
         uint64_t hash = hash_bytes(value, hash_bytes(name + "="));
         hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;

@@ -1,8 +1,8 @@
-// The Vulkan headers' knowledge of formats.
+// Names of Vulkan enumerators, from vulkan.hpp.
 #define VULKAN_HPP_NO_SMART_HANDLE
 #define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
 #include <vulkan/vulkan.hpp>
-// After it: they are not self-contained.
+// Not self-contained: needs vulkan.hpp before it.
 #include <vulkan/vulkan_format_traits.hpp>
 #include <vulkan/vulkan_to_string.hpp>
 

@@ -1,4 +1,4 @@
-// Owns one Vulkan object: if a constructor throws, the objects made so far are destroyed.
+// RAII handle of a Vulkan object.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -6,7 +6,7 @@
 
 namespace lightwalk {
 
-/// `Owned<VkFence, vkDestroyFence> fence; vkCreateFence(device, &info, nullptr, fence.put(device));`
+/// Example: `Owned<VkFence, vkDestroyFence> fence; vkCreateFence(device, &info, nullptr, fence.put(device));`
 template <class T, auto destroy>
 class Owned {
   public:
@@ -22,7 +22,7 @@ class Owned {
     operator T() const { return handle_; }
     const T* address() const { return &handle_; }
 
-    /// Where a vkCreate function writes the handle. Only for one that is empty.
+    /// Output argument for a vkCreate function. The handle must be empty.
     T* put(VkDevice device) {
         device_ = device;
         return &handle_;

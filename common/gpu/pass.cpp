@@ -28,7 +28,7 @@ const char* shape(const ImageView& view) {
                                                                   : shape(view.type);
 }
 
-// The same mips and layers in the shape that a shader declares. False if they do not have it.
+// Changes a view's type to the one the shader declares. False if its layers do not fit.
 bool turn_into(ImageView& view, VkImageViewType wanted) {
     if (view.is_volume()) return wanted == VK_IMAGE_VIEW_TYPE_3D && view.type == wanted;
     const bool is_cube = view.image->desc.cube;
@@ -60,7 +60,7 @@ Pass::Slot Pass::slot(const BindingName& binding) const {
     return result;
 }
 
-// Null if there is nothing to set: no pipeline, an empty slot, or a binding that the shaders declare and do not use.
+// Null if nothing is to be set: no pipeline, empty slot, or unused binding.
 const Binding* Pass::find(const Name& binding) const {
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
     if (binding.by_slot) {
@@ -90,14 +90,13 @@ void Pass::check_stated(std::string_view use, const Buffer& buffer, bool writes)
     fail_unstated(use, writes);
 }
 
-// Compute passes wait for commands here: with every buffer that is read, and every wait(), it would take 2.5 µs longer on an
-// H100.
+// Indirect commands of compute passes wait here: a wait for every buffer read costs 2.5 µs per pass on an H100.
 void Pass::check_indirect(const Buffer& buffer) const {
     if (buffer.constant) return;
     for (const Stated& s : lists_.stated) {
         if (s.resource.buffer != &buffer || !s.read) continue;
         constexpr Access commands_read{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
-        if (s.writable) {  // by an earlier dispatch
+        if (s.writable) {  // an earlier dispatch of this pass writes it
             barrier(commands, {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                .srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT,
@@ -119,7 +118,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     lists_.used = used;
     lists_.scopes.back() = &variant;
     const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, lists_.scopes);
-    if (pipeline && pipeline == pipeline_) return;  // bindings are still valid
+    if (pipeline && pipeline == pipeline_) return;
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) return;
@@ -225,7 +224,7 @@ void Pass::set_block(const Binding& binding, std::span<const std::byte> bytes) {
         throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding.name, bytes.size(),
                       binding.bytes);
     PassLists::Bound& bound = lists_.bound[binding.number];
-    // Compared with a host copy: reading device memory back can be slow.
+    // Host copy for comparison: reading mapped device memory can be slow.
     std::byte* const known = lists_.bytes.data() + bound.at;
     if (!bound.set || std::memcmp(known, bytes.data(), bytes.size()) != 0) {
         std::memcpy(known, bytes.data(), bytes.size());

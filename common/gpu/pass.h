@@ -1,4 +1,4 @@
-// Operations available while a pass is recorded.
+// Recording interface of a raster or compute pass.
 #pragma once
 #include <functional>
 #include <string_view>
@@ -13,36 +13,33 @@ class Frame;
 struct PassListener;
 class Raster;
 
-/// What a pass lists while it is recorded. A frame keeps it from pass to pass, so that few of them take memory.
+/// Scratch lists of a pass, reused across passes to avoid allocations.
 struct PassLists {
     struct Bound {
         bool set = false;
-        uint32_t at = 0;  ///< of a uniform block's bytes
+        uint32_t at = 0;
     };
     std::vector<const Given*> given;
-    std::pair<uint64_t, uint64_t> used;  ///< Pipeline::id, and the hash of the variant's macros
+    std::pair<uint64_t, uint64_t> used;  ///< Pipeline::id and hash of the variant's macros
     std::vector<Resource> reads;
     std::vector<Stated> stated;
     Rendering rendering;
     Barriers barriers;
-    std::vector<Macros> macros;                      ///< of the modules given
-    std::vector<const Macros*> scopes;               ///< the same, and the variant's
-    std::vector<Bound> bound;                        ///< by binding number
-    std::vector<std::byte> bytes;                    ///< of all uniform blocks
-    std::vector<VkDescriptorImageInfo> image_infos;  ///< by element
+    std::vector<Macros> macros;
+    std::vector<const Macros*> scopes;
+    std::vector<Bound> bound;
+    std::vector<std::byte> bytes;
+    std::vector<VkDescriptorImageInfo> image_infos;
     std::vector<VkDescriptorBufferInfo> buffer_infos;
     std::vector<VkWriteDescriptorSet> writes;
 };
 
-/// An object drawn through the pass's bindings and draw functions.
 struct Drawable {
     virtual ~Drawable() = default;
     virtual void draw(Raster& pass) const = 0;
 };
 
-/// Bindings by name.
-/// set() is remembered until the next use() of another pipeline; a draw or dispatch checks that
-/// nothing is missing.
+/// Bindings by name, kept until another pipeline is used. Each draw or dispatch checks that none is missing.
 class Pass {
   public:
     Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists);
@@ -52,8 +49,7 @@ class Pass {
     Frame& frame;
     const std::string& name;
 
-    /// A binding of the pipeline in use, looked up once, for many set(). False if its shaders have none of that
-    /// name; setting it then does nothing.
+    /// Cached look-up of a binding for repeated set(). False: absent in the current pipeline, set() has no effect.
     class Slot {
       public:
         explicit operator bool() const { return pipeline_; }
@@ -65,10 +61,8 @@ class Pass {
     };
     Slot slot(const BindingName& binding) const;
 
-    /// True if the pipeline in use has a binding of that name.
     bool wants(const BindingName& binding) const { return static_cast<bool>(slot(binding)); }
 
-    /// Argument of set(): a binding's name in the shaders, or a slot.
     struct Name {
         template <size_t length>
         consteval Name(const char (&literal)[length]) : name(literal) {}
@@ -82,7 +76,7 @@ class Pass {
         bool by_slot = false;
     };
 
-    /// set() if the pipeline has such a binding; for modules, which know neither the kind of pass nor its shaders.
+    /// Sets a binding if the pipeline has it. For modules, which are used with any kind of pass and shader.
     void offer(const BindingName& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
         set_images(slot(binding), {&view, 1}, sampler);
     }
@@ -97,14 +91,13 @@ class Pass {
     void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point);
     void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
     void set_buffer(const Name& binding, const Buffer& buffer);
-    /// As many bytes as the block has.
     void set_bytes(const Name& binding, std::span<const std::byte> bytes);
-    /// Binds changed settings. False if there is no pipeline to draw with.
+    /// Binds pending descriptors. False if there is no valid pipeline.
     bool flush();
-    /// Throws Failure if the pass does not read a buffer that draws, dispatches or indices come from.
+    /// Throws Failure if the pass does not declare `buffer`, the source of indices or indirect commands, as read.
     void check_indirect(const Buffer& buffer) const;
     const BuiltPipeline* pipeline_ = nullptr;
-    /// Null if nobody listens, and while modules bind.
+    /// Null without a listener, and while modules bind.
     PassListener* listener() const;
     const TargetFormats& formats() const { return lists_.rendering.formats; }
 
@@ -119,22 +112,21 @@ class Pass {
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
     void set_block(const Binding& binding, std::span<const std::byte> bytes);
     PassLists& lists_;
-    size_t missing_ = 0;  ///< bindings that were not set since use()
-    bool dirty_ = true;   ///< bindings have changed since the last draw or dispatch
+    size_t missing_ = 0;
+    bool dirty_ = true;
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
 };
 
-/// The setters, returning the pass they belong to so that a draw reads as one sentence. A name may be a slot.
 template <class Self>
 class PassSetters : public Pass {
   public:
     using Pass::Pass;
-    /// A view to sample, or its first mip as a storage image.
+    /// Sampled image, or storage image (the view's first mip).
     Self& set(const Name& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
         set_images(binding, {&view, 1}, sampler);
         return self();
     }
-    /// Sets an array's elements from the first on; the last view fills the remaining ones.
+    /// Array of images; the last view fills the remaining elements.
     Self& set(const Name& binding, std::span<const ImageView> views, const Sampler& sampler = linear_repeat) {
         set_images(binding, views, sampler);
         return self();
@@ -143,7 +135,7 @@ class PassSetters : public Pass {
         set_buffer(binding, buffer);
         return self();
     }
-    /// A uniform block, copied now.
+    /// Uniform block; `value` is copied immediately.
     template <class T>
     requires(std::is_trivially_copyable_v<T> && !std::convertible_to<const T&, ImageView> &&
              !std::convertible_to<const T&, std::span<const ImageView>>) Self& set(const Name& binding,
@@ -159,22 +151,21 @@ class PassSetters : public Pass {
 class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
-    /// `variant`: macros for this use only, taking precedence over the pass's.
+    /// `variant`: macros for this use; they override the pass's macros.
     Raster& use(const Pipeline& pipeline, const Macros& variant = {});
 
-    /// Until the next use(): the transform mirrors, so front faces are clockwise (true).
+    /// Front faces are clockwise, for mirroring transforms. Until the next use().
     Raster& mirrored(bool mirrors);
-    /// Until the next use(): no culling (true), or the pipeline's.
+    /// Disables culling if true, else the pipeline's mode. Until the next use().
     Raster& two_sided(bool both);
 
     Raster& draw(uint32_t vertices, uint32_t instances = 1, uint32_t first_instance = 0);
-    /// With 32-bit indices.
+    /// Indices are 32-bit.
     Raster& draw_indexed(const Buffer& indices, uint32_t first_index, uint32_t count, uint32_t instances = 1,
                          uint32_t first_instance = 0);
-    /// `count` draws as VkDrawIndirectCommands in a buffer that the pass reads, from byte `offset` (a multiple of 4)
-    /// on.
+    /// `count` VkDrawIndirectCommands from byte `offset` (multiple of 4). The pass must declare `draws` as read.
     Raster& draw_indirect(const Buffer& draws, uint32_t count = 1, VkDeviceSize offset = 0);
-    /// The same with indices, as VkDrawIndexedIndirectCommands.
+    /// `count` VkDrawIndexedIndirectCommands from byte `offset` (multiple of 4), with 32-bit indices.
     Raster& draw_indexed_indirect(const Buffer& indices, const Buffer& draws, uint32_t count = 1,
                                   VkDeviceSize offset = 0);
     Raster& draw(const Drawable& drawable);
@@ -183,7 +174,7 @@ class Raster : public PassSetters<Raster> {
     void bind_indices(const Buffer& indices);
     void check_draws(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride) const;
     bool mirrored_ = false, two_sided_ = false;
-    VkCullModeFlags cull_ = VK_CULL_MODE_NONE;  ///< of the pipeline in use
+    VkCullModeFlags cull_ = VK_CULL_MODE_NONE;
     VkBuffer indices_ = VK_NULL_HANDLE;
 };
 
@@ -191,14 +182,13 @@ class Compute : public PassSetters<Compute> {
   public:
     using PassSetters::PassSetters;
     Compute& use(const Pipeline& pipeline, const Macros& variant = {});
-    /// At least `threads` invocations: rounded up to whole workgroups.
+    /// Rounds up to whole workgroups.
     Compute& dispatch_threads(glm::uvec3 threads);
     Compute& dispatch_threads(glm::uvec2 threads) { return dispatch_threads(glm::uvec3(threads, 1)); }
     Compute& dispatch(glm::uvec3 groups);
-    /// As many groups as a VkDispatchIndirectCommand says in a buffer that the pass reads, at byte `offset` (a multiple
-    /// of 4).
+    /// VkDispatchIndirectCommand at byte `offset` (multiple of 4). The pass must declare `groups` as read.
     Compute& dispatch_indirect(const Buffer& groups, VkDeviceSize offset = 0);
-    /// Makes earlier writes of this pass visible to later dispatches.
+    /// Memory barrier: earlier writes of this pass become visible to later dispatches.
     Compute& wait();
 };
 

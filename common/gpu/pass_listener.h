@@ -1,4 +1,4 @@
-// A listener to the passes of a frame, and how a frame of a check differs from any other.
+// Observation of the passes recorded into a frame, for tests and exercise checks.
 #pragma once
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@ namespace lightwalk {
 
 struct Sampler;
 
-/// Receives everything recorded into a frame, in order, except for module bindings (Given::bind).
+/// Receives all recorded calls in order, except module bindings (Given::bind).
 struct PassListener {
     virtual ~PassListener() = default;
     virtual void begins(const std::string& pass, const RasterTargets& targets) = 0;
@@ -21,15 +21,14 @@ struct PassListener {
     virtual void draws(uint32_t vertices, uint32_t instances, uint32_t first_instance) = 0;
     virtual void dispatches(glm::uvec3 groups) = 0;
     virtual void waits() = 0;
-    /// A transfer pass, a buffer, indices, an indirect draw or dispatch.
+    /// Any other command: transfer pass, buffer binding, indexed or indirect draw, indirect dispatch.
     virtual void does_more(std::string_view what) = 0;
 };
 
-/// Extra behaviour of a frame. Stated when the frame is created: nothing that records into it can change this.
+/// Test options of a frame, fixed at creation so that recorded code cannot change them.
 struct FrameWatch {
     PassListener* listener = nullptr;
-    /// Fills discarded targets with a conspicuous value. Most devices leave the old contents there, so code that
-    /// relies on them works by chance.
+    /// Fills discarded targets with a conspicuous value, since most devices keep the old contents.
     bool shows_discarded = false;
 };
 

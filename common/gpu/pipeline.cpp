@@ -32,7 +32,6 @@ VkShaderStageFlagBits stage_bit(Stage stage) {
     return VK_SHADER_STAGE_ALL;
 }
 
-// Identity of a pipeline apart from toggles and choices.
 std::string identity(const Pipeline& p, const TargetFormats& formats) {
     std::string key;
     for (const std::string& shader : p.shaders()) key += shader + " ";
@@ -85,7 +84,7 @@ BuiltPipeline::~BuiltPipeline() {
     for (const VkShaderModule module : modules) vkDestroyShaderModule(device_.handle, module, nullptr);
 }
 
-// At most a quarter of it is taken, so that a name that is absent is mostly found to be so at once.
+// Load factor of at most 1/4, so that look-ups of absent names end after about one probe.
 void BuiltPipeline::index_names() {
     by_hash_.assign(std::bit_ceil(4 * bindings.size() + 1), 0);
     const size_t mask = by_hash_.size() - 1;
@@ -194,11 +193,11 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     std::string key = same;
     for (const FlatShader& shader : flat) key += fmt::format(" {}", hash_bytes(shader.text));
     Variant& variant = variants_[key];
-    if (!variant.error.empty()) throw ShaderError(variant.error);  // a failed variant stays failed until it is edited
+    if (!variant.error.empty()) throw ShaderError(variant.error);  // failed until the file is edited
     try {
         if (!variant.built) {
             auto built = aside([&] { return build(pipeline, formats, flat); });
-            if (!variant.built) variant.built = std::move(built);  // or another thread was faster
+            if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }
     } catch (const ShaderError& e) {
         variant.error = e.what();
@@ -208,7 +207,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     return variant.built.get();
 }
 
-// Before compiling: after an error, too, the edit that mends it must be seen.
+// Called before compiling, so that edits are noticed after an error as well.
 void PipelineLibrary::watch(const std::vector<FlatShader>& flat) {
     for (const FlatShader& shader : flat)
         for (const auto& file : shader.files) {

@@ -1,4 +1,4 @@
-// Asynchronous read-back from a frame to the host.
+// Asynchronous read-back from device to host.
 #pragma once
 #include <cstring>
 #include <memory>
@@ -8,18 +8,17 @@
 
 namespace lightwalk {
 
-/// Where Frame::read_back puts bytes: they are there when that frame has ended. It may go before.
+/// Destination of Frame::read_back(), filled when that frame ends. May be destroyed earlier.
 class ReadBack {
   public:
-    /// False until the first frame that read back into this has ended.
+    /// False until a frame with a read-back into this object has ended.
     explicit operator bool() const { return state_ && state_->bytes > 0; }
 
-    /// Of the last frame that ended; valid until the next one does.
+    /// Contents from the last ended frame, valid until the next one ends.
     std::span<const std::byte> bytes() const {
         return *this ? std::span(state_->staging.mapped, state_->bytes) : std::span<const std::byte>();
     }
 
-    /// The same as numbers or structs; a remainder is dropped.
     template <class T>
     std::vector<T> as() const {
         std::vector<T> result(bytes().size() / sizeof(T));
@@ -27,7 +26,7 @@ class ReadBack {
         return result;
     }
 
-    /// Another one for each frame that has brought bytes; 0: none has.
+    /// Number that changes with each new contents; 0: none yet.
     uint64_t number() const { return state_ ? state_->number : 0; }
 
   private:

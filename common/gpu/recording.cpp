@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-constexpr uint32_t max_passes = 2048;  // of one submission: forty lights with blurred moments take a thousand
+constexpr uint32_t max_passes = 2048;  // per submission; forty lights with blurred moment maps need a thousand
 
 }  // namespace
 
@@ -53,7 +53,7 @@ VkCommandBuffer Recording::begin_pass(const std::string& name, const char* stage
     device_.begin_label(commands_, name.c_str());
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          2 * static_cast<uint32_t>(passes.size() - 1));
-    // lavapipe draws at a wait: without one, a pass's first timestamp would follow its draws.
+    // Lavapipe executes pending commands at barriers; without one, this timestamp would follow the pass's draws.
     wait_for_all();
     return commands_;
 }
@@ -62,13 +62,13 @@ void Recording::end_pass() {
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          2 * static_cast<uint32_t>(passes.size() - 1) + 1);
     device_.end_label(commands_);
-    // Events tell which pass is running: lavapipe answers a timestamp's query only after all commands.
+    // Events reveal the running pass: lavapipe answers timestamp queries only after all commands.
     if (ended_.size() < passes.size()) {
         const VkEventCreateInfo info{.sType = VK_STRUCTURE_TYPE_EVENT_CREATE_INFO};
         check(vkCreateEvent(device_.handle, &info, nullptr, ended_.emplace_back().put(device_.handle)),
               "vkCreateEvent");
     }
-    wait_for_all();  // Mesa 25 sets an event once the commands before it are prepared, not when they are drawn
+    wait_for_all();  // Mesa 25 signals events before earlier commands have executed
     const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                   .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                   .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
@@ -77,7 +77,7 @@ void Recording::end_pass() {
     vkCmdSetEvent2(commands_, ended_[passes.size() - 1], &info);
 }
 
-// A barrier without resources, at which lavapipe ends what it was given; hardware ignores it.
+// Empty barrier: makes lavapipe execute pending commands; no effect on hardware.
 void Recording::wait_for_all() const {
     const VkDependencyInfo none{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     vkCmdPipelineBarrier2(commands_, &none);

@@ -1,4 +1,4 @@
-// One frame in flight: its command buffer, its pass times, and the memory that its passes read.
+// One frame in flight: command buffer, timestamps, transient memory.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,13 +11,11 @@ namespace lightwalk {
 
 struct PassTime {
     std::string name;
-    std::string stage;  ///< raster, compute or transfer: where the time was spent
+    std::string stage;
     double gpu_ms = 0;
 };
 
-// [recording]
-/// A frame's passes, recorded into one command buffer as they are stated. A Frame has one Recording for each frame it may
-/// have in flight, and takes them in turn.
+/// Command buffer of one frame. A Frame cycles through one Recording per frame in flight.
 class Recording {
   public:
     explicit Recording(Device& device);
@@ -31,10 +29,9 @@ class Recording {
     };
     std::vector<Pass> passes;
     std::vector<PassTime> times;
-    uint64_t use = 0;      ///< Device::begin_use; 0: none
-    uint64_t ends_at = 0;  ///< value of the frame's timeline when it has ended; 0: not submitted
+    uint64_t use = 0;      ///< Device::begin_use(); 0: none
+    uint64_t ends_at = 0;  ///< timeline value at the end of the frame; 0: not submitted
 
-    /// A read-back's bytes, on their way.
     struct Arriving {
         std::shared_ptr<ReadBack::State> state;
         Buffer staging;
@@ -42,21 +39,19 @@ class Recording {
     };
     std::vector<Arriving> read_backs;
 
-    /// Drops the recorded commands and begins the command buffer again. Nothing recorded before may be running.
+    /// Resets the command buffer, which must not be in use.
     void restart();
 
-    /// False at the most passes that one submission can time.
+    /// False at the maximum number of passes that one submission can time.
     bool has_room() const;
     VkCommandBuffer begin_pass(const std::string& name, const char* stage);
     void end_pass();
 
-    /// Ends the command buffer and returns it, ready to submit.
     VkCommandBuffer close();
 
-    /// Number of submitted passes that have ended by now.
     size_t ended_passes() const;
 
-    /// Both need an ended submission.
+    /// Requires an ended submission, as does deliver().
     void read_times();
     void deliver();
 
@@ -66,8 +61,7 @@ class Recording {
     Owned<VkCommandPool, vkDestroyCommandPool> pool_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     Owned<VkQueryPool, vkDestroyQueryPool> queries_;
-    std::vector<Owned<VkEvent, vkDestroyEvent>> ended_;  ///< by pass
+    std::vector<Owned<VkEvent, vkDestroyEvent>> ended_;
 };
-// [/recording]
 
 }  // namespace lightwalk

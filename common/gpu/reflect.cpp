@@ -102,7 +102,6 @@ VkImageViewType view_type_of(spvc_type type) {
     }
 }
 
-/// Undefined for a shader without a layout(), and for formats that no shader of the course names.
 VkFormat storage_format_of(spvc_type type) {
     switch (spvc_type_get_image_storage_format(type)) {
         case SpvImageFormatRgba32f:

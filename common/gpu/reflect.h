@@ -1,4 +1,4 @@
-// Bindings of a shader, read from its SPIR-V, so that nobody writes set or binding numbers.
+// Shader bindings reflected from SPIR-V, so that GLSL states no set or binding numbers.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -12,7 +12,7 @@
 
 namespace lightwalk {
 
-/// A binding's name, with the number by which pipelines find it: of a literal it is known to the compiler.
+/// Binding name with its hash; literals are hashed at compile time.
 struct BindingName {
     template <size_t length>
     consteval BindingName(const char (&literal)[length])
@@ -24,42 +24,40 @@ struct BindingName {
     uint64_t hash;
 };
 
-/// A member of a uniform block.
 struct BlockMember {
     enum class Type { number, integer, unsigned_integer, other };
     std::string name;
     Type type = Type::other;
-    uint32_t offset = 0;      ///< bytes
-    uint32_t components = 1;  ///< 1 to 4
+    uint32_t offset = 0;
+    uint32_t components = 1;
 };
 
-/// A binding by the name that GLSL code uses: the variable's; for a block without an instance name its only member's,
-/// or the block's own where it has several.
+/// Binding by its GLSL name. A block without instance name has its only member's name, or its own if it has several.
 struct Binding {
     std::string name;
-    uint64_t hash = 0;    ///< BindingName::hash
-    uint64_t layout = 0;  ///< the same for blocks with the same members
+    uint64_t hash = 0;
+    uint64_t layout = 0;  ///< equal for blocks with equal members
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     uint32_t number = 0;
-    uint32_t count = 1;                                 ///< elements of an array
-    uint32_t first = 0;                                 ///< first element among all bindings' elements
-    VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;  ///< of an image
-    VkFormat format = VK_FORMAT_UNDEFINED;              ///< that a storage image's layout() names; undefined: any
+    uint32_t count = 1;
+    uint32_t first = 0;  ///< index of its first element among all bindings' elements
+    VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;
+    VkFormat format = VK_FORMAT_UNDEFINED;  ///< storage images: from layout(); undefined: any
     VkShaderStageFlags stages = 0;
-    uint32_t bytes = 0;     ///< of a uniform block
-    bool writable = false;  ///< a storage buffer or image without `readonly`
-    bool readable = true;   ///< an image without `writeonly`
-    bool used = true;       ///< reachable from main(); unused declarations are not bound
+    uint32_t bytes = 0;
+    bool writable = false;  ///< storage buffer or image without `readonly`
+    bool readable = true;   ///< image without `writeonly`
+    bool used = true;       ///< statically used by main(); others are not bound
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };
 
 struct Reflection {
     std::vector<Binding> bindings;
-    glm::uvec3 local_size{1};  ///< of a compute shader
+    glm::uvec3 local_size{1};
 };
 
-/// Throws Failure if the module cannot be read or an array of bindings has no size.
+/// Throws Failure if the module is invalid or an array of bindings has no size.
 Reflection reflect(const std::vector<uint32_t>& spirv);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Sealed shaders: compiled by one run, for another that may not read the source.
+// Sealed shaders: SPIR-V compiled in one run for another that has no access to the source.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,11 +8,10 @@
 
 namespace lightwalk {
 
-/// A stage as it is asked for: its file, all macros that are given to it, and its text where it has no file.
+/// File name of a stage, from its path, macros and inline source.
 std::string sealed_name(const std::string& shader, const Macros& macros, const std::string& source);
 
-/// Folders, before the first shader; empty: none. `into` is given each stage that is compiled. With `from` no text is read,
-/// and a stage that is not in it throws ShaderError.
+/// Output and input folder, set before the first shader; empty: none. With `from`, a missing stage throws ShaderError.
 void use_sealed(std::string into, std::string from);
 
 bool only_sealed();

@@ -32,7 +32,7 @@ void Slices::add(Buffer& to, const std::string& name, std::span<const std::byte>
         });
 }
 
-// Rows of one level after the other: a large picture's first level alone would be too much.
+// Slices are groups of rows, since the first mip of a large image exceeds one slice.
 void Slices::add(Image& to, const std::vector<std::vector<std::byte>>& levels) {
     const ImageView whole(to);
     for (uint32_t m = 0; m < levels.size(); ++m) {

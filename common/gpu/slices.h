@@ -1,4 +1,4 @@
-// Uploads in slices, between frames that go on meanwhile.
+// Incremental uploads between frames.
 #pragma once
 #include <deque>
 
@@ -7,28 +7,26 @@
 namespace lightwalk {
 
 // [slices]
-/// Uploads that wait in order. step() does as many slices of a few megabytes as a budget of time allows: each waits for the
-/// device, 500 MB at once would stop the picture for as long as they take.
+/// Queue of uploads in slices that fit a time budget: 500 MB at once would freeze the window.
 class Slices {
   public:
     static constexpr size_t slice_bytes = size_t{4} << 20;
 
-    /// Makes the buffer and fills it. `to` and `bytes` stay where they are until step() has said that nothing is left.
+    /// Creates and fills a buffer. `to` and `bytes` must stay valid until step() returns true.
     void add(Buffer& to, const std::string& name, std::span<const std::byte> bytes);
 
-    /// Fills a one-layer image, as Gpu::upload() does. The data must outlive the upload, as above.
+    /// Fills a one-layer image from its mip levels. `to` and `levels` must stay valid until step() returns true.
     void add(Image& to, const std::vector<std::vector<std::byte>>& levels);
 
-    /// In its turn, as a slice of its own: gives back memory that is not needed once those before it are done.
+    /// Frees `bytes` once all uploads queued before have finished.
     template <class T>
     void forget(std::vector<T>& bytes) {
         add([&bytes](Gpu&) { std::vector<T>().swap(bytes); });
     }
 
-    /// One slice at least, more until `budget_ms` have passed. True: nothing is left.
+    /// Performs at least one slice, then more until `budget_ms` have passed. True: queue empty.
     bool step(Gpu& gpu, double budget_ms);
 
-    /// Fraction done, 0 to 1.
     float share() const { return count_ ? 1.0f - float(waiting_.size()) / float(count_) : 1.0f; }
     // [/slices]
 

@@ -18,7 +18,7 @@ constexpr Access color_access{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
 constexpr Access depth_access{
     depth_stages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
     VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true};
-// Resolving depth counts as colour output.
+// Depth resolve is synchronised as colour output.
 constexpr Access depth_resolve_access{depth_stages | color_access.stages, depth_access.access | color_access.access,
                                       VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true};
 
@@ -32,9 +32,8 @@ Access shader_access(bool compute, bool reads, bool writes, bool buffer) {
                   .layout = writes ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                   .writes = writes};
     if (reads) access.access |= VK_ACCESS_2_SHADER_READ_BIT;
-    // A storage image is often read to be written; saying so costs nothing.
     if (writes) access.access |= VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_SHADER_READ_BIT;
-    // A compute pass waits for commands where it dispatches by them (Pass::check_indirect).
+    // Compute passes synchronise indirect commands in Pass::check_indirect().
     if (buffer && reads && !compute) {
         access.stages |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT;
         access.access |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
@@ -52,7 +51,6 @@ bool contains(const std::vector<Resource>& list, const Resource& wanted) {
 
 bool overlap(const Resource& a, const Resource& b) { return a.view && b.view && a.view.overlaps(b.view); }
 
-// The part of a view used as a target.
 ImageView target_view(const ImageView& view, uint32_t layers) {
     const ImageView mip = view.mip(0);
     if (layers > 1) return mip.layer_range(0, layers);
@@ -103,8 +101,7 @@ void Rendering::set(const std::string& pass, const RasterTargets& targets, glm::
     formats.mixing = targets.mixing;
     for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
     if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
-    // Without colour, one absent target: after a pipeline that has none, Mesa 25's rasteriser blends every later target as
-    // the first one (handle_graphics_pipeline in lvp_execute.c).
+    // One absent colour target: without any, Mesa 25's lavapipe blends later targets like the first (lvp_execute.c).
     if (color_.empty()) {
         formats.color = {VK_FORMAT_UNDEFINED};
         color_ = {{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO}};
@@ -220,7 +217,7 @@ void state(std::vector<Stated>& result, const std::string& pass, const std::vect
 
 void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& stated) {
     for (const Stated& s : stated) {
-        if (s.layout == VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL) continue;  // a target's
+        if (s.layout == VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL) continue;
         const Access access = shader_access(compute, s.read, s.writable, s.resource.buffer != nullptr);
         if (s.resource.buffer) {
             barriers.add(*s.resource.buffer, access);

@@ -1,4 +1,4 @@
-// Blocking uploads and read-backs outside of frames.
+// Blocking uploads and read-backs.
 #include <cstring>
 
 #include "common/base/error.h"
@@ -9,7 +9,6 @@
 namespace lightwalk {
 namespace {
 
-// Large contents take longer than a frame.
 void fill(const Buffer& staging, size_t at, std::span<const std::byte> bytes) {
     aside([&] { std::memcpy(staging.mapped + at, bytes.data(), bytes.size()); });
 }
@@ -41,7 +40,6 @@ void copy(VkCommandBuffer commands, const ImageView& from, VkBuffer to) {
     vkCmdCopyImageToBuffer(commands, from.image->handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &one);
 }
 
-// [upload]
 Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     Buffer buffer(device, {.name = name, .bytes = bytes.size()});
     if (!bytes.empty()) {
@@ -58,7 +56,6 @@ Buffer Gpu::upload(const std::string& name, std::span<const std::byte> bytes) {
     buffer.constant = true;
     return buffer;
 }
-// [/upload]
 
 void Gpu::upload(Image& image, std::span<const std::byte> texels) {
     const ImageView whole(image);

@@ -1,9 +1,9 @@
-// Pictures that are drawn ahead of time.
+// Warm-up frames.
 #pragma once
 
 namespace lightwalk {
 
-/// While one lives, this thread records pictures that nobody sees: drawings build the pipelines that later ones may need.
+/// Scope in which this thread records frames that are not shown, so drawings also build pipelines needed later.
 class Unseen {
   public:
     Unseen() { ++alive(); }

@@ -26,8 +26,7 @@ void fields(Bytes& bytes, Decoded& picture) {
 
 namespace {
 
-/// stb takes a JPEG that is cut off and fills the rest with grey. Its end marker (FFD9) must stand after the last
-/// start of scan (FFDA). Both are sought from the side on which they lie.
+// stb accepts truncated JPEGs. The end marker (FFD9) must follow the last start of scan (FFDA).
 bool is_cut_jpeg(std::string_view bytes) {
     if (!bytes.starts_with("\xFF\xD8")) return false;
     const std::string_view scan = "\xFF\xDA";
@@ -35,7 +34,7 @@ bool is_cut_jpeg(std::string_view bytes) {
     return end == bytes.npos || bytes.find(scan) == bytes.npos || bytes.find(scan, end) != bytes.npos;
 }
 
-/// stb calls a PNG it finds too large "unknown"; so its header (width and height at byte 16, big endian) is read first.
+// stb reports oversized PNGs as "unknown", so the header is checked first: big-endian width and height at byte 16.
 void check_png_size(const fs::path& path, std::string_view bytes) {
     if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return;
     const auto number = [&](size_t at) {
@@ -46,8 +45,7 @@ void check_png_size(const fs::path& path, std::string_view bytes) {
     check_image_size(path, number(16), number(20));
 }
 
-/// The file as an stb source. Reads past its end return nothing; stb then assumes zeros and accepts most truncated
-/// formats.
+// stb input that detects reads past the end, for which stb substitutes zeros.
 struct Source {
     std::string_view bytes;
     size_t at = 0;
@@ -61,7 +59,7 @@ struct Source {
         s.ran_out = s.ran_out || given == 0;
         return static_cast<int>(given);
     }
-    static void skip(void* user, int count) {  // back, too
+    static void skip(void* user, int count) {  // may be negative
         Source& s = *static_cast<Source*>(user);
         const int64_t to = static_cast<int64_t>(s.at) + count;
         s.at = static_cast<size_t>(std::clamp<int64_t>(to, 0, static_cast<int64_t>(s.bytes.size())));
@@ -70,8 +68,7 @@ struct Source {
     static constexpr stbi_io_callbacks calls{read, skip, at_end};
 };
 
-/// Throws stb's reason against a file: `what` if it gives none, and std::bad_alloc if memory ran out, which is not
-/// the file's fault.
+// Rejects a file for stb's reason, or for `what` if there is none. Throws std::bad_alloc if memory ran out.
 [[noreturn]] void reject_as(const fs::path& path, const std::string& what) {
     const char* why = stbi_failure_reason();
     if (why && std::string_view(why) == "outofmem") throw std::bad_alloc();
@@ -90,7 +87,7 @@ Decoded read_header(const fs::path& path, std::string_view bytes) {
     return picture;
 }
 
-/// Bit 4 of a TGA's descriptor (byte 17): rows run from the right, which stb takes no notice of.
+// TGA descriptor, bit 4 of byte 17: rows run right to left, which stb ignores.
 bool runs_from_right(const fs::path& path, std::string_view bytes) {
     return strcasecmp(path.extension().c_str(), ".tga") == 0 && bytes.size() > 17 && (bytes[17] & 0x10) != 0;
 }
@@ -104,7 +101,6 @@ bool is_webp(std::string_view bytes) {
     return bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP";
 }
 
-/// A picture in its decoder's own memory, so that its samples are copied once.
 struct Raw {
     Decoded header;
     std::unique_ptr<void, void (*)(void*)> samples;
@@ -137,10 +133,10 @@ Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth 
     if (is_cut_jpeg(bytes)) reject(path, "is cut off");
     Source of_depth{bytes}, source{bytes};
     const bool has_16 = stbi_is_16_bit_from_callbacks(&Source::calls, &of_depth);
-    // stb 2.27 takes such samples for 8 bits, and reads as many bytes again behind them.
+    // stb 2.27 treats these samples as 8-bit and reads twice as far.
     if (has_16 && bytes.starts_with('P')) reject(path, "is a PNM image of 16 bits");
     picture.bits = has_16 && depth == Depth::as_stored ? 16 : 8;
-    // An end that stb or is_cut_jpeg() looks for needs no source, which stb reads in pieces of 128 bytes.
+    // Formats with end markers can be read from memory; Source passes pieces of 128 bytes.
     const bool has_end = bytes.starts_with("\x89PNG") || bytes.starts_with("\xFF\xD8");
     int width = 0, height = 0, *channels = &picture.channels;
     const auto load = [&](auto from_memory, auto from_source) -> void* {
@@ -157,7 +153,7 @@ Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth 
         if (wanted == 4) mirror_rows(static_cast<std::array<char, 4>*>(pixels), width, height);
         if (wanted == 3) mirror_rows(static_cast<std::array<char, 3>*>(pixels), width, height);
     }
-    if (has_16 && picture.bits == 8) {  // in place: a result is shorter than its sample
+    if (has_16 && picture.bits == 8) {
         const auto* from = static_cast<const uint16_t*>(pixels);
         auto* const to = static_cast<uint8_t*>(pixels);
         const size_t count = raw.bytes(wanted);
@@ -166,7 +162,6 @@ Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth 
     return raw;
 }
 
-/// Of the guarded process: the header's fields, then the samples.
 void decode_in_guard(std::string_view input, GuardReply& reply) {
     ByteReader in(input);
     fs::path path;
@@ -197,7 +192,7 @@ Decoded decode_picture(const fs::path& path, const std::string& bytes, int wante
         const auto* const begin = static_cast<const std::byte*>(samples);
         picture.samples.assign(begin, begin + Raw::bytes_of(picture, wanted));
     };
-    // The course's own files are known to be good.
+    // files of the course are trusted
     if (!guards() || lies_below(path, course_root())) {
         const Raw raw = decode_here(path, bytes, wanted, depth);
         picture = raw.header;
@@ -206,7 +201,7 @@ Decoded decode_picture(const fs::path& path, const std::string& bytes, int wante
     }
     ByteWriter head;
     head(path, wanted, depth, bytes.size());
-    // A picture may be a thousand times larger than its file; the largest takes three times 1 GiB on its way.
+    // Compression may reach a factor of 1000; the largest image needs 3 × 1 GiB in transit.
     const GuardLimits limits{.cpu_s = 60, .memory = size_t{5} << 30};
     read_guarded({path.string(), "stb_image", decode_in_guard}, limits, {head.bytes, bytes},
                  [&](std::string_view said) {

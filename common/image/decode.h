@@ -1,5 +1,4 @@
-// Pictures that others wrote (PNG, JPEG, BMP, TGA, PSD, GIF), read by stb_image, in a guarded process unless they lie
-// in the course's own folder.
+// Image decoding by stb_image (PNG, JPEG, BMP, TGA, PSD, GIF); untrusted files in a guarded process.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -11,22 +10,22 @@ namespace lightwalk {
 
 enum class Depth { bits8, as_stored };
 
-/// Samples as the file has them, undecoded; rows from the top.
+/// Samples as stored, without colour conversion; rows from the top.
 struct Decoded {
-    int width = 0, height = 0;       ///< pixels
-    int channels = 0;                ///< that the file has: 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
-    int bits = 8;                    ///< of a sample: 8 or 16, native byte order
-    std::vector<std::byte> samples;  ///< as many a pixel as were asked for
+    int width = 0, height = 0;
+    int channels = 0;                ///< channels in the file: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+    int bits = 8;                    ///< per sample, 8 or 16; native byte order
+    std::vector<std::byte> samples;  ///< interleaved, `wanted` per pixel
 };
 
-/// `wanted` samples a pixel, 3 or 4: grey fills r, g and b, a missing alpha is the largest value. To 8 bits a sample of
-/// 16 is rounded. Throws InputError: missing, not an image, broken, cut off, larger than check_image_size() allows.
+/// Decodes `wanted` (3 or 4) samples per pixel: grey is replicated, missing alpha is the maximum. Depth::bits8 rounds
+/// 16-bit samples. Throws InputError: missing, no image, damaged, truncated, larger than check_image_size() allows.
 Decoded decode_picture(const std::filesystem::path& path, int wanted, Depth depth);
 
-/// The same of a file's bytes; `path` names it in messages.
+/// Decodes an image file in memory; `path` appears in messages.
 Decoded decode_picture(const std::filesystem::path& path, const std::string& bytes, int wanted, Depth depth);
 
-/// Throws InputError "PATH: WHY; expected ..." for an unreadable picture.
+/// Throws InputError "PATH: WHY; expected ...".
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Pictures as bytes of a file, without a file.
+// Image encoding in memory.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@
 
 namespace lightwalk {
 
-/// A PNG with alpha. Throws Failure if memory ends.
+/// PNG with alpha. Throws Failure if out of memory.
 std::string encode_png(const Image8& image);
 
-/// A JPEG without alpha; `quality` from 1 to 100. Throws Failure if memory ends.
+/// JPEG without alpha; `quality` 1 to 100. Throws Failure if out of memory.
 std::string encode_jpeg(const Image8& image, int quality);
 
 }  // namespace lightwalk

@@ -17,7 +17,7 @@
 
 namespace {
 
-/// For stb's writer, instead of its own, which takes longer and makes larger files than zlib's level 4.
+// zlib at level 4 is faster than stb's own compressor, with smaller files.
 unsigned char* deflated_by_zlib(unsigned char* data, int size, int* deflated_size, int) {
     uLongf bound = compressBound(static_cast<uLong>(size));
     auto* const deflated = static_cast<unsigned char*>(std::malloc(bound));
@@ -65,7 +65,7 @@ ImageRgb to_linear(const Image8& image) {
 
 Image8 to_srgb8(const ImageRgb& image) {
     const auto encode = [](float linear) {
-        if (!(linear > 0.0f)) return uint8_t{0};  // NaN too
+        if (!(linear > 0.0f)) return uint8_t{0};
         return static_cast<uint8_t>(std::lround(linear_to_srgb(std::min(linear, 1.0f)) * 255.0f));
     };
     Image8 coded(image.width, image.height);

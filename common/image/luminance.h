@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// Of linear RGB with Rec. 709 primaries; in the units of the channels.
+/// Luminance of linear Rec. 709 RGB, in the unit of the channels.
 template <class T>
 T luminance(const glm::vec<3, T>& color) {
     return glm::dot(color, glm::vec<3, T>(0.2126, 0.7152, 0.0722));

@@ -1,4 +1,4 @@
-// Mip levels of textures, made on the processor.
+// Mip generation on the CPU.
 #pragma once
 #include <vulkan/vulkan.h>
 
@@ -10,15 +10,14 @@
 
 namespace lightwalk {
 
-/// All mip levels, the given one first; each holds `layers` layers, tightly packed. A texel is the mean of 2×2 texels of the
-/// level before, rounded to nearest; the last column or row of an odd size is left out. `format`: R8G8B8A8_UNORM or
-/// R16G16B16A16 (UNORM or SFLOAT); throws Failure for another. Devices round a blit's texels as they like, and eight levels
-/// add eight roundings.
+/// All mips, starting with the given one; each holds `layers` layers, tightly packed. Texels are means of 2×2, rounded
+/// to nearest; the last column or row of odd sizes is dropped. `format`: R8G8B8A8_UNORM or R16G16B16A16 (UNORM,
+/// SFLOAT); throws Failure for others. Not by device blits, which round differently: errors of eight levels add up.
 std::vector<std::vector<std::byte>> mip_levels(VkFormat format, glm::uvec2 size, std::span<const std::byte> texels,
                                                uint32_t layers = 1);
 
-/// sRGB codes of 8 bits with linear alpha as linear halves (R16G16B16A16_SFLOAT). Colour textures are kept like that because
-/// Mesa's software driver decodes sRGB texels by a cubic polynomial, which is 16% off at code 26.
+/// Converts 8-bit sRGB with linear alpha to linear R16G16B16A16_SFLOAT, the format of colour textures: Mesa's lavapipe
+/// decodes sRGB by a cubic polynomial that is 16% off at code 26.
 std::vector<std::byte> linear_halves(std::span<const std::byte> codes);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// The Portable FloatMap: "PF", width, height, scale, then raw floats.
+// Portable FloatMap files.
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -19,7 +19,6 @@ static_assert(std::endian::native == std::endian::little);
     throw InputError("{}: {}; expected \"PF\", width, height, scale and 32-bit floats", path.string(), why);
 }
 
-/// The next word of the text header; ends on the single white space after it.
 std::string_view next_word(std::string_view& rest) {
     size_t begin = 0;
     while (begin < rest.size() && std::isspace(static_cast<unsigned char>(rest[begin]))) ++begin;
@@ -56,7 +55,7 @@ ImageRgb read_pfm(const std::filesystem::path& path) {
 
     ImageRgb image(width, height);
     for (int y = 0; y < height; ++y) {
-        const char* from = rest.data() + size_t(height - 1 - y) * row * sizeof(float);  // rows from the bottom
+        const char* from = rest.data() + size_t(height - 1 - y) * row * sizeof(float);
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c) {
                 uint32_t bits = 0;

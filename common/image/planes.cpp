@@ -16,7 +16,7 @@ void for_row_bands(int height, const std::function<void(int, int)>& work) {
 
 namespace {
 
-// A fixed count of accumulators lets the compiler keep them in vector registers.
+// Accumulators per block: a constant number stays in vector registers.
 constexpr int block = 16;
 
 }  // namespace
@@ -25,7 +25,6 @@ Plane filter_rows(const Plane& in, const Kernel& kernel) {
     const int taps = static_cast<int>(kernel.weights.size()), radius = taps / 2;
     Plane out(in.width, in.height);
     for_row_bands(in.height, [&](int begin, int end) {
-        // One row with its borders repeated, and room for the last block to run over.
         std::vector<float> padded(size_t(in.width + 2 * radius + block));
         for (int y = begin; y < end; ++y) {
             const float* row = in.row(y);

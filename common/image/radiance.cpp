@@ -1,6 +1,6 @@
-// The Radiance .hdr format (Ward, "Real Pixels", Graphics Gems II, 1991; its run lengths as in Radiance's color.c):
-// a text header, then per pixel three 8-bit mantissas and a shared exponent. Read here because stb_image of 2022 never
-// returns from a run-length file that is cut off.
+// Radiance .hdr format (G. Ward, "Real Pixels", Graphics Gems II, 1991; run lengths as in Radiance's color.c): text
+// header, then three 8-bit mantissas and a shared exponent per pixel. Own reader, since stb_image of 2022 loops
+// endlessly on truncated run-length files.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -41,7 +41,7 @@ glm::vec3 decode(Rgbe p) {
     return p.a == 0 ? glm::vec3(0.0f) : glm::vec3(p.r, p.g, p.b) * std::ldexp(1.0f, int(p.a) - (128 + 8));
 }
 
-/// Each of the four bytes of a row on its own: a count above 128 repeats the next byte, a lower one copies.
+// Components are stored separately: counts above 128 repeat the next byte, others copy.
 void read_packed_row(Reader& in, std::vector<Rgbe>& row) {
     for (int component = 0; component < 4; ++component)
         for (size_t x = 0; x < row.size();) {
@@ -54,7 +54,7 @@ void read_packed_row(Reader& in, std::vector<Rgbe>& row) {
         }
 }
 
-/// Plain pixels; 1, 1, 1, n repeats the last one n times, and the next such marker counts 256 times as much.
+// Plain pixels; (1, 1, 1, n) repeats the last one n times, and consecutive markers count 256 times as much each.
 void read_flat_row(Reader& in, std::vector<Rgbe>& row, Rgbe first) {
     int shift = 0;
     for (size_t x = 0; x < row.size();) {
@@ -77,7 +77,7 @@ ImageRgb read_radiance(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
     Reader in{path, bytes};
     if (!in.rest.starts_with("#?")) in.reject("is not an image");
-    double exposure = 1;  // by which the numbers were multiplied; each line once more
+    double exposure = 1;  // product of all EXPOSURE lines
     for (std::string text = in.line(); !text.empty(); text = in.line()) {
         if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe") in.reject("holds XYZ, not RGB");
         if (text.starts_with("EXPOSURE=")) exposure *= std::strtod(text.c_str() + 9, nullptr);
@@ -92,7 +92,7 @@ ImageRgb read_radiance(const std::filesystem::path& path) {
     ImageRgb image(width, height);
     std::vector<Rgbe> row(static_cast<size_t>(width));
     for (int y = 0; y < height; ++y) {
-        const Rgbe first{in.byte(), in.byte(), in.byte(), in.byte()};  // braces: in this order
+        const Rgbe first{in.byte(), in.byte(), in.byte(), in.byte()};  // braces fix the evaluation order
         const bool packed = width >= 8 && width < 32768 && first.r == 2 && first.g == 2 && first.b < 128;
         if (packed && (int(first.b) << 8 | first.a) != width) in.reject("has a row of another width");
         packed ? read_packed_row(in, row) : read_flat_row(in, row, first);

@@ -1,4 +1,4 @@
-// compare A B: how far B is from A, in numbers and as a heat map. Exit codes: 0, 1 over a limit, 2 bad input.
+// Program compare A B: error metrics and heat map. Exit codes: 0, 1 (limit exceeded), 2 (invalid input).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -32,7 +32,7 @@ struct Comparison {
     ErrorSummary flip;
     Difference difference;
     StepDifference steps;
-    std::optional<ExposureRange> exposures;  // HDR only
+    std::optional<ExposureRange> exposures;
     bool constant_reference = false, constant_test = false;
 };
 
@@ -86,7 +86,7 @@ nlohmann::ordered_json as_json(const Options& options, const Comparison& c) {
         {"relative_rmse", c.difference.relative_rmse},
         {"relative_epsilon", relative_epsilon},
         {"max", c.difference.max},
-        {"psnr_db", psnr_db(c.difference.mse)},  // null if infinite
+        {"psnr_db", psnr_db(c.difference.mse)},
         {"max_diff", {{"steps", c.steps.steps}, {"x", c.steps.x}, {"y", c.steps.y}, {"pixels", c.steps.pixels}}},
         {"nearly_constant", {{"reference", c.constant_reference}, {"test", c.constant_test}}},
         {"nan", {{"reference", c.difference.reference.nan}, {"test", c.difference.test.nan}}},
@@ -113,7 +113,7 @@ void print(const Comparison& c) {
                 c.difference.reference.inf, c.difference.test.nan, c.difference.test.inf);
 }
 
-/// True if every limit is kept; a line on the error stream where not. With any limit, NaN and Inf are over it.
+// Prints exceeded limits on stderr. With any limit set, non-finite pixels exceed it.
 bool within_limits(const Options& options, const Comparison& c) {
     std::string over;
     const auto check = [&](const char* what, double value, double limit) {
@@ -140,8 +140,7 @@ void print_json(const nlohmann::ordered_json& json, int indent) {
     std::cout << json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
-/// For each line of standard input, a JSON array ["EXPECTED", "ACTUAL", "--heatmap", "FILE"] with or without the last two:
-/// a line with what --json prints, or {"error": why}.
+// Compares ["EXPECTED", "ACTUAL"] or ["EXPECTED", "ACTUAL", "--heatmap", "FILE"] per line of stdin, printing JSON.
 void compare_pairs() {
     for (std::string line; std::getline(std::cin, line);) {
         try {

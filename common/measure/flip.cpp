@@ -13,16 +13,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Sections and equations of the 2020 paper.
+// Constants of the 2020 paper, with symbol and section.
 namespace constant {
 constexpr float colour_exponent = 0.7f;      // q_c, 4.1.3
-constexpr float colour_split = 0.4f;         // p_c: this share of the largest colour error ...
-constexpr float colour_split_to = 0.95f;     // p_t: ... is mapped to here
-constexpr double feature_width_deg = 0.082;  // w, 4.2: peak to trough of the edge detector
+constexpr float colour_split = 0.4f;         // p_c: fraction of the largest colour error …
+constexpr float colour_split_to = 0.95f;     // p_t: … that maps to this
+constexpr double feature_width_deg = 0.082;  // w, 4.2: edge detector, peak to trough
 constexpr float feature_exponent = 0.5f;     // q_f
 }  // namespace constant
 
-/// A contrast sensitivity function as a sum of two Gaussians, one per opponent channel: Table 1.
+// Contrast sensitivity of an opponent channel: sum of two Gaussians, Table 1.
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
@@ -33,7 +33,6 @@ Kernel to_kernel(const std::vector<double>& weights, float sum) {
     return {std::vector<float>(weights.begin(), weights.end()), sum};
 }
 
-/// exp(-(scale i)²) for i in [-radius, radius].
 std::vector<double> bell(int radius, double scale) {
     std::vector<double> weights;
     for (int i = -radius; i <= radius; ++i) weights.push_back(std::exp(-(scale * i) * (scale * i)));
@@ -46,14 +45,12 @@ double sum(const std::vector<double>& weights) {
     return total;
 }
 
-/// One separable term of a channel's spatial filter; its 1-D kernel sums to 1.
 struct Term {
     double weight;
     Kernel kernel;
 };
 
-/// The inverse Fourier transform of a sensitivity, sum of a √(π/b) exp(-π² d² / b), d in degrees (eq. 4); normalised
-/// so that the 2-D kernel sums to 1. The radius is three standard deviations of the widest term of all channels.
+// Inverse Fourier transform, Σ a √(π/b) exp(-π² d² / b), d in degrees (eq. 4); radius: three standard deviations.
 std::vector<Term> spatial_filter(const Sensitivity& s, double pixels_per_degree) {
     const double widest = std::sqrt(blue_yellow.b1 / (2.0 * pi * pi));
     const int radius = static_cast<int>(std::ceil(3.0 * widest * pixels_per_degree));
@@ -71,8 +68,7 @@ std::vector<Term> spatial_filter(const Sensitivity& s, double pixels_per_degree)
     return terms;
 }
 
-/// The 1-D kernels of the feature detectors (4.2): a Gaussian, and its first (edge) and second (point) derivative with
-/// the positive weights scaled to sum to 1 and the negative ones to -1.
+// Feature detectors (4.2): Gaussian and derivatives (edge, point); positive weights sum to 1, negative to -1.
 struct FeatureKernels {
     Kernel smooth, edge, point;
 };
@@ -108,7 +104,7 @@ const ColourSpace& colour_space() {
     return space;
 }
 
-/// Linearised CIELAB, in which the paper filters (4.1.1): Y in [-16, 100].
+// Linearised CIELAB, the filtering space (4.1.1): Y in [-16, 100].
 glm::vec3 to_opponent(glm::vec3 rgb) {
     const glm::vec3 v = colour_space().to_xyz * rgb / colour_space().white;
     return {116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z)};
@@ -119,7 +115,7 @@ glm::vec3 from_opponent(glm::vec3 o) {
     return colour_space().from_xyz * (glm::vec3(y + o.y / 500.0f, y, y - o.z / 200.0f) * colour_space().white);
 }
 
-/// CIELAB with the Hunt effect: a and b shrink with the lightness (4.1.2).
+// CIELAB with the Hunt effect: a and b are scaled by lightness (4.1.2).
 glm::vec3 to_hunt_lab(glm::vec3 rgb) {
     const glm::vec3 v = colour_space().to_xyz * rgb / colour_space().white;
     const auto f = [](float t) {
@@ -131,13 +127,13 @@ glm::vec3 to_hunt_lab(glm::vec3 rgb) {
     return {lightness, 0.01f * lightness * 500.0f * (fx - fy), 0.01f * lightness * 200.0f * (fy - fz)};
 }
 
-/// The HyAB distance (Abasi et al. 2020): city-block in lightness, Euclidean in a and b.
+// HyAB distance (Abasi et al. 2020): city-block in lightness, Euclidean in a and b.
 float hyab(glm::vec3 p, glm::vec3 q) {
     const glm::vec3 d = p - q;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 
-/// Maps a HyAB distance to [0, 1] (4.1.3); green against blue is the largest within sRGB.
+// Maps a HyAB distance to [0, 1] (4.1.3). Green to blue is the largest distance within sRGB.
 float colour_error(float distance) {
     static const float largest =
         std::pow(hyab(to_hunt_lab({0.0f, 1.0f, 0.0f}), to_hunt_lab({0.0f, 0.0f, 1.0f})), constant::colour_exponent);
@@ -147,9 +143,8 @@ float colour_error(float distance) {
     return constant::colour_split_to + (error - split) / (largest - split) * (1.0f - constant::colour_split_to);
 }
 
-/// All that is needed from one image.
 struct Filtered {
-    std::array<Plane, 3> colour;  // opponent channels as the eye resolves them
+    std::array<Plane, 3> colour;
     Plane edge_x, edge_y, point_x, point_y;
 };
 
@@ -203,7 +198,7 @@ float pixel_error(const Filtered& r, const Filtered& t, size_t i) {
     const float point = std::abs(magnitude(r.point_x, r.point_y) - magnitude(t.point_x, t.point_y));
     const float feature =
         std::pow(std::max(edge, point) / std::numbers::sqrt2_v<float>, constant::feature_exponent);  // eq. 13
-    // A feature error raises the colour error towards 1 (eq. 14).
+    // Feature errors amplify colour errors (eq. 14).
     return std::clamp(std::pow(colour, 1.0f - feature), 0.0f, 1.0f);
 }
 
@@ -219,8 +214,7 @@ void check_pair(const ImageRgb& reference, const ImageRgb& test, float per_degre
 }  // namespace
 
 glm::dmat3 detail::rgb_to_xyz() {
-    // Columns are X, Y, Z of red, green and blue: the primaries (.64, .33), (.30, .60), (.15, .06) scaled so that
-    // they add up to white.
+    // Columns: XYZ of the primaries (.64, .33), (.30, .60), (.15, .06), scaled to sum to white.
     const auto xyz = [](double x, double y) { return glm::dvec3(x / y, 1.0, (1.0 - x - y) / y); };
     const glm::dmat3 primaries(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
     const glm::dvec3 scale = glm::inverse(primaries) * xyz(0.31271, 0.32902);
@@ -233,7 +227,7 @@ float pixels_per_degree(float distance_m, float width_m, float width_pixels) {
 
 ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_per_degree) {
     check_pair(reference, test, pixels_per_degree);
-    // Where a value is not finite, both images show the same there, so that only this pixel tells of it.
+    // Equal substitutes for non-finite pixels, so that neighbours are unaffected.
     ImageRgb r = reference, t = test;
     std::vector<size_t> broken;
     for (size_t i = 0; i < r.pixels.size(); ++i) {
@@ -246,7 +240,7 @@ ErrorMap flip_ldr(const ImageRgb& reference, const ImageRgb& test, float pixels_
         t.pixels[i] = glm::clamp(t.pixels[i], 0.0f, 1.0f);
     }
     ErrorMap map{r.width, r.height, std::vector<float>(r.pixels.size())};
-    if (r.pixels != t.pixels) {  // equal inputs are filtered to equal outputs: their error is exactly 0
+    if (r.pixels != t.pixels) {  // equal inputs: error exactly 0
         const Filtered of_reference = filtered(r, pixels_per_degree), of_test = filtered(t, pixels_per_degree);
         for_row_bands(r.height, [&](int begin, int end) {
             for (size_t i = size_t(begin) * size_t(r.width); i < size_t(end) * size_t(r.width); ++i)

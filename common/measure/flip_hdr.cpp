@@ -1,4 +1,4 @@
-// HDR-FLIP, and the summary of an error map.
+// HDR-FLIP, and summaries of error maps.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace lightwalk {
 namespace {
 
-/// The tone-mapped value that the brightest and the median luminance reach at the first and last exposure.
+// Tone-mapped value of the maximum luminance at the first exposure, and of the median at the last.
 constexpr double exposure_level = 0.85;
 constexpr float largest_hdr_value = 65536.0f;
 
-/// (a x² + b x) / (c x² + d x + e), the pre-exposure 0.6 folded in.
+// (a x² + b x) / (c x² + d x + e), including the pre-exposure.
 namespace aces {
 constexpr double pre_exposure = 0.6;
 constexpr double a = 2.51 * pre_exposure * pre_exposure, b = 0.03 * pre_exposure;
@@ -25,14 +25,14 @@ constexpr double c = 2.43 * pre_exposure * pre_exposure, d = 0.59 * pre_exposure
 }  // namespace
 
 float flip_tone_map(float linear) {
-    // It passes 1 at 12.07; beyond that the squares would only overflow.
+    // Exceeds 1 from 12.07 on; the bound prevents overflow.
     const double x = std::clamp(static_cast<double>(linear), 0.0, 1e3);
     return static_cast<float>(
         std::clamp((aces::a * x + aces::b) * x / ((aces::c * x + aces::d) * x + aces::e), 0.0, 1.0));
 }
 
 double flip_tone_map_inverse(double level) {
-    // level (c x² + d x + e) = a x² + b x, its positive root.
+    // Positive root of level (c x² + d x + e) = a x² + b x.
     const double p = aces::a - level * aces::c, q = aces::b - level * aces::d, r = -level * aces::e;
     return (-q + std::sqrt(q * q - 4.0 * p * r)) / (2.0 * p);
 }
@@ -70,7 +70,7 @@ ErrorMap flip_hdr(const ImageRgb& reference, const ImageRgb& test, std::optional
         ImageRgb mapped = image;
         const float factor = std::exp2(stops);
         for (glm::vec3& p : mapped.pixels) {
-            if (!all_finite(p)) continue;  // flip_ldr deals with it
+            if (!all_finite(p)) continue;  // handled by flip_ldr()
             p = glm::clamp(p, 0.0f, largest_hdr_value) * factor;
             p = {flip_tone_map(p.x), flip_tone_map(p.y), flip_tone_map(p.z)};
         }

@@ -50,7 +50,7 @@ Difference difference(const ImageRgb& reference, const ImageRgb& test) {
             d.max = std::max(d.max, std::abs(error));
         }
     }
-    const double values = 3.0 * static_cast<double>(d.pixels);  // none: 0 / 0 is the NaN we promise
+    const double values = 3.0 * static_cast<double>(d.pixels);  // no pixels: 0 / 0 gives the documented NaN
     d.mse = squares / values;
     d.rmse = std::sqrt(d.mse);
     d.relative_rmse = std::sqrt(relative_squares / values);

@@ -7,13 +7,11 @@
 
 namespace lightwalk {
 
-/// One way: both the smaller the better, in any unit.
 struct Cost {
     double time = 0, error = 0;
 };
 
-/// Indices of the points that no other point dominates, by rising time. A point dominates another when it is no worse
-/// in both and better in one; so equal points stand or fall together. A point with NaN or infinity is never on it.
+/// Indices of the finite points that no other dominates (no worse in both, better in one), in ascending time.
 inline std::vector<size_t> pareto_front(std::span<const Cost> points) {
     std::vector<size_t> order;
     for (size_t i = 0; i < points.size(); ++i)
@@ -31,7 +29,7 @@ inline std::vector<size_t> pareto_front(std::span<const Cost> points) {
     return front;
 }
 
-/// The cheapest point with an error of at most `budget`; points.size() if there is none.
+/// Index of the fastest point with error <= `budget`; points.size() if there is none.
 inline size_t cheapest_within(std::span<const Cost> points, double budget) {
     size_t best = points.size();
     for (size_t i = 0; i < points.size(); ++i)

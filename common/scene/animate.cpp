@@ -1,4 +1,4 @@
-// Placement of a scene's items at a time, and the resulting updates to the device.
+// Scene animation: placement of items, and the resulting uploads.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 namespace lightwalk {
 namespace {
 
-// Uploads the elements of a buffer that are marked, neighbours in one copy, and takes the marks off.
+// Uploads marked elements, contiguous ones in one copy, and clears the marks.
 template <class Make>
 void upload_marked(Frame& frame, const char* name, const Buffer& buffer, std::vector<bool>& marks, const Make& make) {
     auto first = std::find(marks.begin(), marks.end(), true);
@@ -34,7 +34,6 @@ Instance instance_of(const DrawItem& item, size_t index) {
     return {item.transform, glm::transpose(glm::inverse(glm::mat3(item.transform))), static_cast<uint32_t>(index)};
 }
 
-// True if it is elsewhere now.
 bool Scene::place(DrawItem& item) const {
     const glm::mat4 transform = objects_[item.object].world * item.model->nodes[item.node];
     if (transform == item.transform && !item.bounds.empty()) return false;

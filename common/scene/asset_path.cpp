@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file of that name in other capitals, as on systems that do not tell them apart; of several the first in order.
+// Case-insensitive match, as on other operating systems; the first in order.
 fs::path in_other_capitals(const fs::path& file) {
     fs::path found;
     std::error_code error;
@@ -32,7 +32,7 @@ fs::path resolve_file(std::string_view written, const fs::path& folder) {
     const fs::path file = (folder / name).lexically_normal();
     std::error_code error;
     if (fs::exists(file, error)) return file;
-    for (const fs::path& near : {file, folder / file.filename()})  // or moved beside the model
+    for (const fs::path& near : {file, folder / file.filename()})  // moved next to the model
         if (const fs::path found = in_other_capitals(near); !found.empty()) return found;
     return file;
 }

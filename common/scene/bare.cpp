@@ -13,17 +13,16 @@ namespace lightwalk {
 namespace {
 
 constexpr float ground_albedo = 0.5f;
-constexpr float shadowed_radii = 3;         // how far the soft shadow's image reaches, in radii of the model
-constexpr float ground_radii = 60;          // and the ground
-constexpr float ground_gap_radii = 2e-3f;   // below the model: its own floor, if any, is in front
-constexpr int cells = 64;                   // of that image, along each side
-constexpr size_t most_triangles = 2000000;  // that the shadow looks at
+constexpr float shadowed_radii = 3;  // half size of the shadow texture, in model radii
+constexpr float ground_radii = 60;
+constexpr float ground_gap_radii = 2e-3f;  // distance below the model, so that the model's own floor stays visible
+constexpr int cells = 64;
+constexpr size_t most_triangles = 2000000;  // triangles in the shadow; larger models are subsampled
 
 float radius_of(const Bounds& bounds) {
     return bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.extent()), 1e-4f);
 }
 
-// Radiance of an upward surface of albedo 1.
 glm::vec3 light_from_above(const SceneFile& scene) {
     glm::vec3 sum = scene.ambient;
     for (const Light& light : scene.lights)
@@ -31,7 +30,7 @@ glm::vec3 light_from_above(const SceneFile& scene) {
     return sum;
 }
 
-// For each cell of the ground, how high the lowest thing above it is, in cells; infinity: nothing is.
+// Height of the lowest geometry above each ground cell, in cells; infinity: none.
 class LowestAbove {
   public:
     LowestAbove(glm::vec3 middle, float reach) : middle_(middle), cell_m_(2 * reach / cells) {}
@@ -53,8 +52,7 @@ class LowestAbove {
             }
     }
 
-    // The share of a sky above a point of the ground that is hidden: small horizontal squares at a height h and a
-    // distance d each hide h^2 / (pi (d^2 + h^2)^2).
+    // Occluded sky, cosine-weighted: a horizontal unit square at height h, distance d hides h² / (pi (d² + h²)²).
     std::vector<float> hidden() const {
         std::vector<glm::vec3> things;
         for (int z = 0; z < cells; ++z)
@@ -102,7 +100,6 @@ class LowestAbove {
     std::vector<float> heights_ = std::vector<float>(static_cast<size_t>(cells * cells), INFINITY);
 };
 
-// White, and darker where the sky is hidden.
 EncodedImage shadow_image(const std::vector<float>& hidden) {
     Image8 image(cells, cells);
     for (size_t i = 0; i < hidden.size(); ++i) {
@@ -116,7 +113,7 @@ EncodedImage shadow_image(const std::vector<float>& hidden) {
     return std::make_shared<const std::vector<std::byte>>(begin, begin + bytes.size());
 }
 
-// A square with the image, and around it a square of the image's edge.
+// Textured square, surrounded by a larger one with the texture's edge colour.
 Mesh ground_mesh(glm::vec3 middle, float radius) {
     Mesh mesh;
     mesh.name = "ground";
@@ -240,7 +237,7 @@ Camera placed(const FileCamera& from, const glm::mat4& place, float distance_m) 
     return camera;
 }
 
-// KHR_lights_punctual: a node's scale changes neither intensity nor range.
+// KHR_lights_punctual: node scale affects neither intensity nor range.
 Light placed(const FileLight& from, const glm::mat4& place) {
     Light light = from.light;
     light.position = glm::vec3(place[3]);

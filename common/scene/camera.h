@@ -1,19 +1,19 @@
-// A pinhole camera: position, orientation and projection.
+// Pinhole camera.
 #pragma once
 #include <glm/glm.hpp>
 
 namespace lightwalk {
 
-/// Right-handed world, +y up. `target` differs from `position`; `up` is not along the view.
+/// Right-handed world, +y up. `target` must differ from `position`; `up` must not be parallel to the view direction.
 struct Camera {
     glm::vec3 position{0.0f, 0.0f, 3.0f};  ///< metres
-    glm::vec3 target{0.0f};                ///< metres; it appears in the middle of the picture
-    glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< any length above 0
-    float fov_y_rad = 0.8f;                ///< full vertical field of view, in (0, pi)
-    float near_m = 0.05f;                  ///< above 0; depth 1
-    float far_m = 1000.0f;                 ///< above near_m, may be infinity; depth 0
+    glm::vec3 target{0.0f};                ///< metres; at the centre of the picture
+    glm::vec3 up{0.0f, 1.0f, 0.0f};
+    float fov_y_rad = 0.8f;  ///< full vertical field of view, in (0, pi)
+    float near_m = 0.05f;    ///< above 0; maps to depth 1
+    float far_m = 1000.0f;   ///< above near_m, may be infinite; maps to depth 0
 
-    /// So many metres on along the ground; one that looks straight down stays.
+    /// Camera moved forwards along the ground; unchanged if it looks straight up or down.
     Camera walked(float metres) const {
         Camera there = *this;
         const glm::vec3 ahead = (target - position) * glm::vec3(1, 0, 1);

@@ -1,4 +1,4 @@
-// Deformed meshes: their device buffers, and the pass.
+// Mesh deformation on the device.
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -6,7 +6,7 @@ namespace {
 
 const Pipeline deform = compute({.shader = "common/deform.comp"});
 
-// Of each target all positions, then all normals.
+// Layout: per target, all positions, then all normals.
 std::vector<glm::vec3> offsets_of(const Deformation& how) {
     std::vector<glm::vec3> offsets;
     for (const MorphTarget& target : how.targets) {
@@ -14,7 +14,7 @@ std::vector<glm::vec3> offsets_of(const Deformation& how) {
         offsets.insert(offsets.end(), target.normals.begin(), target.normals.end());
         if (target.normals.empty()) offsets.resize(offsets.size() + how.rest.size(), glm::vec3(0));
     }
-    if (offsets.empty()) offsets.emplace_back(0.0f);  // nobody reads it
+    if (offsets.empty()) offsets.emplace_back(0.0f);  // placeholder: buffers cannot be empty
     return offsets;
 }
 
@@ -37,7 +37,6 @@ void prepare(Gpu& gpu, const Mesh& mesh, DeformBuffers& buffers) {
 
 }  // namespace
 
-// [deform_model]
 void deform_model(Frame& frame, GpuModel& gpu_model, float time_s) {
     const Model& model = gpu_model.model;
     gpu_model.deformed.resize(model.meshes.size());
@@ -63,7 +62,7 @@ void deform_model(Frame& frame, GpuModel& gpu_model, float time_s) {
                           pass.set("joint_matrices", buffers.matrices).set("deform", numbers);
                           pass.dispatch_threads({numbers.x, 1});
                       });
-        // Every pass may read the vertices, as if they had been uploaded.
+        // As a transfer, which leaves the vertices readable by every later pass.
         frame.transfer("deformed", {.reads = {buffers.moved}, .writes = {gpu_model.vertices[i]}},
                        [&](VkCommandBuffer commands) {
                            const VkBufferCopy region{.size = how.rest.size() * sizeof(Vertex)};
@@ -71,6 +70,5 @@ void deform_model(Frame& frame, GpuModel& gpu_model, float time_s) {
                        });
     }
 }
-// [/deform_model]
 
 }  // namespace lightwalk

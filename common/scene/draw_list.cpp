@@ -10,7 +10,7 @@
 namespace lightwalk {
 namespace {
 
-// Queries the current pipeline's bindings once, then sets only those that differ from the previous item's.
+// Looks up bindings once per pipeline and sets only those that change between items.
 class Bindings {
   public:
     Bindings(Raster& pass, const Scene& scene) : pass_(pass), scene_(scene), vertices_(pass.slot("vertices")) {
@@ -69,7 +69,6 @@ class Bindings {
     uint32_t mesh_ = 0;
 };
 
-// Calls f(first, count) for each run of neighbours in one batch.
 template <class F>
 void each_run(const Scene& scene, const std::vector<uint32_t>& items, F f) {
     for (size_t i = 0; i < items.size();) {
@@ -95,7 +94,7 @@ void DrawList::draw(Raster& pass) const {
 }
 
 std::vector<Batch> DrawList::batches() const {
-    // All opaque items in their order: those are known.
+    // Cached batches, if these are all opaque items in order.
     if (!items_.empty() && items_.front() == 0 && items_.back() + 1 == items_.size() &&
         std::ranges::is_sorted(items_, std::less_equal<>()))
         if (std::vector<Batch> known = scene_->opaque_batches();
@@ -108,7 +107,7 @@ std::vector<Batch> DrawList::batches() const {
 }
 
 DrawList DrawList::sorted_from(glm::vec3 eye) const {
-    std::vector<std::pair<float, uint32_t>> far;  // squared distance; place in items_
+    std::vector<std::pair<float, uint32_t>> far;
     far.reserve(items_.size());
     for (const uint32_t i : items_) {
         const glm::vec3 away = scene_->items[i].bounds.center() - eye;
@@ -121,8 +120,7 @@ DrawList DrawList::sorted_from(glm::vec3 eye) const {
     return {*scene_, std::move(sorted)};
 }
 
-// [may_show]
-// A clip volume's planes: a point is inside where all of these are at least 0 (G. Gribb and K. Hartmann, 2001).
+// Clip planes: a point is inside if all six dot products are >= 0 (G. Gribb and K. Hartmann, 2001).
 static std::array<glm::vec4, 6> planes_of(const glm::mat4& view_projection) {
     const glm::mat4 rows = glm::transpose(view_projection);
     return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[2], rows[3] - rows[2]};
@@ -133,7 +131,7 @@ static bool may_show(const Bounds& box, const std::array<glm::vec4, 6>& planes) 
     const glm::vec3 middle = box.center(), half = 0.5f * box.extent();
     for (const glm::vec4& plane : planes) {
         const glm::vec3 normal(plane), size = glm::abs(normal);
-        const float most = glm::dot(normal, middle) + plane.w + glm::dot(size, half);  // of the eight corners
+        const float most = glm::dot(normal, middle) + plane.w + glm::dot(size, half);  // maximum over the eight corners
         const float rounding = 1e-6f * (glm::dot(size, glm::abs(middle) + half) + std::abs(plane.w));
         if (most < -rounding) return false;
     }
@@ -146,6 +144,5 @@ DrawList DrawList::inside(const glm::mat4& view_projection) const {
     const std::array<glm::vec4, 6> planes = planes_of(view_projection);
     return where([&](const DrawItem& item) { return may_show(item.bounds, planes); });
 }
-// [/may_show]
 
 }  // namespace lightwalk

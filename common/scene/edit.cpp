@@ -1,4 +1,4 @@
-// Edits of a loaded scene: objects moved, painted, added, removed and changed, without loading it again.
+// Edits of a loaded scene, without reloading.
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
@@ -10,14 +10,14 @@
 namespace lightwalk {
 namespace {
 
-// A number of the scene's own replaces the model's map of metalness and roughness.
+// Overrides that disable the metallic-roughness texture.
 bool replaces_map(const MaterialOverride& m) { return m.roughness || m.metalness || m.specular || m.shininess; }
 
 bool same_maps(const MaterialOverride& a, const MaterialOverride& b) {
     return a.maps == b.maps && replaces_map(a) == replaces_map(b);
 }
 
-// True where nothing differs that batches, variants of shaders, holes or tables of substances depend on.
+// True if batches, shader variants, holes and substance tables stay valid.
 bool differ_in_numbers(const DrawItem& a, const DrawItem& b) {
     return a.transparent == b.transparent && a.two_sided == b.two_sided && a.material.blend == b.material.blend &&
            a.material.microfacets == b.material.microfacets &&
@@ -29,7 +29,6 @@ bool same_role(const GivenRole& a, const GivenRole& b) { return a.object == b.ob
 
 }  // namespace
 
-// Of each object, once after each load.
 void Scene::find_items() {
     if (!first_item_.empty()) return;
     first_item_.assign(objects_.size() + 1, 0);
@@ -40,7 +39,6 @@ void Scene::find_items() {
     for (uint32_t i = 0; i < items.size(); ++i) items_of_[next[items[i].object]++] = i;
 }
 
-// [move]
 void Scene::move(std::span<const Move> moves) {
     if (moves.empty()) return;
     find_items();
@@ -74,10 +72,7 @@ void Scene::move(std::span<const Move> moves) {
     for (const DrawItem& item : items) bounds.add(item.bounds);
     if (turned_over) find_batches();
 }
-// [/move]
 
-// [paint]
-// The same items with other numbers; their places in lists and batches stay.
 bool Scene::paint(std::span<const Paint> paints) {
     if (paints.empty()) return true;
     find_items();
@@ -116,16 +111,12 @@ bool Scene::repaint(bool bare, float emission) {
     epoch = Epoch::next();
     return same_kinds;
 }
-// [/paint]
 
-// [replace_objects]
-// First all that may fail, with the old lists aside; then items are moved from the old list to the new one, and copied where
-// several objects take theirs from the same one.
+// Fallible steps come first, with the old lists kept. Items are moved, or copied if several objects share them.
 bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::span<const uint32_t> from,
                             const ModelLoader& loader) {
     std::vector<SceneObject> old_objects = std::exchange(file.objects, std::move(objects));
     std::vector<DrawItem> old_items = std::exchange(items, {});
-    // Items are sorted into batches: lists each object's items from its first to the next object's.
     std::vector<uint32_t> first(old_objects.size() + 1, 0), place_of(old_items.size());
     for (const DrawItem& item : old_items) ++first[item.object + 1];
     for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
@@ -137,12 +128,12 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
                same_role(old_objects[old].role, object.role);
     };
     struct Source {
-        uint32_t old = new_object;  ///< object that provides its items; else they are new
+        uint32_t old = new_object;  // object that provides the items; new_object: loaded
         size_t begin = 0, end = 0;
     };
     std::vector<Source> sources(file.objects.size());
     std::vector<uint32_t> uses(old_objects.size(), 0);
-    std::unordered_multimap<std::string_view, uint32_t> by_model;  // candidates that a copy may take its items from
+    std::unordered_multimap<std::string_view, uint32_t> by_model;
     size_t count = 0;
     try {
         link_objects();
@@ -201,7 +192,6 @@ bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::spa
     place_and_upload(gpu);
     return loads;
 }
-// [/replace_objects]
 
 void Scene::replace_environment(const Environment& other) {
     const Environment before = std::exchange(file.environment, other);

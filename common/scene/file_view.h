@@ -1,10 +1,10 @@
-// Cameras and lights of a model's file, placed in the world.
+// Cameras and lights of model files, placed in the world.
 #pragma once
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
 
-/// `place`: the transform of its node. `distance_m`: to the target.
+/// `place`: node transform. `distance_m`: from camera to target.
 Camera placed(const FileCamera& from, const glm::mat4& place, float distance_m);
 Light placed(const FileLight& from, const glm::mat4& place);
 

@@ -48,7 +48,7 @@ class GltfReader {
     }
 
   private:
-    // Parents before children, from the scene's roots. Without recursion: the depth of the tree is the file's choice.
+    // Parents before children. Iterative, since files may nest arbitrarily deep.
     void read_nodes() {
         nodes_.assign(file_.count("nodes"), -1);
         const std::vector<int> parents = parents_of_nodes();
@@ -65,7 +65,7 @@ class GltfReader {
         std::reverse(waiting.begin(), waiting.end());
         add_trees(std::move(waiting));
         for (const int node : nodes_) in_scene_.push_back(node >= 0);
-        // Joints may stand outside of the scene: their trees place, and nothing of them is drawn.
+        // Joints may lie outside the scene: their trees give transforms, but are not drawn.
         for (size_t i = 0; i < file_.count("skins"); ++i)
             for (const json& joint : file_.entry("skins", i).at("joints")) {
                 size_t root = joint.get<size_t>();
@@ -75,7 +75,6 @@ class GltfReader {
             }
     }
 
-    // -1: none. The depth and the order of the tree are the file's choice.
     std::vector<int> parents_of_nodes() const {
         std::vector<int> parents(nodes_.size(), -1);
         for (size_t i = 0; i < nodes_.size(); ++i)
@@ -85,7 +84,6 @@ class GltfReader {
         return parents;
     }
 
-    // `waiting`: roots and the model's nodes above them; the last one first.
     void add_trees(std::vector<std::pair<size_t, int>> waiting) {
         while (!waiting.empty()) {
             const auto [number, parent] = waiting.back();
@@ -120,7 +118,7 @@ class GltfReader {
         model_.materials.pop_back();
     }
 
-    // A deformed mesh belongs to one node; others are shared.
+    // Shared between nodes unless deformed.
     void add_mesh(const json& from, uint32_t node) {
         const size_t number = from.at("mesh").get<size_t>();
         const auto known = shared_.find(number);
@@ -146,7 +144,7 @@ class GltfReader {
             meshes.insert(meshes.end(), added.begin(), added.end());
     }
 
-    // A skin places its mesh by its joints alone: a node of its own that stays at the root.
+    // Skinned meshes ignore their node's transform: a common node at the root holds them.
     uint32_t skin_home() {
         if (skin_home_ < 0) {
             skin_home_ = static_cast<int>(model_.nodes.size());
@@ -222,7 +220,7 @@ class GltfReader {
         model_.cameras.push_back(camera);
     }
 
-    // KHR_lights_punctual: lux and candela. A light of a scene is told by the radiance of a white surface: over pi.
+    // KHR_lights_punctual uses lux and candela; scene lights use the radiance of a white surface, smaller by pi.
     void add_light(size_t number, uint32_t node) {
         const json* all = extension(file_.root, "KHR_lights_punctual");
         if (!all || number >= all->at("lights").size()) file_.refuse("light {} is missing", number);
@@ -249,7 +247,7 @@ class GltfReader {
     GltfFile file_;
     Model model_;
     std::vector<int> nodes_;
-    std::vector<bool> in_scene_;  ///< for each of the file's nodes
+    std::vector<bool> in_scene_;
     std::map<size_t, std::vector<uint32_t>> shared_;
     KnownPrimitives primitives_;
     int skin_home_ = -1;

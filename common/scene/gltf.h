@@ -6,10 +6,9 @@
 
 namespace lightwalk {
 
-/// Reads .gltf and .glb: meshes (triangles, strips, fans; quantised, or compressed by Draco or meshoptimizer; flat normals if
-/// none are given), metallic-roughness and specular-glossiness materials with textures, the node tree, the first
-/// animation, skins, morph targets, cameras and lights. Other content is listed in Model::left_out. Throws
-/// InputError, also if the file requires an unsupported extension (glTF 2.0, 3.12).
+/// Reads .gltf and .glb: triangles, strips and fans, also quantised or compressed (Draco, meshoptimizer); both material
+/// models; nodes, first animation, skins, morph targets, cameras, lights. Unsupported content is listed in
+/// Model::left_out. Throws InputError, also for unsupported required extensions (glTF 2.0, 3.12).
 Model read_gltf(const std::filesystem::path& path);
 
 }  // namespace lightwalk

@@ -10,7 +10,6 @@
 namespace lightwalk {
 namespace {
 
-// Divisor of normalised integers.
 float largest(draco::DataType type) {
     switch (type) {
         case draco::DT_INT8:

@@ -1,4 +1,4 @@
-// KHR_draco_mesh_compression: a primitive with compressed attributes and indices.
+// KHR_draco_mesh_compression, decoded by Google's Draco library.
 #pragma once
 #include <memory>
 #include <optional>
@@ -14,16 +14,14 @@ namespace lightwalk {
 
 class DracoPrimitive {
   public:
-    /// `how`: the extension's object. Throws InputError where the bytes are damaged.
+    /// `how`: the extension's JSON object. Throws InputError for damaged data.
     DracoPrimitive(const GltfFile& file, const nlohmann::json& how);
     ~DracoPrimitive();
 
-    /// The numbers of an attribute such as "POSITION", `components` each; nothing where it is not compressed.
-    /// `is_normalized`: the accessor's.
+    /// Values of an attribute such as "POSITION"; empty if not compressed. `is_normalized`: from the accessor.
     std::optional<std::vector<float>> floats(const std::string& attribute, size_t components, bool is_normalized) const;
     std::optional<std::vector<uint32_t>> integers(const std::string& attribute, size_t components) const;
 
-    /// Of triangles.
     std::vector<uint32_t> indices() const;
 
   private:

@@ -1,4 +1,4 @@
-// Extensions of glTF: the drawn ones, and the names of the others.
+// Supported glTF extensions, and detection of the others.
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace lightwalk {
 namespace {
 using nlohmann::json;
 
-// Extensions that are drawn, or have no effect on a picture.
+// Supported extensions, and those without visual effect.
 constexpr std::array<std::string_view, 14> drawn = {"KHR_materials_unlit",
                                                     "KHR_materials_emissive_strength",
                                                     "KHR_materials_pbrSpecularGlossiness",
@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 14> drawn = {"KHR_materials_unlit",
 
 bool is_drawn(std::string_view name) { return std::find(drawn.begin(), drawn.end(), name) != drawn.end(); }
 
-// The names of the extensions anywhere in a value, without recursion: the depth is the file's choice.
+// Names of extensions anywhere in a value. Iterative, since files may nest arbitrarily deep.
 std::set<std::string> extensions_in(const json& value) {
     std::set<std::string> names;
     std::vector<const json*> waiting = {&value};
@@ -53,8 +53,7 @@ void check_gltf_required(const GltfFile& file) {
     const auto required = file.root.find("extensionsRequired");
     if (required == file.root.end()) return;
     for (const json& name : *required)
-        if (!is_drawn(name.get<std::string>()) &&
-            name != "KHR_materials_variants")  // the materials without it are whole
+        if (!is_drawn(name.get<std::string>()) && name != "KHR_materials_variants")  // optional variants
             file.refuse("it requires the extension {}, which is not read", name.get<std::string>());
 }
 
@@ -76,7 +75,7 @@ void list_gltf_extensions(const GltfFile& file, Model& model) {
             if (!is_drawn(name.get<std::string>()) && !named.contains(name)) leave_out(model, name);
 }
 
-// EXT_meshopt_compression.
+// EXT_meshopt_compression
 std::string GltfFile::decompressed(const json& how) const {
     const std::string_view bytes = buffer(how.at("buffer").get<size_t>());
     const size_t offset = value_or<size_t>(how, "byteOffset", 0), length = how.at("byteLength").get<size_t>();

@@ -31,7 +31,7 @@ T read_as(const char* from) {
     return value;
 }
 
-// glTF 2.0, 3.6.2.2: the type's code, its bytes, and the divisor that makes it a number from -1 or 0 to 1.
+// glTF 2.0, 3.6.2.2. `most`: divisor for normalised integers.
 struct ComponentType {
     int code;
     size_t bytes;
@@ -53,7 +53,7 @@ const ComponentType* component_type(int code) {
     return nullptr;
 }
 
-// Vectors of `components` numbers: every `from_step` bytes one, `to_step` numbers apart.
+// Strides: `from_step` in bytes, `to_step` in values.
 template <class T>
 void copy_vectors(const char* from, size_t from_step, T* to, size_t to_step, size_t components, size_t count) {
     const auto copy_each = [&](auto bytes) {
@@ -62,7 +62,7 @@ void copy_vectors(const char* from, size_t from_step, T* to, size_t to_step, siz
     const size_t bytes = components * sizeof(T);
     if (from_step == bytes && to_step == components)
         std::memcpy(to, from, count * bytes);
-    else if (components == 3)  // as constants, for which no function is called
+    else if (components == 3)  // constant sizes compile to inline copies
         copy_each(std::integral_constant<size_t, 3 * sizeof(T)>());
     else if (components == 2)
         copy_each(std::integral_constant<size_t, 2 * sizeof(T)>());
@@ -103,7 +103,7 @@ GltfFile::GltfFile(const std::filesystem::path& file) : path(file) {
     check_version();
 }
 
-// A .glb is a header of 12 bytes, a chunk of JSON and one of bytes, each with its length and name before it.
+// GLB: 12-byte header, JSON chunk, binary chunk, each chunk preceded by length and type.
 void GltfFile::read_container() {
     text_ = read_file(path);
     std::string_view text = text_;
@@ -231,7 +231,7 @@ size_t GltfFile::components(size_t index) const {
 
 size_t GltfFile::length(size_t index) const { return accessor(index).count; }
 
-// Values of `out` begin `step` numbers apart, and are zero.
+// `out` must be zero-initialised; elements are `step` values apart.
 template <class T, class Read>
 void GltfFile::values(size_t index, size_t components, T* out, size_t step, Read read) const {
     const Accessor a = accessor(index);
@@ -241,7 +241,7 @@ void GltfFile::values(size_t index, size_t components, T* out, size_t step, Read
     if (as_they_are && !a.bytes.empty())
         copy_vectors(a.bytes.data(), a.stride, out, step, components, a.count);
     else if (!a.bytes.empty()) {
-        const bool is_packed = a.stride == components * a.component_bytes && step == components;  // one long vector
+        const bool is_packed = a.stride == components * a.component_bytes && step == components;
         const size_t vectors = is_packed ? 1 : a.count, numbers = is_packed ? a.count * components : components;
         for (size_t i = 0; i < vectors; ++i)
             for (size_t c = 0; c < numbers; ++c)

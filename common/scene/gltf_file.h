@@ -1,4 +1,4 @@
-// A glTF 2.0 file: its JSON, its buffers, and the numbers that accessors name in them.
+// glTF 2.0 file: JSON, buffers, accessors.
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// Throws InputError, with the file's name, for malformed content.
+/// Throws InputError, with the file name, for malformed content.
 class GltfFile {
   public:
     using json = nlohmann::json;
@@ -21,20 +21,19 @@ class GltfFile {
     const std::filesystem::path path;
     json root;
 
-    /// "meshes", 3: that entry; refuses an index out of range.
+    /// Entry `index` of a top-level list such as "meshes". Throws InputError if out of range.
     const json& entry(const char* list, size_t index) const;
     size_t count(const char* list) const;
 
-    /// The numbers of an accessor, `components` each: normalised integers as floats, sparse values put in.
+    /// Accessor values, `components` per element; normalised integers are converted, sparse values applied.
     std::vector<float> floats(size_t accessor, size_t components) const;
-    /// The same as vectors of as many numbers.
     template <class Vector>
     std::vector<Vector> vectors(size_t accessor) const {
         std::vector<Vector> result(length(accessor));
         read_into(accessor, result.data(), sizeof(Vector));
         return result;
     }
-    /// The same into vectors that lie `step_bytes` apart; there are length() of them, and they are zero.
+    /// Writes length(accessor) elements, `step_bytes` apart, into zero-initialised memory.
     template <class Vector>
     void read_into(size_t accessor, Vector* first, size_t step_bytes) const {
         read(accessor, static_cast<size_t>(Vector::length()), &first->x, step_bytes / sizeof(float));
@@ -43,10 +42,10 @@ class GltfFile {
     std::vector<uint32_t> integers(size_t accessor, size_t components) const;
     size_t components(size_t accessor) const;
 
-    /// The bytes of a buffer view, decompressed; good as long as the file.
+    /// Decompressed bytes of a buffer view, valid while this object lives.
     std::string_view view(size_t index) const;
 
-    /// The bytes of a data URI, or of a file beside this one.
+    /// Contents of a data URI, or of a file relative to this one.
     std::string read_uri(const std::string& uri) const;
 
     template <class... Values>
@@ -55,13 +54,13 @@ class GltfFile {
     }
 
   private:
-    /// Of an accessor without bytes, which no file's length bounds.
+    /// Limit for accessors without a buffer, whose size the file length does not bound.
     static constexpr size_t most_values = size_t{1} << 28;
     struct Accessor {
         size_t count, components, component_bytes, stride;
         int type;
         bool normalized;
-        std::string_view bytes;  ///< none: zeros
+        std::string_view bytes;
     };
     Accessor accessor(size_t index) const;
     void read(size_t index, size_t components, float* out, size_t step) const;
@@ -74,22 +73,20 @@ class GltfFile {
     void check_version() const;
 
     std::string text_;
-    std::string_view binary_;  ///< of a .glb, a part of the text
+    std::string_view binary_;
     bool has_binary_ = false;
     mutable std::map<size_t, std::string> buffers_, decompressed_;
 };
 
-/// The member of that name, or `otherwise`; refuses a value of another type.
+/// Value of a member, or `otherwise`. Throws json::type_error for another type.
 template <class T>
 T value_or(const nlohmann::json& object, const char* key, T otherwise) {
     const auto found = object.find(key);
     return found == object.end() ? otherwise : found->get<T>();
 }
 
-/// The extension's object, or null.
 const nlohmann::json* extension(const nlohmann::json& object, const char* name);
 
-/// Three or so numbers.
 template <class Vector>
 Vector vector_or(const nlohmann::json& object, const char* key, Vector otherwise) {
     const auto found = object.find(key);

@@ -1,4 +1,4 @@
-// Materials of glTF: metallic-roughness, specular-glossiness, unlit, and where their textures lie.
+// glTF materials: metallic-roughness, specular-glossiness, unlit, textures.
 #include "common/scene/gltf_parts.h"
 #include "common/scene/named_files.h"
 
@@ -31,7 +31,7 @@ Sampler sampler_of(const json& from) {
     const int smaller = value_or(from, "minFilter", 9987), larger = value_or(from, "magFilter", 9729);
     if (larger == 9728) sampler.filter = Filter::nearest;
     if (smaller == 9984 || smaller == 9985) sampler.mip_filter = Filter::nearest;
-    if (smaller == 9728 || smaller == 9729) sampler.max_lod = 0;  // no mips
+    if (smaller == 9728 || smaller == 9729) sampler.max_lod = 0;
     return sampler;
 }
 
@@ -65,7 +65,7 @@ class GltfMaterials {
         m.unlit = extension(from, "KHR_materials_unlit") != nullptr;
         m.sides = value_or(from, "doubleSided", false) ? Sides::both : Sides::front;
         read_alpha(from, m);
-        if (!m.metallic_roughness) {  // as chapter 04 turns roughness into an exponent
+        if (!m.metallic_roughness) {  // roughness to Blinn–Phong exponent, as in chapter 04
             const float alpha = m.roughness * m.roughness;
             m.shininess = std::clamp(2.0f / std::max(alpha * alpha, 1e-8f) - 2.0f, 0.0f, 8192.0f);
         }
@@ -73,7 +73,6 @@ class GltfMaterials {
     }
 
   private:
-    // Opacity counts where it blends, and where it is cut.
     static void read_alpha(const json& from, Material& m) {
         const std::string mode = value_or<std::string>(from, "alphaMode", "OPAQUE");
         m.blend = mode == "BLEND";
@@ -81,7 +80,7 @@ class GltfMaterials {
         if (mode == "OPAQUE") m.opacity = 1;
     }
 
-    // Glossiness is 1 - roughness, in the alpha of the specular texture. Returns the opacity.
+    // KHR_materials_pbrSpecularGlossiness: roughness = 1 - specular texture's alpha. Returns the opacity.
     float read_glossy(const json& from, Material& m) {
         m.metallic_roughness = false;
         const glm::vec4 diffuse = vector_or(from, "diffuseFactor", glm::vec4(1));
@@ -110,7 +109,7 @@ class GltfMaterials {
         const json* const webp = extension(texture, "EXT_texture_webp");
         const json& named = webp && webp->contains("source") ? *webp : texture;
         const auto source = named.find("source");
-        if (source == named.end()) return {};  // of an extension, which is named
+        if (source == named.end()) return {};  // from an extension, reported separately
         TextureMap map = image(source->get<size_t>());
         size_t set = 0;
         map.place = place_of(*info, set);
@@ -150,7 +149,7 @@ class GltfMaterials {
 
 }  // namespace
 
-// With f(uv) = (u, 1 - v): f after the transform after f.
+// f ∘ transform ∘ f with f(u, v) = (u, 1 - v).
 MapPlace flipped(const MapPlace& given) {
     const glm::mat2 flip(1, 0, 0, -1);
     const glm::vec2 one(0, 1);
@@ -164,7 +163,7 @@ void read_gltf_materials(const GltfFile& file, Model& model) {
     GltfMaterials materials(file, model);
     for (size_t i = 0; i < file.count("materials"); ++i)
         model.materials.push_back(materials.read(file.entry("materials", i)));
-    model.materials.push_back(materials.read(json::object()));  // of meshes that name none
+    model.materials.push_back(materials.read(json::object()));
 }
 
 }  // namespace lightwalk

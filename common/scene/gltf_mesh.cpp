@@ -1,4 +1,4 @@
-// Meshes of glTF: each primitive with its attributes, as triangles.
+// glTF meshes: primitives, converted to triangles.
 #include <cmath>
 #include <set>
 
@@ -11,7 +11,6 @@ using nlohmann::json;
 
 constexpr int points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, strip = 5, fan = 6;
 
-// Corners of triangles, counter-clockwise as in the file.
 std::vector<uint32_t> as_triangles(std::vector<uint32_t> corners, int mode) {
     if (mode == triangles) {
         corners.resize(corners.size() - corners.size() % 3);
@@ -37,7 +36,7 @@ class PrimitiveReader {
 
     Mesh read(const std::string& name, const json& weights) {
         Mesh mesh;
-        mesh.name = name;  // for errors
+        mesh.name = name;
         read_positions(mesh.vertices);
         read_normals_and_uvs(mesh);
         read_colors(mesh);
@@ -60,7 +59,6 @@ class PrimitiveReader {
         return &index;
     }
 
-    // Nothing where the attribute is not compressed.
     template <class Vector>
     std::optional<std::vector<Vector>> unpacked(const std::string& key, size_t accessor) const {
         if (!draco_) return {};
@@ -78,7 +76,7 @@ class PrimitiveReader {
         if (count != count_) file_.refuse("{} has {} values for {} vertices", key, count, count_);
     }
 
-    // As many as there are vertices, or none.
+    // Throws unless there is one value per vertex; empty if the attribute is absent.
     template <class Vector>
     std::vector<Vector> attribute(const json& object, const std::string& key) const {
         size_t index = 0;
@@ -97,7 +95,6 @@ class PrimitiveReader {
         set_member(vertices, &Vertex::position, index, compressed);
     }
 
-    // Into that member of each vertex; false where there is no such attribute.
     template <class Vector>
     bool read_member(std::vector<Vertex>& vertices, Vector Vertex::*member, const std::string& key) const {
         size_t index = 0;
@@ -128,7 +125,7 @@ class PrimitiveReader {
         }
     }
 
-    // Zeros are filled in later.
+    // Zero vectors are replaced later.
     static glm::vec3 normalized(glm::vec3 v) {
         const float length = glm::length(v);
         return length > 0 && std::isfinite(length) ? v / length : glm::vec3(0);
@@ -198,7 +195,6 @@ class PrimitiveReader {
             if (i >= count_) file_.refuse("mesh '{}': index {} of {} vertices", mesh.name, i, count_);
     }
 
-    // `bounds` of finite positions.
     void set_bounds(Mesh& mesh) const {
         for (size_t i = 0; i < mesh.vertices.size(); ++i) {
             const glm::vec3 p = mesh.vertices[i].position;

@@ -1,4 +1,4 @@
-// Animations of glTF, by index and with their interpolations.
+// glTF animations.
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -12,7 +12,6 @@ void set_numbers(glm::vec3& value, const float* from, size_t) { value = glm::mak
 void set_numbers(glm::quat& value, const float* from, size_t) { value = glm::quat(from[3], from[0], from[1], from[2]); }
 void set_numbers(std::vector<float>& value, const float* from, size_t count) { value.assign(from, from + count); }
 
-// `size`: floats in a value.
 template <class T>
 KeyTrack<T> track_of(const GltfFile& file, const json& sampler, size_t components, size_t size) {
     KeyTrack<T> track;
@@ -44,7 +43,7 @@ void fill(KeyTrack<T>& track, const T& value) {
     if (track.empty()) track.push_back({0, value});
 }
 
-// Where a channel is missing the node's own placement stays.
+// Missing channels keep the node's own value.
 void fill_from_node(const json& node, NodeMotion& motion) {
     if (motion.position.empty() && motion.scale.empty() && motion.rotation.empty()) return;
     const glm::vec4 q = vector_or(node, "rotation", glm::vec4(0, 0, 0, 1));
@@ -65,13 +64,13 @@ void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Mode
     if (file.count("animations") == 0) return;
     for (size_t i = 1; i < file.count("animations"); ++i) leave_out(model, "further animations", "animation");
     const json& from = file.entry("animations", 0);
-    std::map<size_t, NodeMotion> motions;  // by node of the file
+    std::map<size_t, NodeMotion> motions;
     for (const json& channel : from.at("channels")) {
         const json& target = channel.at("target");
-        if (!target.contains("node")) continue;  // of an extension, which is named
+        if (!target.contains("node")) continue;  // from an extension, reported separately
         const size_t number = target.at("node").get<size_t>();
         const json& node = file.entry("nodes", number);
-        if (nodes[number] < 0) continue;  // not in the scene
+        if (nodes[number] < 0) continue;
         const size_t sampler_index = channel.at("sampler").get<size_t>();
         if (sampler_index >= from.at("samplers").size()) file.refuse("animation sampler {} is missing", sampler_index);
         const json& sampler = from.at("samplers").at(sampler_index);

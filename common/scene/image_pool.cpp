@@ -13,7 +13,6 @@
 namespace lightwalk {
 namespace {
 
-// Halves of linear values, clamped to their range; alpha is 1.
 DecodedTexture linear_texels(const std::filesystem::path& file) {
     const ImageRgb image = read_image_linear(file);
     std::vector<uint16_t> halves;

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 10> formats = {".gltf", ".glb", ".ply", ".stl", ".dae",
                                                       ".fbx",  ".3ds", ".off", ".3mf", ".obj"};
 
-// Assimp makes room for the counts in the header of a PLY file before it looks whether the file is that long.
+// Assimp allocates memory for the counts in a PLY header without checking the file size.
 void check_counts(const fs::path& path, uintmax_t file_bytes) {
     std::ifstream in(path, std::ios::binary);
     std::string line;
@@ -51,7 +51,7 @@ std::string first_line(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
-// A model file names others, which may be pipes or devices as well as it may itself.
+// Referenced files may be pipes or devices.
 struct RegularFiles : Assimp::DefaultIOSystem {
     bool Exists(const char* file) const override {
         std::error_code error;
@@ -72,7 +72,7 @@ bool has_triangles(const aiScene& scene) {
                        [](const aiMesh* mesh) { return (mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0; });
 }
 
-// `colors`: of the triangles' corners, sRGB. They stand in for the material that Assimp makes of an STL's header.
+// `colors`: sRGB, per triangle corner. They replace the material that Assimp derives from an STL header.
 void set_colors(const std::vector<glm::vec4>& colors, Model& model) {
     if (model.meshes.size() != 1 || colors.empty() || model.meshes[0].indices.size() != colors.size()) return;
     Mesh& mesh = model.meshes[0];
@@ -89,7 +89,7 @@ void set_colors(const std::vector<glm::vec4>& colors, Model& model) {
 Model import_here(const fs::path& path, const std::string& extension) {
     const std::string name = path.string();
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles);  // the importer deletes it
+    importer.SetIOHandler(new RegularFiles);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
     Model model;
@@ -102,13 +102,13 @@ Model import_here(const fs::path& path, const std::string& extension) {
         } else {
             scene = importer.ReadFile(name, wanted);
         }
-        // Assimp 5.2.5 joins vertices that differ in their colours or second coordinates alone.
+        // Assimp 5.2.5 wrongly joins vertices that differ only in colour or second coordinates.
         if (scene && can_join(*scene)) scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
     } catch (const InputError&) { throw; } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& failed) { throw InputError("{}: {}", name, first_line(failed.what())); }
     const std::string_view wrong = importer.GetErrorString();
-    if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // swallowed by the importer
+    if (!scene && wrong.find("bad_alloc") != wrong.npos) throw std::bad_alloc();  // caught by Assimp
     if (!scene && wrong.find("contains no faces") != wrong.npos)
         throw InputError("{}: a point cloud: it has no triangle, and points are not drawn", name);
     if (!scene) throw InputError("{}: {}", name, first_line(std::string(wrong)));
@@ -123,7 +123,6 @@ Model import_here(const fs::path& path, const std::string& extension) {
     return model;
 }
 
-// In small letters.
 std::string extension_of(const fs::path& file) {
     std::string extension = file.extension();
     std::transform(extension.begin(), extension.end(), extension.begin(),

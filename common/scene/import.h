@@ -1,4 +1,4 @@
-// Models of every format but OBJ, through Assimp.
+// Model files: glTF by the course's reader, other formats through Assimp.
 #pragma once
 #include <filesystem>
 
@@ -6,14 +6,14 @@
 
 namespace lightwalk {
 
-/// Whether the name ends as a model's does, in a format that is read; OBJ too.
+/// True for extensions of supported model formats, including OBJ.
 bool is_model_file(const std::filesystem::path& file);
 
-/// Reads glTF (.gltf, .glb), PLY, STL, Collada (.dae), FBX, 3DS, OFF, 3MF, and OBJ as Assimp understands it. One Mesh for
-/// each of the file's, all polygons as triangles, equal vertices joined, missing normals filled; the node tree with its
-/// transforms and the first animation; materials with their textures. What it leaves out is in Model::left_out. Assimp runs in a guarded process (common/base/guarded.h). Throws InputError: missing,
-/// empty, unknown format, malformed, without a triangle, one that Assimp crashes on or takes too long or too much
-/// memory for.
+/// Reads glTF (.gltf, .glb), and through Assimp PLY, STL, Collada (.dae), FBX, 3DS, OFF, 3MF and OBJ. One Mesh per mesh
+/// of the file: triangulated, equal vertices joined, missing normals filled in. Also nodes, first animation, materials
+/// and textures; other content is listed in Model::left_out. The reader runs in a guarded process
+/// (common/base/guarded.h). Throws InputError: missing, empty, unknown or malformed file, no triangle, or a crash,
+/// timeout or memory overrun of the reader.
 Model import_model(const std::filesystem::path& path);
 
 }  // namespace lightwalk

@@ -16,7 +16,7 @@ T number_at(std::string_view bytes, size_t at) {
     return value;
 }
 
-// A member's text; empty where it cannot be read. PKWARE's APPNOTE.TXT, 4.3.7 and 4.3.12.
+// ZIP entry (PKWARE APPNOTE.TXT, 4.3.7 and 4.3.12); empty if unreadable.
 std::string member(std::string_view zip, size_t entry) {
     constexpr size_t most_bytes = size_t{1} << 28;
     const size_t packed = number_at<uint32_t>(zip, entry + 20), size = number_at<uint32_t>(zip, entry + 24);
@@ -30,14 +30,13 @@ std::string member(std::string_view zip, size_t entry) {
     stream.avail_in = static_cast<uInt>(packed);
     stream.next_out = reinterpret_cast<Bytef*>(text.data());
     stream.avail_out = static_cast<uInt>(size);
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return {};  // without a header of its own
+    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return {};  // raw deflate
     inflate(&stream, Z_FINISH);
     text.resize(stream.total_out);
     inflateEnd(&stream);
     return text;
 }
 
-// The value of an attribute in the first such tag; empty if there is none.
 std::string_view attribute(std::string_view xml, std::string_view tag, std::string_view name) {
     const size_t begin = xml.find(tag);
     if (begin == xml.npos) return {};
@@ -55,7 +54,7 @@ float metres_of_3mf(std::string_view bytes, Model& model) {
                                                             {"centimeter", 1e-2f}, {"inch", 0.0254f},
                                                             {"foot", 0.3048f},     {"meter", 1}};
     float metres = 1e-3f;
-    constexpr std::string_view mark("PK\1\2", 4);  // of an entry in the central directory
+    constexpr std::string_view mark("PK\1\2", 4);  // signature of a central directory entry
     for (size_t entry = bytes.find(mark); entry != bytes.npos; entry = bytes.find(mark, entry + 4)) {
         const std::string_view name =
             entry + 46 < bytes.size() ? bytes.substr(entry + 46, number_at<uint16_t>(bytes, entry + 28)) : "";

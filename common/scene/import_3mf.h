@@ -1,4 +1,4 @@
-// Statements of a 3MF file that Assimp takes no notice of.
+// Parts of 3MF files that Assimp ignores.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace lightwalk {
 
-/// The length of its unit; names colours that are left out. `bytes`: the file, a ZIP of XML.
+/// Unit of length in metres; adds ignored colours to Model::left_out. `bytes`: the 3MF file, a ZIP archive of XML.
 float metres_of_3mf(std::string_view bytes, Model& model);
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-// Materials that Assimp has read.
+// Materials of Assimp scenes.
 #include <assimp/GltfMaterial.h>
 
 #include <cmath>
@@ -36,13 +36,13 @@ class ImportedMaterials {
         const bool rough = from.Get(AI_MATKEY_ROUGHNESS_FACTOR, to.roughness) == AI_SUCCESS;
         const bool metal = from.Get(AI_MATKEY_METALLIC_FACTOR, to.metalness) == AI_SUCCESS;
         to.metallic_roughness = to.microfacets = rough && metal;
-        if (to.name == AI_DEFAULT_MATERIAL_NAME) to.diffuse = Material{}.diffuse;  // of files that name none
+        if (to.name == AI_DEFAULT_MATERIAL_NAME) to.diffuse = Material{}.diffuse;
         int number = 0;
         if (from.Get(AI_MATKEY_TWOSIDED, number) == AI_SUCCESS && number) to.sides = Sides::both;
         int shading = aiShadingMode_Phong;
         from.Get(AI_MATKEY_SHADING_MODEL, shading);
         to.unlit = shading == aiShadingMode_NoShading;
-        // Assimp gives COLLADA's <lambert>, which has none, a grey reflection.
+        // Assimp assigns a grey specular colour to Collada's <lambert>.
         if (path_.extension() == ".dae" && shading == aiShadingMode_Gouraud) to.specular = glm::vec3(0);
         if (float reflectivity = 0; from.Get(AI_MATKEY_REFLECTIVITY, reflectivity) == AI_SUCCESS && reflectivity > 0)
             leave_out(model_, "reflection", "material");
@@ -52,7 +52,7 @@ class ImportedMaterials {
                                          aiTextureType_CLEARCOAT, aiTextureType_SHEEN})
             if (from.GetTextureCount(type) > 0)
                 leave_out(model_, std::string("texture of ") + aiTextureTypeToString(type), "material");
-        // Programs disagree on which end of a transparency is opaque.
+        // Exporters disagree on which end of the transparency range is opaque.
         if (to.opacity <= 0.0f && !to.opacity_map) {
             to.opacity = 1;
             warn("{}: material '{}': opacity 0 would make it vanish; drawn opaque", path_.string(), to.name);
@@ -116,7 +116,7 @@ class ImportedMaterials {
         return map;
     }
 
-    // mWidth is the number of bytes where the image is a file of its own.
+    // Embedded image file: mWidth is its size in bytes.
     int image(const aiTexture& inside) {
         const auto [known, is_new] = images_.try_emplace(&inside, static_cast<int>(model_.images.size()));
         if (is_new) {

@@ -1,4 +1,4 @@
-// Meshes that Assimp has read.
+// Meshes of Assimp scenes.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// The four bones of a vertex that weigh most. Joints are nodes by name, which is all that Assimp keeps.
+// Four largest bone weights per vertex. Joints are nodes of equal name: Assimp keeps no other link.
 void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model, Mesh& to) {
     Deformation& how = to.deformation;
     how.joints.assign(from.mNumVertices, glm::uvec4(0));
@@ -45,7 +45,7 @@ void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model,
     model.skins.push_back(std::move(skin));
 }
 
-// Colours of these formats are sRGB, as scanners and editors write them; some programs count to 255.
+// These formats use sRGB vertex colours; some exporters scale them to 255.
 std::vector<glm::vec4> colors_of(const aiMesh& from) {
     std::vector<glm::vec4> colors;
     if (!from.HasVertexColors(0)) return colors;
@@ -59,14 +59,14 @@ std::vector<glm::vec4> colors_of(const aiMesh& from) {
     const auto linear = [&](float x) { return srgb_to_linear(std::clamp(x / one, 0.0f, 1.0f)); };
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
         const aiColor4D& c = from.mColors[0][i];
-        // Opacity 0 everywhere would make it vanish.
+        // Opacity 0 everywhere means absent alpha.
         const float alpha = alphas > 0 ? std::clamp(alphas > 2.0f ? c.a / 255.0f : c.a, 0.0f, 1.0f) : 1.0f;
         colors.emplace_back(linear(c.r), linear(c.g), linear(c.b), alpha);
     }
     return colors;
 }
 
-// `flat`: uses the triangles' normals instead of the file's.
+// `flat`: face normals instead of the file's.
 Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
     Mesh to;
     to.name = from.mName.C_Str();
@@ -101,9 +101,9 @@ Mesh to_mesh(const aiMesh& from, const std::string& file, bool flat) {
 
 }  // namespace
 
-// Bones move a mesh in the model's space, so that its node must not.
+// Skinned meshes ignore their node's transform, so a node at the root holds them.
 void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model) {
-    std::vector<uint32_t> with_bones, numbers;  // of the scene's meshes among the model's
+    std::vector<uint32_t> with_bones, numbers;
     const std::vector<Node> named = model.nodes;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& from = *scene.mMeshes[i];

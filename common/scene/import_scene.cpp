@@ -1,4 +1,4 @@
-// Nodes, motions, cameras and lights that Assimp has read.
+// Nodes, animations, cameras and lights of Assimp scenes.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace lightwalk {
 namespace {
 
-// FBX and 3MF say which way is up and how long a unit is; Assimp turns COLLADA itself.
+// FBX and 3MF state unit and up axis; Assimp converts Collada itself.
 glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension, const std::string& name, Model& model) {
     const glm::mat4 z_up(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
     if (extension == ".3mf") return z_up * glm::scale(glm::mat4(1), glm::vec3(metres_of_3mf(read_file(name), model)));
@@ -29,14 +29,14 @@ glm::mat4 to_metres_y_up(const aiScene& scene, const std::string& extension, con
     const int32_t axes[3] = {side, up, ahead}, signs[3] = {side_sign, up_sign, ahead_sign};
     for (int i = 0; i < 3; ++i)
         if (axes[i] >= 0 && axes[i] < 3) turn[axes[i]][i] = signs[i] < 0 ? -1.0f : 1.0f;
-    // Assimp 5.4 turns the root itself; 5.2 leaves it alone.
+    // Assimp 5.4 rotates the root node; 5.2 does not.
     if (std::abs(glm::determinant(glm::mat3(turn))) < 0.5f || !scene.mRootNode->mTransformation.IsIdentity())
         turn = glm::mat4(1);
     const float scale = centimetres > 1e-6 && centimetres < 1e6 ? static_cast<float>(0.01 * centimetres) : 0.01f;
     return glm::scale(turn, glm::vec3(scale));
 }
 
-// Parents before children. Without recursion: the depth of the tree is the file's choice.
+// Parents before children. Iterative, since files may nest arbitrarily deep.
 std::vector<Node> to_nodes(const aiNode& root, const glm::mat4& metres) {
     std::vector<Node> nodes = {{"", -1, metres, {}}};
     if (metres == glm::mat4(1)) nodes.clear();
@@ -63,7 +63,6 @@ KeyTrack<T> to_values(const Key* keys, unsigned count, double ticks_per_s, Conve
     return values;
 }
 
-// The file's first animation. A channel without positions, rotations or scales leaves the node's own.
 void add_motions(const aiScene& scene, Model& model) {
     if (scene.mNumAnimations == 0 || !(scene.mAnimations[0]->mDuration > 0)) return;
     for (unsigned i = 1; i < scene.mNumAnimations; ++i) leave_out(model, "further animations", "animation");
@@ -100,7 +99,7 @@ void add_import_nodes(const aiScene& scene, const std::string& name, const std::
     add_motions(scene, model);
 }
 
-// Cameras and lights stand at the node of their name, and there at a place of their own.
+// Cameras and lights belong to the node of equal name, with an offset of their own.
 void add_import_cameras(const aiScene& scene, Model& model) {
     const auto node_of = [&](const aiString& name, const aiVector3D& at, aiVector3D ahead, aiVector3D up) {
         const auto found =

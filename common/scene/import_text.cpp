@@ -22,7 +22,7 @@ bool is_one_of(const std::string& word, std::initializer_list<std::string_view> 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Those that Assimp reads, or that change no picture.
+// Properties that Assimp reads or that have no visual effect.
 bool is_read(const std::string& element, const std::string& property) {
     if (element == "material") return true;
     if (element == "face")
@@ -31,7 +31,7 @@ bool is_read(const std::string& element, const std::string& property) {
                                 "g", "b", "u", "v",  "s",  "t",  "tx",  "ty",    "texture_u", "texture_v"});
 }
 
-// "f_rest" for f_rest_0 to f_rest_44.
+// f_rest_0 … f_rest_44 become "f_rest".
 std::string without_number(std::string name) {
     while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back()))) name.pop_back();
     return name.ends_with('_') ? name.substr(0, name.size() - 1) : name;
@@ -48,7 +48,7 @@ void leave_out_property(const std::string& element, const std::string& property,
 }  // namespace
 
 std::string readable_ply(std::string text, const std::string& name, Model& model) {
-    // Without it Assimp reads for ever.
+    // Assimp loops endlessly without end_header.
     if (text.find("end_header") == text.npos)
         throw InputError("{}: no end_header, the file ends within its header", name);
     const size_t last = text.find("\nend_header");
@@ -83,7 +83,6 @@ std::string readable_ply(std::string text, const std::string& name, Model& model
 
 namespace {
 
-// Lines of an OFF file without comments and blank ones.
 class OffLines {
   public:
     OffLines(std::string_view text, const std::string& name) : in_{std::string(text)}, name_(name) {}
@@ -115,18 +114,18 @@ class OffLines {
     size_t number_ = 0;
 };
 
-// Three or four numbers, or none.
+// Three or four components; empty: no colour.
 using Color = std::vector<double>;
 
 struct Off {
     size_t position = 3, normal = 0, uv = 0;
-    std::vector<std::vector<std::string>> vertices;  // words of position, normal and uv
+    std::vector<std::vector<std::string>> vertices;
     std::vector<Color> vertex_colors, face_colors;
     std::vector<std::vector<size_t>> faces;
     std::set<std::string> left_out;
 };
 
-// `otherwise`: name of numbers that are no colour.
+// `otherwise`: name for Model::left_out if the numbers form no colour.
 Color color_of(const OffLines& lines, const std::vector<std::string>& words, size_t first, size_t end,
                const char* otherwise, std::set<std::string>& left_out) {
     Color color;
@@ -143,7 +142,6 @@ size_t integer_of(const OffLines& lines, const std::string& word) {
     return static_cast<size_t>(value);
 }
 
-// The header's letters, then the counts, on one line or on two.
 std::pair<size_t, size_t> read_header(OffLines& lines, size_t bytes, Off& off) {
     std::vector<std::string> words;
     if (!lines.next(words)) lines.refuse("no header, expected OFF");
@@ -181,7 +179,7 @@ Off read_off(std::string_view text, const std::string& name) {
         if (words.size() < least + off.uv) lines.refuse("{} numbers of a vertex, expected {}", words.size(), least);
         off.vertex_colors.push_back(
             color_of(lines, words, least, words.size() - off.uv, "further numbers of vertices", off.left_out));
-        if (off.position == 4) {  // homogeneous
+        if (off.position == 4) {
             const double w = lines.number(words[3]);
             for (size_t k = 0; k < 3; ++k) words[k] = fmt::format("{}", lines.number(words[k]) / (w == 0 ? 1 : w));
         }
@@ -215,7 +213,7 @@ std::string off_as_ply(std::string_view text, const std::string& name, Model& mo
     const bool by_vertex = !by_face && std::any_of(off.vertex_colors.begin(), off.vertex_colors.end(), has);
     if (by_face && std::any_of(off.vertex_colors.begin(), off.vertex_colors.end(), has))
         leave_out(model, "colours of vertices beside those of faces");
-    double most = 0;  // 0 to 1, or 0 to 255
+    double most = 0;  // above 1: range 0 to 255
     for (const auto* colors : {&off.vertex_colors, &off.face_colors})
         for (const Color& color : *colors)
             for (const double number : color) most = std::max(most, number);
@@ -269,7 +267,7 @@ std::vector<glm::vec4> stl_colors(std::string_view bytes, Model& model) {
     std::vector<glm::vec4> colors;
     bool any = magics;
     for (const uint16_t word : words) {
-        // Bit 15: VisCAM's says a colour of its own, Magics' the usual one. Zeros are no colours.
+        // Bit 15 marks a valid colour in VisCAM files, the default colour in Magics files. All zeros: no colours.
         const bool own = (word >> 15 != 0) != magics && !all_zero;
         any |= own;
         const glm::vec3 low(code(word & 31u, 31), code(word >> 5 & 31u, 31), code(word >> 10 & 31u, 31));

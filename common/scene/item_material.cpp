@@ -25,14 +25,14 @@ void set_material(DrawItem& item, const MaterialOverride& with, bool bare) {
     item.material = overridden(own, with);
     const bool says_alpha = own.alpha_cutoff >= 0.0f && !with.opacity;
     item.transparent = item.material.blend || (item.material.opacity < 1.0f && !says_alpha);
-    // A specular colour or an exponent of the scene's own says all of it.
+    // Specular colour or exponent of the scene override the model's roughness.
     const bool classic = with.specular || with.shininess || (own.has_exponent && !bare);
     const bool rough = own.metallic_roughness && !classic;
     item.material.microfacets = own.microfacets && !classic;
     item.roughness = with.roughness.value_or(rough ? own.roughness : -1.0f);
     item.metalness = with.metalness.value_or(rough ? own.metalness : -1.0f);
     item.two_sided = own.sides == Sides::both || (own.sides == Sides::unknown && with.two_sided.value_or(false));
-    // A map that is left out emits nothing: its factor alone would be a lamp.
+    // A missing emission texture must not turn into uniform emission.
     if (own.emissive_map && !item.maps[MapSlot::emissive] && !with.emissive) item.material.emissive = glm::vec3(0.0f);
 }
 

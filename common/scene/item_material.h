@@ -1,13 +1,12 @@
-// Materials of a scene's items: the model's, with the numbers that the scene file states.
+// Materials of scene items: the model's material with the scene file's overrides.
 #pragma once
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
-/// Numbers and kind of transparency of an item that has its maps. `bare`: SceneFile::bare.
+/// Sets material and transparency of an item whose maps are set. `bare`: SceneFile::bare.
 void set_material(DrawItem& item, const MaterialOverride& with, bool bare);
 
-/// For shaders. `emission`: SceneFile::emission.
 MaterialData material_data(const DrawItem& item, float emission);
 
 }  // namespace lightwalk

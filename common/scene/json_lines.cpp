@@ -9,7 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-// An input iterator that counts the lines the parser has consumed.
 class CountingIterator {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -32,7 +31,6 @@ class CountingIterator {
     int* line_;
 };
 
-// Notes the line at which each value starts, by its pointer.
 class LineReader : public json::json_sax_t {
   public:
     LineReader(const std::string& text, JsonWithLines& result, const int& line)
@@ -72,7 +70,7 @@ class LineReader : public json::json_sax_t {
     struct Level {
         bool array;
         size_t index;
-        size_t end;  ///< of the level's own pointer
+        size_t end;
     };
     static constexpr size_t most_pointer_bytes = size_t{256} << 20;
 
@@ -83,7 +81,6 @@ class LineReader : public json::json_sax_t {
                              most_pointer_bytes >> 20);
         return result_.lines.emplace(pointer_, line_).second;
     }
-    // A value in a list; one in an object has its key's line.
     void note() {
         if (levels_.empty()) add_line();
         if (levels_.empty() || !levels_.back().array) return;
@@ -110,7 +107,7 @@ class LineReader : public json::json_sax_t {
     JsonWithLines& result_;
     const int& line_;
     std::vector<Level> levels_;
-    std::string pointer_;  ///< of the value that is read
+    std::string pointer_;
     size_t pointer_bytes_ = 0;
 };
 

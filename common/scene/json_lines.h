@@ -1,4 +1,4 @@
-// JSON with the line of every value, so that an error in a scene file can name it.
+// JSON with line numbers, for error messages.
 #pragma once
 #include <map>
 #include <nlohmann/json.hpp>
@@ -8,18 +8,17 @@ namespace lightwalk {
 
 struct JsonWithLines {
     nlohmann::json root;
-    std::map<std::string, int> lines;  ///< by JSON pointer (RFC 6901): "/objects/0/model"; of lists' numbers none
+    std::map<std::string, int> lines;  ///< keys: JSON pointers (RFC 6901), "/objects/0/model"; no numbers in lists
     std::string file;
 
-    /// "file:line: key 'name'" for messages; the nearest enclosing value's line where the pointer has none.
+    /// "file:line: key 'name'" of the value, or of its nearest enclosing value with a line.
     std::string where(const std::string& pointer) const;
 };
 
-/// A key as a step of a pointer: ~ is ~0 and / is ~1.
+/// Escapes a key for a JSON pointer: ~ becomes ~0, / becomes ~1.
 std::string pointer_step(std::string_view key);
 
-/// Throws InputError with file, line and reason where the text is not JSON, repeats a key, is nested deeper than 64
-/// levels, or is so large that its pointers would fill the memory.
+/// Throws InputError with file and line: invalid JSON, duplicate key, more than 64 levels, too large.
 JsonWithLines parse_json(const std::string& text, const std::string& file);
 
 }  // namespace lightwalk

@@ -28,7 +28,7 @@ std::shared_ptr<Image> load_map(ImagePool& images, const TextureUse& use, const 
 
 }  // namespace
 
-// MTL has no statement for some slots; a scene file can name all.
+// Slots without an MTL statement can only be set by scene files.
 const std::array<MapSlotInfo, map_slot_count>& map_slots() {
     static const std::array<MapSlotInfo, map_slot_count> slots{{
         {"diffuse", "diffuse_map", color, 1, &Material::diffuse_map, false},
@@ -41,7 +41,7 @@ const std::array<MapSlotInfo, map_slot_count>& map_slots() {
         {"occlusion", "occlusion_map", data, 1, &Material::occlusion_map, false},
         {"gloss", "gloss_map", data, 1, &Material::shininess_map, false},
         {"detail_normal", "detail_normal_map", data, 3, nullptr, true},
-        {"displacement", "displacement_map", data, 1, nullptr, false},  // MTL's disp is the height map
+        {"displacement", "displacement_map", data, 1, nullptr, false},  // MTL's disp sets the height map
         {"metallic_roughness", "metallic_roughness_map", data, 1, &Material::metallic_roughness_map, false},
     }};
     return slots;
@@ -106,7 +106,7 @@ MaterialMaps load_maps(ImagePool& images, const Material& own, const MaterialOve
         maps.places[slot] = {};
         maps.samplers[slot] = {};
     }
-    // Numbers and maps of the scene file stand in for the model's.
+    // Overridden by values or textures of the scene file.
     if (maps[MapSlot::orm] || with.roughness || with.metalness || with.specular || with.shininess)
         maps[MapSlot::metallic_roughness] = nullptr;
     return maps;

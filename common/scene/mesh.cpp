@@ -17,7 +17,7 @@ std::vector<float> blend(const std::vector<float>& a, const std::vector<float>& 
     return result;
 }
 
-// Hermite's curve, for every number of a value: glTF 2.0, appendix C.5. `step_s` is from a to b.
+// Cubic Hermite spline (glTF 2.0, appendix C.5). `step_s`: duration of the segment.
 template <class T>
 T curve(const T& a, const T& slope_a, const T& b, const T& slope_b, float step_s, float t) {
     const float u = 1 - t;
@@ -67,7 +67,6 @@ void copy_more(std::vector<T>& list, const std::vector<uint32_t>& copies) {
 
 }  // namespace
 
-// [world_transforms]
 std::vector<glm::mat4> world_transforms(const Model& model) {
     std::vector<glm::mat4> world(model.nodes.size());
     for (size_t i = 0; i < world.size(); ++i) {
@@ -76,7 +75,6 @@ std::vector<glm::mat4> world_transforms(const Model& model) {
     }
     return world;
 }
-// [/world_transforms]
 
 std::vector<glm::mat4> world_transforms(const Model& model, float time_s) {
     if (model.motions.empty()) return world_transforms(model);
@@ -172,7 +170,7 @@ void deform_at_rest(Model& model) {
         mesh.vertices = deformed(model, mesh, world, 0.0f);
         mesh.bounds = {};
         for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
-        // Where it moves to: nobody culls it there.
+        // Sampled animation, so that culling stays conservative.
         for (int i = 1; i < bounded_times && !model.motions.empty(); ++i) {
             const float time_s = model.motions_s * static_cast<float>(i) / bounded_times;
             for (const Vertex& v : deformed(model, mesh, world_transforms(model, time_s), time_s))
@@ -226,7 +224,7 @@ void fill_missing_normals(Mesh& mesh) {
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const uint32_t* corner = &mesh.indices[i];
         const glm::vec3 a = mesh.vertices[corner[0]].position;
-        // The cross product's length is twice the area, which is the weight.
+        // The cross product's length is twice the area, which weights the normal.
         const glm::vec3 weighted =
             glm::cross(mesh.vertices[corner[1]].position - a, mesh.vertices[corner[2]].position - a);
         for (int k = 0; k < 3; ++k) sums[corner[k]] += weighted;

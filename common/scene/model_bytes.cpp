@@ -93,7 +93,7 @@ void fields(Bytes& bytes, Model& model) {
 
 namespace {
 
-// Into the shared memory at once: a text that grows to a model's size takes longer than to read the model.
+// Writes directly to shared memory: growing a string takes longer than reading the model.
 struct ReplyWriter : ByteWriter {
     explicit ReplyWriter(GuardReply& to) : reply(to) {}
     void raw(const void* from, size_t count) override { reply.append({static_cast<const char*>(from), count}); }
@@ -132,7 +132,6 @@ bool is_consistent(const KeyTrack<T>& track) {
     return track.between != Between::cubic || track.slopes.size() == 2 * track.size();
 }
 
-// As many weights in each value as the node's mesh has targets.
 bool is_consistent(const NodeMotion& motion, const Model& model) {
     if (motion.node >= model.nodes.size() || motion.position.empty() != motion.scale.empty() ||
         motion.position.empty() != motion.rotation.empty())

@@ -6,7 +6,7 @@
 namespace lightwalk {
 namespace {
 
-// Beyond, squares of distances leave a float's range, and the picture holds NaN.
+// Beyond this, squared distances overflow floats and produce NaN.
 constexpr float farthest_m = 1e15f;
 
 std::string key_of_model(const std::filesystem::path& file) {
@@ -32,7 +32,7 @@ void upload_rare_attributes(Gpu& gpu, GpuModel& model) {
         std::vector<Buffer>& buffers = model.attributes[binding];
         buffers.clear();
         for (const Mesh& mesh : meshes) {
-            const auto one = std::remove_cvref_t<decltype(mesh.*values)>(1);  // nobody reads it
+            const auto one = std::remove_cvref_t<decltype(mesh.*values)>(1);
             buffers.push_back(gpu.upload(mesh.name + " " + binding, (mesh.*values).empty() ? one : mesh.*values));
         }
     };

@@ -34,7 +34,6 @@ std::string decode_uri(std::string_view text) {
     return out;
 }
 
-// Keeps only the names. Malformed JSON is reported by the importer.
 size_t bytes_to_import(const std::filesystem::path& path) {
     size_t bytes = InputFile(path).bytes;
     if (strcasecmp(path.extension().c_str(), ".gltf") != 0) return bytes;

@@ -1,15 +1,14 @@
-// The files that a model file names.
+// External files of model files.
 #pragma once
 #include <filesystem>
 #include <string>
 
 namespace lightwalk {
 
-/// glTF and Collada name files by URIs, in which a space is %20 (RFC 3986, 2.1).
+/// Decodes percent-encoded URIs (RFC 3986, 2.1), as used by glTF and Collada.
 std::string decode_uri(std::string_view text);
 
-/// Size of a model file, plus, for glTF, of the files named by the key "uri", each once. Throws InputError if the
-/// file itself does not exist.
+/// Bytes of a model file and, for glTF, of the files it references. Throws InputError if the model file is missing.
 size_t bytes_to_import(const std::filesystem::path& path);
 
 }  // namespace lightwalk

@@ -9,14 +9,14 @@ std::optional<float> hit_box(const PickRay& ray, const Bounds& box) {
     if (box.empty()) return std::nullopt;
     float enter = 0.0f, leave = std::numeric_limits<float>::infinity();
     for (int i = 0; i < 3; ++i) {
-        if (ray.direction[i] == 0.0f) {  // 0 times infinity is no number
+        if (ray.direction[i] == 0.0f) {
             if (ray.origin[i] < box.lower[i] || ray.origin[i] > box.upper[i]) return std::nullopt;
             continue;
         }
         float a = (box.lower[i] - ray.origin[i]) / ray.direction[i],
               b = (box.upper[i] - ray.origin[i]) / ray.direction[i];
         if (a > b) std::swap(a, b);
-        // Three roundings: a flat box is not missed (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+        // Tolerance of three roundings (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013): flat boxes are hit.
         enter = std::max(enter, a);
         leave = std::min(leave, b + 4e-7f * std::fabs(b));
     }
@@ -43,7 +43,6 @@ std::optional<double> hit_triangle(const glm::dvec3& origin, const glm::dvec3& d
 
 namespace {
 
-// Items with a box hit by the ray, the nearest first.
 std::vector<Hit> boxes_on(const Scene& scene, const PickRay& ray) {
     std::vector<Hit> found;
     for (uint32_t i = 0; i < scene.items.size(); ++i)
@@ -74,7 +73,7 @@ std::optional<Hit> pick_triangle(const Scene& scene, const PickRay& ray) {
         const DrawItem& item = scene.items[box.item];
         const Mesh& mesh = item.model->model.meshes[item.mesh];
         const Part& part = mesh.parts[item.part];
-        // The ray goes into the mesh's space, not the mesh into the world. A direction that keeps its length there keeps t.
+        // Ray in mesh space. Its direction keeps its length there, so t is the distance in world space.
         const glm::dmat4 to_mesh = glm::inverse(glm::dmat4(item.transform));
         const glm::dvec3 origin(to_mesh * glm::dvec4(ray.origin, 1.0)),
             direction(to_mesh * glm::dvec4(ray.direction, 0.0));

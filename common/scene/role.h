@@ -1,4 +1,4 @@
-// Roles of a scene's objects and of a model's materials, for chapters that treat them specially.
+// Roles of objects and materials that chapters treat specially.
 #pragma once
 #include <map>
 #include <string>
@@ -8,38 +8,35 @@ namespace lightwalk {
 
 enum class Role { plain, planet, ring, screen, skin, eye, cornea };
 
-/// "planet, ring, screen, skin, eye, cornea"; `of_material`: only a material's roles.
+/// "planet, ring, screen, skin, eye, cornea"; `of_material`: only roles of materials.
 std::string role_names(bool of_material = false);
 
-/// The role of that name; Role::plain where there is none, or none that a material may have.
+/// Role::plain if the name is unknown, or is no role of materials if `of_material`.
 Role role_named(std::string_view name, bool of_material = false);
 
-/// The word of a scene file; "" for Role::plain.
+/// Name in scene files; "" for Role::plain.
 const char* name_of(Role role);
 
-/// `role` of an object in a scene file: one for the object, or one for each material of its model that has one.
+/// `role` of an object in a scene file: one role, or roles by material name.
 struct GivenRole {
     Role object = Role::plain;
     std::map<std::string, Role> materials;
-    std::string where{};  ///< "file:line: key 'role'", for errors found when the model is loaded
+    std::string where{};  ///< "file:line: key 'role'", for errors found while loading the model
     explicit operator bool() const { return object != Role::plain || !materials.empty(); }
 };
 
 struct SceneFile;
 
-/// Who has which role in a scene. Names count only in a file in which nothing has a role: the objects "planet", "ring"
-/// and "screen NAME", the materials "skin", "eye" and "cornea".
+/// Roles in a scene. Without any `role`, names decide: planet, ring, "screen NAME"; materials skin, eye, cornea.
 class Roles {
   public:
-    /// `scene` must outlive it.
     explicit Roles(const SceneFile& scene);
 
-    /// Of an object's part with that material.
     Role of(size_t object, const std::string& material) const;
 
     bool is_screen(size_t object) const;
 
-    /// The object with the view that a screen shows: its `shows`, in a file without roles "camera NAME".
+    /// Object whose view a screen shows: its `shows`, or "camera NAME" in files without roles.
     std::string shown_by(size_t screen) const;
 
   private:

@@ -23,7 +23,6 @@ std::vector<MapPlacement> placements_of(const std::vector<DrawItem>& items) {
     return placements;
 }
 
-// Each material that `role` names is one of the model's.
 void check_roles(const SceneObject& object, const Model& model) {
     std::set<std::string> names;
     for (const Material& material : model.materials) names.insert(material.name);
@@ -68,7 +67,6 @@ ImagePool& Scene::images(Gpu& gpu) {
     return *images_;
 }
 
-// Parents, and where objects are.
 void Scene::link_objects() {
     objects_.clear();
     std::unordered_map<std::string_view, int> by_name;
@@ -123,7 +121,7 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
     check_roles(from, model);
     if (!model.motions.empty() &&
         std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
-        gpu_model->nodes = world_transforms(model, 0.0f);  // the pool's may have been moved
+        gpu_model->nodes = world_transforms(model, 0.0f);
         moving_models_.push_back(gpu_model);
         if (std::any_of(model.meshes.begin(), model.meshes.end(), [](const Mesh& m) { return bool(m.deformation); })) {
             deforming_.insert(gpu_model.get());
@@ -147,7 +145,7 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
             }
 }
 
-// Groups in the order in which their first item stands in the file, the transparent ones after the opaque ones.
+// Groups equal items by first occurrence, opaque before transparent.
 void Scene::sort_items() {
     using Images = std::array<const Image*, map_slot_count>;
     using Key = std::tuple<bool, const GpuModel*, uint32_t, uint32_t, bool, Images>;
@@ -197,12 +195,11 @@ Sun Scene::sun() const {
     return {-glm::normalize(found->direction), found->intensity * found->color, file.ambient};
 }
 
-// As its first directional light, which is added where there is none.
 static void put_sun(const Sun& sun, std::vector<Light>& lights) {
     const auto directional = [](const Light& light) { return light.kind == Light::Kind::directional; };
     auto found = std::find_if(lights.begin(), lights.end(), directional);
     if (found == lights.end()) found = lights.insert(lights.begin(), Light{.shadow = true});
-    // Light in the files is the radiance of a white surface that faces it.
+    // Light intensities are radiances of a facing white surface.
     found->direction = -sun.to_sun;
     found->color = sun.light;
     found->intensity = 1.0f / glm::pi<float>();

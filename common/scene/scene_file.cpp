@@ -12,8 +12,7 @@ namespace {
 
 constexpr size_t deepest_include = 32, most_includes = 256, most_scene_bytes = size_t{64} << 20;
 
-// Parents first, for transforms multiplied in order: objects with an earlier parent in file order, then, round by
-// round, the children of the previous round.
+// Parents first: file order if the parent comes earlier; then, round by round, children of the previous round.
 void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objects) {
     constexpr size_t none = SIZE_MAX, unknown = SIZE_MAX, waiting = SIZE_MAX - 1;
     std::map<std::string_view, size_t> places;
@@ -30,7 +29,6 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
         parent[i] = place->second;
     }
     for (size_t i = 0; i < objects.size(); ++i) {
-        // Up to an ancestor with a known round or without a parent, then back down.
         std::vector<size_t> chain;
         size_t at = i;
         for (; round[at] == unknown && parent[at] != none; at = parent[at]) {
@@ -52,7 +50,6 @@ void sort_by_parent(const JsonWithLines& source, std::vector<SceneObject>& objec
     objects = std::move(sorted);
 }
 
-// A screen shows the view of an object.
 void check_screens(const std::vector<SceneObject>& objects) {
     for (const SceneObject& screen : objects)
         if (!screen.shows.empty() && std::none_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
@@ -62,7 +59,7 @@ void check_screens(const std::vector<SceneObject>& objects) {
                              screen.name, screen.shows);
 }
 
-// The files that are being read, from the outermost on, and how many there were in all.
+// Stack of open files and total count, against cycles and endless includes.
 struct Includes {
     std::vector<fs::path> open;
     size_t count = 0;
@@ -90,7 +87,6 @@ void read_included(const fs::path& path, Includes& includes, SceneFile& scene) {
     includes.open.pop_back();
 }
 
-// Adds the file's content to `scene`: objects and lights after those already there; other keys replace.
 void read(const std::string& text, const fs::path& path, Includes& includes, SceneFile& scene) {
     const JsonWithLines source = parse_json(text, path.string());
     KeyReader r(source, source.root, "");
@@ -154,7 +150,6 @@ SceneFile parse_scene(const std::string& text, const fs::path& path) {
 
 namespace {
 
-// "; the nearest are A and B", from the folder in which the file was looked for.
 std::string nearest_files(const fs::path& path) {
     constexpr size_t most_looked_at = 10000;
     std::vector<std::string> names;
@@ -184,7 +179,6 @@ fs::path find_asset(const fs::path& path) {
     throw InputError("no file {}, {}{}", path.string(), why, nearest_files(path));
 }
 
-// [local_transform]
 glm::mat4 local_transform(const SceneObject& object, float time_s) {
     Keyframe at{time_s, object.position, object.rotation_deg, object.scale};
     if (!object.motion.path.empty()) at = path_at(object.motion, time_s);
@@ -196,6 +190,5 @@ glm::mat4 local_transform(const SceneObject& object, float time_s) {
         m = glm::rotate(m, spin_at(object.motion, time_s), glm::normalize(object.motion.axis));
     return glm::scale(m, at.scale);
 }
-// [/local_transform]
 
 }  // namespace lightwalk

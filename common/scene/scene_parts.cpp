@@ -73,7 +73,6 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
     return material;
 }
 
-// One number or three.
 void read_scale(KeyReader& r, glm::vec3& scale) {
     if (const json* given = r.find("scale"); given && given->is_number()) {
         float s = 1;
@@ -86,7 +85,6 @@ void read_scale(KeyReader& r, glm::vec3& scale) {
         if (scale[i] == 0.0f) r.refuse("scale", "is 0: nothing would be left of the object");
 }
 
-// Missing values of a keyframe are the object's own.
 void read_keyframe(KeyReader r, const SceneObject& object, std::vector<Keyframe>& path) {
     Keyframe key{0, object.position, object.rotation_deg, object.scale};
     if (!r.find("time_s")) r.refuse("time_s", "is missing: every keyframe needs its time");
@@ -129,7 +127,6 @@ Role read_role(const JsonWithLines& source, const json& given, const std::string
     return role;
 }
 
-// `role` and `shows`.
 void read_roles(const JsonWithLines& source, KeyReader& r, SceneObject& object) {
     r.string("shows", object.shows);
     if (const json* role = r.find("role")) {
@@ -194,7 +191,7 @@ Light read_light(KeyReader r, bool& hidden) {
     if (light.kind != Light::Kind::point) {
         r.vector("direction", light.direction);
         if (glm::length(light.direction) == 0.0f) r.refuse("direction", "has no length");
-        // Unit vectors stay unchanged, to the bit: a scene that is read and written again is the same text.
+        // Unit vectors stay bit-identical, so that written scenes round-trip.
         if (std::abs(glm::length(light.direction) - 1.0f) > 1e-6f) light.direction = glm::normalize(light.direction);
     }
     if (light.kind != Light::Kind::directional) {

@@ -1,4 +1,4 @@
-// Reading the keys of a scene file, with a message that names file, line and key for each that is wrong.
+// Reader for scene file keys. Errors name file, line and key.
 #pragma once
 #include <set>
 
@@ -10,7 +10,7 @@ namespace lightwalk {
 
 using nlohmann::json;
 
-/// One object of the file while it is read: hands out its keys and refuses those nobody asked for.
+/// JSON object whose keys are read one by one; done() rejects the remaining ones.
 class KeyReader {
   public:
     KeyReader(const JsonWithLines& source, const json& object, std::string pointer)
@@ -83,7 +83,6 @@ class KeyReader {
     std::set<std::string> known_;
 };
 
-/// Calls read(KeyReader, pointer) for each entry of a list.
 template <class F>
 void each(const JsonWithLines& source, KeyReader& parent, const char* key, F read) {
     const json* list = parent.find(key);
@@ -95,16 +94,12 @@ void each(const JsonWithLines& source, KeyReader& parent, const char* key, F rea
     }
 }
 
-// The parts of a scene file, each from the object that holds its keys. They throw InputError.
 void read_camera(KeyReader r, Camera& camera);
-/// `hidden`: whether it is switched off.
 Light read_light(KeyReader r, bool& hidden);
 SceneObject read_object(const JsonWithLines& source, KeyReader r, const std::string& pointer);
 
-/// `environment`, as a file name or as an object.
 Environment read_environment(const JsonWithLines& source, KeyReader& scene);
 
-/// `music`, the name of an Ogg Vorbis file.
 SceneMusic read_music(const JsonWithLines& source, KeyReader& scene);
 
 }  // namespace lightwalk

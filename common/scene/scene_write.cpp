@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The shortest decimal that is this float, as a double: 0.1f is written as 0.1, not as 0.10000000149011612.
+// Shortest decimal that reads back as the same float: 0.1f becomes 0.1, not 0.10000000149011612.
 double number(float value) {
     char text[32];
     const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
@@ -21,8 +21,7 @@ double number(float value) {
     return result;
 }
 
-// Converts an angle to degrees. degrees() and radians() both round: of the floats nearby, picks the one that reads
-// back as the same angle.
+// Degrees that read back as the same angle: both conversions round, so nearby floats are tried.
 double degrees(float rad) {
     const float near = glm::degrees(rad);
     for (const float candidate : {near, std::nextafter(near, 0.0f), std::nextafter(near, 1e9f)})
@@ -174,7 +173,7 @@ void write_scene(const SceneFile& scene, const std::filesystem::path& path) { wr
 
 void update_scene(const SceneFile& scene, const std::filesystem::path& path) {
     const std::string text = read_file(path);
-    parse_json(text, path.string());  // throws and says where
+    parse_json(text, path.string());
     Json j = Json::parse(text);
     j["camera"] = camera_json(scene.camera);
     j["knobs"] = knobs_json(scene);

@@ -8,7 +8,6 @@ namespace {
 
 constexpr float bump_texels = 4;
 
-// Numbers 0 to 1 of RGBA texels with 8 or 16 bits.
 float number_at(const TexelImage& image, size_t i) {
     if (image.bits == 8) return static_cast<float>(std::to_integer<int>(image.bytes[i])) / 255.0f;
     uint16_t value;
@@ -46,7 +45,7 @@ float channel_of(const glm::vec4& texel, char channel) {
             return texel.b;
         case 'm':
             return texel.a;
-        default:  // luminance, and depth of which an image has none
+        default:  // 'l' and 'z': images have no depth, so luminance
             return glm::dot(glm::vec3(texel), glm::vec3(0.2126f, 0.7152f, 0.0722f));
     }
 }
@@ -56,7 +55,7 @@ glm::vec4 texel_at(const TexelImage& image, size_t i) {
             number_at(image, 4 * i + 3)};
 }
 
-// Normals point up: mostly blue, and red and green are 1/2 on average.
+// Normal maps are mostly blue, and red and green average 1/2.
 bool holds_normals(const TexelImage& image) {
     glm::vec4 sum(0.0f);
     float colored = 0;
@@ -90,14 +89,14 @@ TexelImage normals_of(TexelImage heights, float multiplier) {
     if (holds_normals(heights)) return heights;
     const int w = heights.width, h = heights.height;
     TexelImage normals = blank(w, h, heights.bits);
-    const auto height = [&](int x, int y) {  // the map repeats
+    const auto height = [&](int x, int y) {
         const size_t at = static_cast<size_t>((y + h) % h) * static_cast<size_t>(w) + static_cast<size_t>((x + w) % w);
         return bump_texels * multiplier * number_at(heights, 4 * at);
     };
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             const float along_u = 0.5f * (height(x + 1, y) - height(x - 1, y));
-            const float along_v = 0.5f * (height(x, y - 1) - height(x, y + 1));  // rows run from the top
+            const float along_v = 0.5f * (height(x, y - 1) - height(x, y + 1));  // rows run downwards
             const glm::vec3 n = glm::normalize(glm::vec3(-along_u, -along_v, 1.0f));
             const size_t at = static_cast<size_t>(y) * static_cast<size_t>(w) + static_cast<size_t>(x);
             for (int c = 0; c < 3; ++c) set_number(normals, 4 * at + size_t(c), 0.5f + 0.5f * n[c]);

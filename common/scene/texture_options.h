@@ -1,18 +1,17 @@
-// Effects of a material file's options on a texture's numbers.
+// Texture options of material files.
 #pragma once
 #include "common/image/image.h"
 #include "common/scene/material.h"
 
 namespace lightwalk {
 
-/// The channel that -imfchan names in red, green and blue, and -mm's base + gain times each number.
+/// Applies -imfchan (channel replicated to RGB) and -mm (base + gain · value).
 TexelImage with_options(TexelImage image, const TextureMap& map);
 
-/// A normal map of a bump map: the slopes of heights in which black to white is `multiplier` times four texels. An image
-/// that holds normals already, as some programs write after map_Bump, is kept.
+/// Normal map of heights in which black to white is `multiplier` × 4 texels; normal maps are returned unchanged.
 TexelImage normals_of(TexelImage image, float multiplier);
 
-/// Green of the one's red, blue of the other's, of the larger one's size; an image without texels is white.
+/// Packs the red channels into green and blue, at the larger size; an empty image counts as white.
 TexelImage roughness_and_metalness(const TexelImage& roughness, const TexelImage& metalness);
 
 }  // namespace lightwalk

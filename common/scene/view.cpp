@@ -40,7 +40,7 @@ ViewRays view_rays(const View& view) {
 }
 
 CameraView shader_view(const View& view, const Frame& frame) {
-    const int gathered = std::min(frame.gathered + 1, 8);  // in motion a history is worth little more
+    const int gathered = std::min(frame.gathered + 1, 8);  // longer histories hardly help in motion
     return {.view_projection = view.view_projection,
             .eye = view.eye,
             .time_s = frame.time_s,
@@ -64,7 +64,7 @@ ViewScope::~ViewScope() { frame_.globals["view"] = std::move(before_); }
 
 glm::mat4 part_of(const Crop& crop, glm::uvec2 size) {
     const glm::vec2 whole(crop.whole), part(size), first = glm::vec2(crop.origin) + crop.shift;
-    if (whole == part && first == glm::vec2(0.0f)) return glm::mat4(1.0f);  // exactly
+    if (whole == part && first == glm::vec2(0.0f)) return glm::mat4(1.0f);  // avoids rounding
     const glm::vec2 scale = whole / part, offset = (whole - 2.0f * first) / part - 1.0f;
     glm::mat4 m(1.0f);
     m[0][0] = scale.x;

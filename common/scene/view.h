@@ -1,4 +1,4 @@
-// Viewpoint of a picture: a camera and the drawn part of its picture, or any matrix.
+// Views: cameras or arbitrary projections, with the drawn part of the picture.
 #pragma once
 #include <map>
 #include <optional>
@@ -10,24 +10,23 @@
 
 namespace lightwalk {
 
-/// One view of a frame. camera_view() makes it of a camera; for a light's map the matrix and the eye are enough.
+/// View of a frame, from camera_view() or, for shadow maps, with matrix and eye only.
 struct View {
     glm::mat4 view_projection{1.0f};  ///< world to clip space: y down, depth 1 near and 0 far
     glm::vec3 eye{0.0f};              ///< metres, world space
-    Camera camera{};                  ///< stands at `eye`
-    glm::uvec2 size{0};               ///< pixels that are drawn; 0: the frame's
-    Crop crop{};                      ///< of which larger picture they are a part
-    /// Where floats are too coarse: the eye in metres of the world that a drawing knows in double precision. `eye` and the
-    /// camera then stand at the origin, and directions are that world's.
+    Camera camera{};
+    glm::uvec2 size{0};  ///< pixels; 0: the frame's
+    Crop crop{};
+    /// Eye in double precision, metres, for planets; `eye` and `camera` are then at the origin.
     std::optional<glm::dvec3> exact_eye{};
-    uint32_t id = 0;       ///< 0: the frame's own; histories are kept per id
-    bool sun_disc = true;  ///< false: the caller adds the reflection of the sun's disc
+    uint32_t id = 0;       ///< key of histories; 0: the frame's main view
+    bool sun_disc = true;  ///< false: the caller adds the sun's reflection
 
-    /// The angle of a pixel in the middle of the whole picture, in radians.
+    /// Angle of the picture's central pixel, in radians.
     float pixel_rad() const;
 };
 
-/// Ids of views that one owner makes of others: the same for the same view and part, and no other owner's.
+/// Unique, stable view ids derived from other views by one owner.
 class DerivedViews {
   public:
     uint32_t of(uint32_t id, uint32_t part = 0);
@@ -36,20 +35,18 @@ class DerivedViews {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> ids_;
 };
 
-/// The camera's view, `size` pixels of it. `world_to_clip` is the camera's, for the whole picture of `crop.whole`
-/// pixels (0: `size`).
+/// Part of a camera's view, `size` pixels. `world_to_clip` is for the whole picture, `crop.whole` pixels (0: `size`).
 View camera_view(const Camera& camera, const glm::mat4& world_to_clip, glm::uvec2 size, Crop crop = {});
 
-/// The rays through the pixels of a camera's view.
 ViewRays view_rays(const View& view);
 
-/// The uniform block `view` of shaders.
+/// Uniform block `view` of shaders.
 CameraView shader_view(const View& view, const Frame& frame);
 
-/// Gives the shaders of all passes that follow the block `view`. One pass alone: pass.set("view", shader_view(...)).
+/// Sets the block `view` for all subsequent passes. For one pass only: pass.set("view", shader_view(...)).
 void look_from(const View& view, Frame& frame);
 
-/// Does so while it lives, and then restores the view that was there before.
+/// Sets the block `view` within a scope, then restores it.
 class ViewScope {
   public:
     ViewScope(Frame& frame, const View& view);
@@ -61,7 +58,7 @@ class ViewScope {
     std::vector<std::byte> before_;
 };
 
-/// From the clip space of a whole picture to that of its part of `size` pixels. Multiply from the left.
+/// Maps clip space of the whole picture to that of a part with `size` pixels. Multiply from the left.
 glm::mat4 part_of(const Crop& crop, glm::uvec2 size);
 
 }  // namespace lightwalk
