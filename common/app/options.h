@@ -19,7 +19,7 @@ struct Options {
     bool default_variants = false;  ///< for compile_shaders
     bool pictures = false;          ///< standard input says which
     bool refine = true;             ///< a window's picture at rest gathers samples
-    std::string events;             ///< log of a window's events: "on", "layout"; default: none
+    std::string events;             ///< log of a window's events: "on"; default: none
     std::string study_file;         ///< default: the chapter's own
     std::optional<int> study_rounds;
     std::string shaders_into, shaders_from;  ///< common/gpu/sealed.h
