@@ -6,16 +6,11 @@ namespace lightwalk {
 
 /// Large enough to be felt in a frame: none of it should happen while a picture is waited for.
 struct GpuWork {
-    uint64_t pipelines = 0;        ///< built
-    uint64_t allocations = 0;      ///< of device memory
-    uint64_t transfers = 0;        ///< submitted and waited for: Gpu::submit_now
-    uint64_t macro_lists = 0;      ///< of modules, made from their knobs
-    uint64_t searches = 0;         ///< for a pipeline by the text of its shaders
-    uint64_t lists = 0;            ///< of a scene's items, made or compared one by one
-    uint64_t sets = 0;             ///< of descriptors, written
-    uint64_t command_buffers = 0;  ///< of frames, recorded
-    double waited_ms = 0;          ///< for the device
-    double ended_ms = 0;           ///< end of the last frame whose times were read, on the device's clock
+    uint64_t pipelines = 0;    ///< built
+    uint64_t allocations = 0;  ///< of device memory
+    uint64_t transfers = 0;    ///< submitted and waited for: Gpu::submit_now
+    double waited_ms = 0;      ///< for the device
+    double ended_ms = 0;       ///< end of the last frame whose times were read, on the device's clock
 };
 inline thread_local GpuWork gpu_work;
 
