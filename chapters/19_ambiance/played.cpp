@@ -147,7 +147,7 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
         one.number = number;
         if (!shown.empty()) one.scene = shown.back().scene;
         const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID), from_ms = clock_ms(CLOCK_BOOTTIME),
-                     turn_ms = Turn::spent().waited_ms;
+                     turn_ms = Turn::waited_ms();
         const GpuWork before = gpu_work;
         const size_t first = frame.begun;
         draw(number);
@@ -155,7 +155,7 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
         one.processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID) - processor_ms;
         one.record_ms = clock_ms(CLOCK_BOOTTIME) - from_ms;
         one.device_ms = gpu_work.waited_ms - before.waited_ms;
-        one.turn_ms = Turn::spent().waited_ms - turn_ms;
+        one.turn_ms = Turn::waited_ms() - turn_ms;
         one.pipelines = gpu_work.pipelines - before.pipelines;
         one.allocations = gpu_work.allocations - before.allocations;
         one.transfers = gpu_work.transfers - before.transfers;

@@ -132,7 +132,6 @@ void Module::visit_used(Self& self, const Visit& visit) {
 
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
     visit_used(*this, [&](Module& module) {
-        Turn::begins(module.path());
         aside([] {});  // others need not wait for all of them
         module.prepare(gpu, scene);
     });

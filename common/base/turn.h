@@ -1,7 +1,6 @@
 // Turns of threads on what they share: one makes and records, the others compute meanwhile.
 #pragma once
 #include <atomic>
-#include <string>
 
 namespace lightwalk {
 
@@ -13,18 +12,8 @@ class Turn {
     static void take();  ///< waits behind all threads that asked before
     static void give();
 
-    /// This thread's time with the turn and without.
-    struct Spent {
-        double waited_ms = 0;    ///< until it had the turn
-        double longest_ms = 0;   ///< of its turns
-        std::string longest_in;  ///< the last activity begun in that turn
-        size_t most_items = 0;   ///< Turn::works in one of its turns
-    };
-    static Spent& spent();
-    static void begins(std::string activity);
-
-    /// Counts work on many things (texels, triangles, bytes): with the turn, others wait for it.
-    static void works(size_t items);
+    /// This thread's waits for its turns.
+    static double waited_ms();
 
     /// Held by those who start further threads: their own thread has the turn until the last of these goes.
     class Shared {
