@@ -93,9 +93,6 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
 
     // 2. Each scene's cost on the GPU.
     reel.wait_until_ready();
-    for (const Reel::Preparation& one : reel.preparations)
-        written["preparations"].push_back(
-            {{"name", film.scenes.at(one.scene).name}, {"from_s", one.from_s}, {"to_s", one.to_s}});
     Frame frame(*gpu);
     GpuLoad load(*gpu);
     Patience patience("measuring", "scenes");

@@ -17,11 +17,6 @@ namespace {
 // The time of a step, as frames have it, may round to before it.
 constexpr double just_after_s = 1e-4;
 
-double seconds() {
-    static const auto first = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - first).count();
-}
-
 }  // namespace
 
 bool is_film_file(const std::filesystem::path& file) { return file.extension() == ".film"; }
@@ -101,7 +96,6 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
 // Draws it once with all of a film's effects on a scene, at all times at which it may need something new.
 std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
     auto part = std::make_unique<FilmPart>(film_.scenes.at(place), film_.music ? &music : nullptr);
-    const double from_s = seconds();
     part->load(gpu);
     part->draw_by(ways_[place]);
     for (const double at_s : plays ? film_.turns(place) : std::vector<double>{}) {
@@ -111,7 +105,6 @@ std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bo
         part->record(unseen, at_s + just_after_s, {.black = 0.5f, .white = 0.5f});
         unseen.end();
     }
-    if (plays) preparations.push_back({place, from_s, seconds()});
     return part;
 }
 

@@ -82,13 +82,6 @@ struct Reel : Module {
 
     /// Called by the worker before its first scene.
     std::function<void(Gpu&)> before_scenes;
-
-    /// When a scene was made ready for playing.
-    struct Preparation {
-        size_t scene = 0;
-        double from_s = 0, to_s = 0;  ///< since the program's first frame was begun
-    };
-    std::vector<Preparation> preparations;
     // [/reel]
 
     bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
@@ -110,8 +103,8 @@ struct Reel : Module {
     Timeline film_;
     std::optional<PathKind> chosen_;
     Made paths_made_;
-    std::map<size_t, std::unique_ptr<FilmPart>> parts_;   ///< by their place in the film
-    std::map<size_t, KnobSettings> ways_;                 ///< likewise
+    std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
+    std::map<size_t, KnobSettings> ways_;                ///< likewise
     const FilmPart* alone_ = nullptr;
     mutable std::map<std::string, KnobBase*> chapter_knobs_;  ///< of the film's tracks
     Made toggles_;

@@ -1,6 +1,5 @@
 #include "common/base/turn.h"
 
-#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -13,7 +12,6 @@ std::condition_variable turn_served;
 uint64_t last_ticket = 0,
          served_ticket = 0;  // tickets: a thread that gives its turn and asks again stands behind the others
 thread_local bool has_turn = false;
-thread_local double waited = 0;
 thread_local const std::atomic<bool>* told_to_stop = nullptr;
 int turns_shared = 0;
 
@@ -21,15 +19,11 @@ int turns_shared = 0;
 
 bool Turn::is_mine() { return has_turn; }
 
-double Turn::waited_ms() { return waited; }
-
 void Turn::take() {
-    const auto asked = std::chrono::steady_clock::now();
     std::unique_lock lock(turn_mutex);
     const uint64_t ticket = last_ticket++;
     turn_served.wait(lock, [&] { return served_ticket == ticket; });
     has_turn = true;
-    waited += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - asked).count();
 }
 
 void Turn::give() {

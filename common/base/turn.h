@@ -12,9 +12,6 @@ class Turn {
     static void take();  ///< waits behind all threads that asked before
     static void give();
 
-    /// This thread's waits for its turns.
-    static double waited_ms();
-
     /// Held by those who start further threads: their own thread has the turn until the last of these goes.
     class Shared {
       public:

@@ -9,7 +9,6 @@ struct GpuWork {
     uint64_t pipelines = 0;    ///< built
     uint64_t allocations = 0;  ///< of device memory
     uint64_t transfers = 0;    ///< submitted and waited for: Gpu::submit_now
-    double waited_ms = 0;      ///< for the device
     double ended_ms = 0;       ///< end of the last frame whose times were read, on the device's clock
 };
 inline thread_local GpuWork gpu_work;
