@@ -216,12 +216,13 @@ const LightList& Scene::lights() const {
 
 DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }
 std::vector<Batch> Scene::opaque_batches() const {
-    if (opaque_runs_.empty())
+    if (opaque_runs_.empty()) {
         for (uint32_t i = 0; i < first_transparent_; ++i)
             if (i > 0 && batch_of_[i] == batch_of_[i - 1])
                 ++opaque_runs_.back().second;
             else
                 opaque_runs_.emplace_back(i, 1);
+    }
     std::vector<Batch> batches;
     batches.reserve(opaque_runs_.size());
     for (const auto& [first, count] : opaque_runs_) batches.emplace_back(*this, first, count);
