@@ -1,8 +1,11 @@
 // Chapter 09: from light to the screen. Depth of field, exposure, tone curves and post effects.
+#include <list>
+
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
 #include "09_post_effects/through_lens.h"
+#include "common/app/knob_scope.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -17,33 +20,23 @@ const char* on_text(const KnobBase& effect) {
     return effect.name == "dither" ? "bayer_8" : "on";
 }
 
-// Scope with the given number of effects on, single-pixel ones first; below 0, and with `reference`, tones are mapped by aces.
-// Restores all knobs.
-class KnobsForFrame {
-  public:
-    KnobsForFrame(Post& post, bool reference, int effects) {
-        const auto put = [&](KnobBase& knob, const std::string& text) {
-            if (knob.text() == text) return;
-            before_.emplace_back(&knob, knob.text());
-            knob.set(text);
-        };
-        if (effects < 0) {
-            if (reference && !post.tone.is("off")) put(post.tone, "aces");
-            return;
-        }
-        std::vector<KnobBase*> order = post.effects();
-        std::rotate(order.begin(), order.begin() + 3, order.end());  // pixel by pixel first
-        for (size_t i = 0; i < order.size(); ++i)
-            put(*order[i], i < static_cast<size_t>(effects) ? on_text(*order[i]) : "off");
+// One frame's knobs: the given number of effects on, single-pixel ones first; below 0, and with `reference`, tones are mapped by
+// aces.
+std::list<KnobScope> knobs_for_frame(Post& post, bool reference, int effects) {
+    std::list<KnobScope> scopes;
+    const auto put = [&](KnobBase& knob, const std::string& text) {
+        if (knob.text() != text) scopes.emplace_back(knob, text);
+    };
+    if (effects < 0) {
+        if (reference && !post.tone.is("off")) put(post.tone, "aces");
+        return scopes;
     }
-    ~KnobsForFrame() {
-        for (const auto& [knob, text] : before_) knob->set(text);
-    }
-    KnobsForFrame(const KnobsForFrame&) = delete;
-
-  private:
-    std::vector<std::pair<KnobBase*, std::string>> before_;
-};
+    std::vector<KnobBase*> order = post.effects();
+    std::rotate(order.begin(), order.begin() + 3, order.end());  // pixel by pixel first
+    for (size_t i = 0; i < order.size(); ++i)
+        put(*order[i], i < static_cast<size_t>(effects) ? on_text(*order[i]) : "off");
+    return scopes;
+}
 
 }  // namespace
 
@@ -77,7 +70,7 @@ struct PostEffects : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        const KnobsForFrame kept(post, reference, effects);
+        const std::list<KnobScope> kept = knobs_for_frame(post, reference, effects);
         const View view = set_view(frame, world);
 
         // 1. A picture in linear light: chapter 06's objects, with depth of field (through_lens.h).
