@@ -34,7 +34,7 @@ struct Base {
 
 size_t triangle_count(const Piece& p) { return (p.end.corners - p.begin.corners) - 2 * (p.end.sizes - p.begin.sizes); }
 
-void copy_floats(const Array<float>& from, size_t begin, size_t end, Array<float>& to, size_t at) {
+void copy_floats(const std::vector<float>& from, size_t begin, size_t end, std::vector<float>& to, size_t at) {
     if (end > begin) std::memcpy(to.data() + at, from.data() + begin, (end - begin) * sizeof(float));
 }
 
@@ -199,7 +199,8 @@ bool surely_convex(const float* a, const float* b, const float* c, const float* 
            area_abc < 1e30f;
 }
 
-void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const Array<float>& positions, Corner* out) {
+void cut_polygon(Triangulate cut, const Corner* polygon, size_t count, const std::vector<float>& positions,
+                 Corner* out) {
     std::vector<glm::vec3> points(count);
     for (size_t k = 0; k < count; ++k)
         std::memcpy(&points[k], positions.data() + 3 * size_t{polygon[k].position}, sizeof(glm::vec3));

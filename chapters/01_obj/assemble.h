@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "01_obj/array.h"
 #include "01_obj/obj.h"
 #include "common/base/sanitized.h"
 
@@ -21,10 +20,10 @@ struct NameLine {
 /// The result of one thread. Indices counted from the end stay relative to the start of the piece until earlier
 /// pieces are counted: see relative_index.
 struct Collected {
-    Array<float> positions, uvs, normals;
-    Array<ColoredPosition> colors;  ///< by number within this Collected
-    Array<Corner> corners;          ///< of polygons, one after the other
-    Array<uint32_t> sizes;          ///< corners of each polygon
+    std::vector<float> positions, uvs, normals;
+    std::vector<ColoredPosition> colors;  ///< by number within this Collected
+    std::vector<Corner> corners;          ///< of polygons, one after the other
+    std::vector<uint32_t> sizes;          ///< corners of each polygon
 };
 
 /// One stretch of the file: where its share of a Collected begins and ends, and its name lines.
@@ -83,7 +82,7 @@ using Triangulate = std::vector<glm::uvec3> (*)(std::span<const glm::vec3>);
 
 /// The triangles of one polygon, checked: a student's version must not be able to corrupt memory. Throws Failure where
 /// it returns other than `count` - 2 triangles or a corner that does not exist.
-void cut_polygon(Triangulate triangulate, const Corner* polygon, size_t count, const Array<float>& positions,
+void cut_polygon(Triangulate triangulate, const Corner* polygon, size_t count, const std::vector<float>& positions,
                  Corner* out);
 
 /// True where the four positions surely are a convex quadrilateral; false where they are not, or nearly not.

@@ -3,7 +3,6 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
-#include <cstring>
 
 #include "01_obj/loaders.h"
 #include "common/base/error.h"
@@ -25,16 +24,12 @@ ObjData parse_assimp(std::string_view text, const std::string& name) {
         const uint32_t uv_base = static_cast<uint32_t>(data.uvs.size() / 2);
         const uint32_t normal_base = static_cast<uint32_t>(data.normals.size() / 3);
         for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-            std::memcpy(data.positions.room(3), &mesh.mVertices[i], 3 * sizeof(float));
-            data.positions.added(3);
-            if (mesh.HasTextureCoords(0)) {
-                std::memcpy(data.uvs.room(2), &mesh.mTextureCoords[0][i], 2 * sizeof(float));
-                data.uvs.added(2);
-            }
-            if (mesh.HasNormals()) {
-                std::memcpy(data.normals.room(3), &mesh.mNormals[i], 3 * sizeof(float));
-                data.normals.added(3);
-            }
+            const auto append = [](std::vector<float>& to, const aiVector3D& from, int count) {
+                to.insert(to.end(), &from.x, &from.x + count);
+            };
+            append(data.positions, mesh.mVertices[i], 3);
+            if (mesh.HasTextureCoords(0)) append(data.uvs, mesh.mTextureCoords[0][i], 2);
+            if (mesh.HasNormals()) append(data.normals, mesh.mNormals[i], 3);
         }
         data.runs.push_back({.first_triangle = static_cast<uint32_t>(data.triangles())});
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {

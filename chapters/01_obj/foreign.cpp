@@ -5,21 +5,6 @@
 
 namespace lightwalk {
 
-template <class T>
-void fields(ByteWriter& bytes, Array<T>& array) {
-    bytes(array.size());
-    bytes.raw(array.data(), array.size() * sizeof(T));
-}
-
-template <class T>
-void fields(ByteReader& bytes, Array<T>& array) {
-    size_t size = 0;
-    bytes(size);
-    const std::string_view from = bytes.take(size, sizeof(T));
-    array.resize(size);
-    if (size > 0) std::memcpy(array.data(), from.data(), from.size());
-}
-
 template <class Bytes>
 void fields(Bytes& bytes, ObjData& data) {
     bytes(data.positions, data.uvs, data.normals, data.colors, data.corners, data.runs, data.objects, data.groups,

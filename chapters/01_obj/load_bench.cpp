@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "01_obj/mapped_file.h"
@@ -92,34 +91,6 @@ void run_once(const std::filesystem::path& path, size_t bytes, const ObjData* ex
     } catch (const InputError& error) { result.error = error.what(); }
 }
 
-void print_json(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<LoaderFigures>& results) {
-    nlohmann::ordered_json out = {{"file", path.string()},
-                                  {"bytes", bytes},
-                                  {"runs", runs},
-                                  {"threads", std::thread::hardware_concurrency()},
-                                  {"timed",
-                                   "warm file to positions, uvs, normals and triangulated index triples; "
-                                   "assimp also joins vertices"}};
-    for (const LoaderFigures& r : results) {
-        nlohmann::ordered_json entry = {{"loader", loader_name(r.loader)}};
-        if (!r.error.empty()) {
-            entry["error"] = r.error;
-        } else {
-            entry["ms_median"] = r.quantile(0.5);
-            entry["ms_lower_quartile"] = r.quantile(0.25);
-            entry["ms_upper_quartile"] = r.quantile(0.75);
-            entry["mb_per_s"] = static_cast<double>(bytes) / 1e3 / r.quantile(0.5);
-            entry["triangles"] = r.triangles;
-            entry["max_ulp"] = r.largest_ulps;
-            entry["floats_wrong"] = r.floats_wrong;
-            entry["floats_compared"] = r.floats_compared;
-            entry["index_agreement"] = r.index_agreement;
-        }
-        out["loaders"].push_back(entry);
-    }
-    std::printf("%s\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-}
-
 void print_table(const std::filesystem::path& path, size_t bytes, int runs, const std::vector<LoaderFigures>& results) {
     std::printf("%s, %.1f MB, median of %d, %u threads\n", printable(path.string()).c_str(),
                 static_cast<double>(bytes) / 1e6, runs, std::thread::hardware_concurrency());
@@ -162,10 +133,10 @@ std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, in
     return results;
 }
 
-int run_load_bench(const std::filesystem::path& path, int runs, bool json) {
+int run_load_bench(const std::filesystem::path& path, int runs) {
     size_t bytes = 0;
     const std::vector<LoaderFigures> results = measure_loaders(path, runs, bytes);
-    (json ? print_json : print_table)(path, bytes, runs, results);
+    print_table(path, bytes, runs, results);
     return 0;
 }
 

@@ -21,10 +21,8 @@ struct Obj : ModelChapter {
     Obj() {
         method_knob = "loader";
         subject = std::make_shared<LoaderSubject>(scene.file, method);
-        commands = {{"load-bench", "FILE", "time every loader on FILE; with --json as JSON",
-                     [](const std::string& file, const Options& options, auto&) {
-                         return run_load_bench(file, 5, options.json);
-                     }},
+        commands = {{"load-bench", "FILE", "time every loader on FILE",
+                     [](const std::string& file, const Options&, auto&) { return run_load_bench(file, 5); }},
                     {"dump-mesh", "FILE", "print counts, bounds, materials and a checksum of positions as JSON",
                      [this](const std::string& file, const Options&, auto&) {
                          dump_mesh(file, loader());

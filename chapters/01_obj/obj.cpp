@@ -26,7 +26,7 @@ constexpr size_t searched_bytes = size_t{16} << 20;  // of files that ZBrush has
 void read_polypaint(std::string_view text, ObjData& data) {
     constexpr std::string_view mark = "#MRGB ";
     if (text.size() > searched_bytes && text.substr(0, 4096).find("ZBrush") == text.npos) return;
-    Array<ColoredPosition> colors;
+    std::vector<ColoredPosition> colors;
     for (size_t at = text.find(mark); at != text.npos; at = text.find(mark, at)) {
         const bool begins_line = at == 0 || text[at - 1] == '\n';
         at += mark.size();

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "01_obj/array.h"
 #include "01_obj/mtl.h"
 #include "common/scene/mesh.h"
 
@@ -57,17 +56,17 @@ struct Run {
 
 /// Contents of an OBJ file, triangulated but not welded, scaled or reordered.
 struct ObjData {
-    Array<float> positions;              ///< x y z each, in file order
-    Array<float> uvs;                    ///< u v each; a missing v is 0, a third number is dropped
-    Array<float> normals;                ///< x y z each, any length
-    Array<ColoredPosition> colors;       ///< of positions that have one
-    Array<Corner> corners;               ///< three for each triangle, every index in range
-    std::vector<Run> runs;               ///< the first starts at triangle 0
-    std::vector<std::string> objects;    ///< names after `o`, in order of first use
-    std::vector<std::string> groups;     ///< after `g`
-    std::vector<std::string> materials;  ///< after `usemtl`
-    std::vector<std::string> left_out;   ///< other contents of the file: "lines", "free-form curves"
-    std::vector<std::string> libraries;  ///< text after each `mtllib`: one name, or several
+    std::vector<float> positions;         ///< x y z each, in file order
+    std::vector<float> uvs;               ///< u v each; a missing v is 0, a third number is dropped
+    std::vector<float> normals;           ///< x y z each, any length
+    std::vector<ColoredPosition> colors;  ///< of positions that have one
+    std::vector<Corner> corners;          ///< three for each triangle, every index in range
+    std::vector<Run> runs;                ///< the first starts at triangle 0
+    std::vector<std::string> objects;     ///< names after `o`, in order of first use
+    std::vector<std::string> groups;      ///< after `g`
+    std::vector<std::string> materials;   ///< after `usemtl`
+    std::vector<std::string> left_out;    ///< other contents of the file: "lines", "free-form curves"
+    std::vector<std::string> libraries;   ///< text after each `mtllib`: one name, or several
     size_t triangles() const { return corners.size() / 3; }
 };
 

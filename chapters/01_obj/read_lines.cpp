@@ -22,29 +22,35 @@ const char* read_numbers(const char* at, float* values) {
 }
 
 template <int count>
-const char* numbers_line(const char* at, Array<float>& into) {
-    at = read_numbers<count>(at, into.room(count));
-    if (at) into.added(count);
+const char* numbers_line(const char* at, std::vector<float>& into) {
+    float values[count];
+    at = read_numbers<count>(at, values);
+    if (at) into.insert(into.end(), values, values + count);
+    return at;
+}
+
+template <bool has_uv, bool has_normal>
+const char* read_corner(const char* at, Corner& c) {
+    if (!(at = fast_index(at, c.position))) return nullptr;
+    if (has_uv || has_normal)
+        if (*at++ != '/') return nullptr;
+    if (has_uv && !(at = fast_index(at, c.uv))) return nullptr;
+    if (has_normal && (*at != '/' || !(at = fast_index(at + 1, c.normal)))) return nullptr;
+    c = {c.position - 1, has_uv ? c.uv - 1 : none, has_normal ? c.normal - 1 : none};
     return at;
 }
 
 // A face with all corners in the first one's form, with positive indices.
 template <bool has_uv, bool has_normal>
 const char* read_corners(const char* at, Collected& into) {
-    size_t count = 0;
-    Corner* corner = into.corners.room(8);
-    for (; *at == ' '; ++count) {
-        if (count % 8 == 7) corner = into.corners.room(count + 9);
-        Corner c;
-        if (!(at = fast_index(at + 1, c.position))) return nullptr;
-        if (has_uv || has_normal)
-            if (*at++ != '/') return nullptr;
-        if (has_uv && !(at = fast_index(at, c.uv))) return nullptr;
-        if (has_normal && (*at != '/' || !(at = fast_index(at + 1, c.normal)))) return nullptr;
-        corner[count] = {c.position - 1, has_uv ? c.uv - 1 : none, has_normal ? c.normal - 1 : none};
+    const size_t first = into.corners.size();
+    for (Corner c; at && *at == ' ';)
+        if ((at = read_corner<has_uv, has_normal>(at + 1, c))) into.corners.push_back(c);
+    const size_t count = into.corners.size() - first;
+    if (!at || count < 3 || count > most_corners || !(at = end_of_line(at))) {
+        into.corners.resize(first);
+        return nullptr;
     }
-    if (count < 3 || count > most_corners || !(at = end_of_line(at))) return nullptr;
-    into.corners.added(count);
     into.sizes.push_back(static_cast<uint32_t>(count));
     return at;
 }
@@ -63,7 +69,7 @@ const char* face_line(const char* at, Collected& into) {
 
 void reserve(Collected& into, size_t text_bytes) {
     into.corners.reserve(text_bytes / 16);
-    for (Array<float>* values : {&into.positions, &into.uvs, &into.normals}) values->reserve(text_bytes / 16);
+    for (std::vector<float>* values : {&into.positions, &into.uvs, &into.normals}) values->reserve(text_bytes / 16);
     into.sizes.reserve(text_bytes / 32);
 }
 

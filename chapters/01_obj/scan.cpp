@@ -87,16 +87,13 @@ void Scanner::statement(std::string_view text) {
         const VertexLine vertex = read_vertex(rest);
         if (vertex.has_color)
             out_.colors.push_back({static_cast<uint32_t>(out_.positions.size() / 3), vertex.color, vertex.fourth});
-        std::memcpy(out_.positions.room(3), vertex.position, 3 * sizeof(float));
-        out_.positions.added(3);
+        out_.positions.insert(out_.positions.end(), vertex.position, vertex.position + 3);
     } else if (keyword == "vt") {
         read_floats(rest, 1, 3, values, "vt u v");
-        std::memcpy(out_.uvs.room(2), values, 2 * sizeof(float));
-        out_.uvs.added(2);
+        out_.uvs.insert(out_.uvs.end(), values, values + 2);
     } else if (keyword == "vn") {
         read_floats(rest, 3, 3, values, "vn x y z");
-        std::memcpy(out_.normals.room(3), values, 3 * sizeof(float));
-        out_.normals.added(3);
+        out_.normals.insert(out_.normals.end(), values, values + 3);
     } else if (keyword == "f" || keyword == "fo") {
         face(rest);
     } else if (keyword == "o") {

@@ -128,14 +128,15 @@ class Reader {
             face.names.first_triangle = static_cast<uint32_t>(data_.triangles());
             add_run(data_.runs, face.names);
             const size_t count = face.corners.size();
-            Corner* out = data_.corners.room(3 * (count - 2));
+            const size_t first = data_.corners.size();
+            data_.corners.resize(first + 3 * (count - 2));
+            Corner* const out = &data_.corners[first];
             if (count == 3)
                 std::copy_n(face.corners.data(), 3, out);
             else
                 time.count(count, [&] {
                     cut_polygon(triangulate.function(), face.corners.data(), count, data_.positions, out);
                 });
-            data_.corners.added(3 * (count - 2));
         }
         return std::move(data_);
     }

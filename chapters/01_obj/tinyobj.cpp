@@ -1,7 +1,6 @@
 // Public single-threaded parser, for comparison. It does not promise correctly rounded floats.
 #include <tiny_obj_loader.h>
 
-#include <cstring>
 #include <sstream>
 
 #include "01_obj/lines.h"
@@ -16,11 +15,6 @@ uint32_t checked(int index, size_t count, bool required, const std::string& name
     if (!there && !required) return none;
     if (!there) throw InputError("{}: tinyobjloader: index {} is out of range, there are {}", name, index + 1, count);
     return static_cast<uint32_t>(index);
-}
-
-void copy(const std::vector<float>& from, Array<float>& to) {
-    to.resize(from.size());
-    if (!from.empty()) std::memcpy(to.data(), from.data(), from.size() * sizeof(float));
 }
 
 // A stream over memory that is not copied.
@@ -70,9 +64,9 @@ ObjData parse_tinyobjloader(std::string_view text, const std::string& name) {
         const size_t end = error.find_first_of("\r\n");
         throw InputError("{}: tinyobjloader: {}", name, error.empty() ? "cannot read it" : error.substr(0, end));
     }
-    copy(attributes.vertices, data.positions);
-    copy(attributes.texcoords, data.uvs);
-    copy(attributes.normals, data.normals);
+    data.positions = attributes.vertices;
+    data.uvs = attributes.texcoords;
+    data.normals = attributes.normals;
     const size_t positions = data.positions.size() / 3, uvs = data.uvs.size() / 2, normals = data.normals.size() / 3;
     for (const tinyobj::shape_t& shape : shapes)
         for (size_t i = 0; i < shape.mesh.indices.size(); ++i) {

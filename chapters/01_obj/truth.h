@@ -43,7 +43,7 @@ inline ObjData parse(std::string_view text) {
     for (std::string_view rest; statements.next(rest);) {
         const std::string_view keyword = next_word(rest);
         const size_t wanted = keyword == "v" || keyword == "vn" ? 3 : keyword == "vt" ? 2 : 0;
-        Array<float>& values = keyword == "v" ? data.positions : keyword == "vn" ? data.normals : data.uvs;
+        std::vector<float>& values = keyword == "v" ? data.positions : keyword == "vn" ? data.normals : data.uvs;
         for (size_t i = 0; i < wanted; ++i) {
             const std::string_view word = next_value(rest);
             values.push_back(word.empty() ? 0.0f : nearest_float(std::string(word)));

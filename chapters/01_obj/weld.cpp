@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t reported_corners = 1 << 16;  // between two reports of progress
 
-glm::vec3 at3(const Array<float>& values, uint32_t i) {
+glm::vec3 at3(const std::vector<float>& values, uint32_t i) {
     return {values[3 * size_t{i}], values[3 * size_t{i} + 1], values[3 * size_t{i} + 2]};
 }
 

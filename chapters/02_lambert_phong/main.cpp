@@ -1,11 +1,33 @@
 // Chapter 02: diffuse and specular reflection of directional lights.
 #include "01_obj/model_chapter.h"
-#include "02_lambert_phong/directional_lights.h"
+#include "02_lambert_phong/directional_light.h"
 #include "02_lambert_phong/exercises.h"
-#include "02_lambert_phong/set_mist.h"
+#include "02_lambert_phong/mist.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
+
+namespace {
+
+// The scene's directional lights in order, for shaders; lights of other kinds are chapter 03's. A buffer cannot be empty: a
+// scene without lights has a dark one.
+Buffer upload_directional_lights(Gpu& gpu, const std::vector<Light>& lights) {
+    std::vector<DirectionalLight> packed;
+    for (const Light& light : lights)
+        if (light.kind == Light::Kind::directional)
+            packed.push_back({-glm::normalize(light.direction), light.color * light.intensity});
+    if (packed.empty()) packed.push_back({glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f)});
+    return gpu.upload("lights", packed);
+}
+
+// The frame's uniform block `mist`: extinction per metre, and the colour of distant mist.
+void set_mist(Frame& frame, float per_m, glm::vec3 color, const Camera& camera) {
+    const Mist air{color, per_m, 0.4f * color * color, 1.0f / camera.near_m, 1.0f / camera.far_m};
+    const auto bytes = std::as_bytes(std::span(&air, 1));
+    frame.globals["mist"].assign(bytes.begin(), bytes.end());
+}
+
+}  // namespace
 
 struct LambertPhong : ModelChapter {
     // [method]

@@ -1,13 +1,31 @@
 // Chapter 03: point and spot lights, and light culling.
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "03_attenuation/light_count.h"
 #include "03_attenuation/lights.h"
 #include "03_attenuation/scattered_lights.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
+
+namespace {
+
+// The mean of `hdr`'s alpha: with the knob `show` at light_count the lights that a pixel has computed, 0 for the background.
+// Half floats round counts above 2,048.
+double mean_light_count(Gpu& gpu, const Image& hdr) {
+    const std::vector<std::byte> texels = gpu.read_back(hdr);
+    double sum = 0;
+    for (size_t i = 0; i < texels.size(); i += 8) {
+        uint16_t alpha = 0;
+        std::memcpy(&alpha, texels.data() + i + 6, 2);
+        sum += static_cast<double>(glm::unpackHalf1x16(alpha));
+    }
+    return sum / (static_cast<double>(texels.size()) / 8);
+}
+
+}  // namespace
 
 struct Attenuation : ModelChapter {
     Lights lights{*this, "lights"};

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/base/turn.h"
-
 namespace lightwalk {
 namespace {
 
@@ -28,7 +26,6 @@ bool is_last(const Level& level) { return level.size == glm::uvec2(1); }
 
 std::vector<Level> normal_levels(const Level& codes) {
     // Means are taken of means, so that a level's length is that of all normals below it.
-    Turn::works(codes.texels.size());
     Level means = codes;
     for (glm::vec4& texel : means.texels) {
         const glm::vec2 xy = 2.0f * glm::vec2(texel) - 1.0f;

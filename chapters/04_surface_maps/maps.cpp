@@ -50,7 +50,6 @@ class Codec {
 };
 
 Level decoded(std::span<const std::byte> bytes, glm::uvec2 size, VkFormat format) {
-    Turn::works(size_t(size.x) * size.y);
     const Codec codec(format);
     Level level{size, {}};
     level.texels.reserve(bytes.size() / codec.bytes());
@@ -62,7 +61,6 @@ std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, Vk
     const Codec codec(format);
     std::vector<std::vector<std::byte>> bytes;
     for (const Level& level : levels) {
-        Turn::works(level.texels.size());
         bytes.emplace_back();
         for (const glm::vec4& texel : level.texels) codec.encode(texel, bytes.back());
     }

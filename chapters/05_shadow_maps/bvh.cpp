@@ -6,7 +6,6 @@
 
 #include "05_shadow_maps/bvh_grow.h"
 #include "common/base/error.h"
-#include "common/base/turn.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -30,7 +29,6 @@ void check(const std::vector<RayTriangle>& triangles) {
 }  // namespace
 
 Bvh::Bvh(const std::vector<RayTriangle>& triangles, unsigned threads) {
-    Turn::works(triangles.size());
     GrownBvh grown = grow_bvh(triangles.empty() ? std::vector{RayTriangle{.cutout = NO_CUTOUT}} : triangles, threads);
     if (!grown.is_finite) check(triangles);
     nodes_ = std::move(grown.nodes);

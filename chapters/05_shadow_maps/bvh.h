@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "01_obj/array.h"
 #include "05_shadow_maps/bvh_data.h"
 
 namespace lightwalk {
@@ -38,8 +37,8 @@ class Bvh {
 
   private:
     void set_boxes();
-    Array<BvhNode> nodes_;
-    Array<RayTriangle> triangles_;
+    std::vector<BvhNode> nodes_;
+    std::vector<RayTriangle> triangles_;
     std::vector<uint32_t> order_;  ///< for each of triangles_ its place in the constructor's list
     uint32_t depth_ = 0;
 };

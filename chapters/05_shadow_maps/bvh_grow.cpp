@@ -50,17 +50,17 @@ struct Grower {
     };
 
     const std::vector<RayTriangle>& source;
-    Team team;
+    unsigned threads;
     GrownBvh grown{};
-    Array<Boxed> boxed[2]{};  // runs at even depths, and at odd ones: each split copies from one to the other
+    std::vector<Boxed> boxed[2]{};  // runs at even depths, and at odd ones: each split copies from one to the other
     std::vector<std::vector<BvhNode>> growing;  // for each thread
     std::vector<Branch> branches{};
     Four margin{};
 
-    Grower(const std::vector<RayTriangle>& triangles, unsigned threads)
+    Grower(const std::vector<RayTriangle>& triangles, unsigned most)
         : source(triangles),
-          team(std::min<size_t>(threads, (triangles.size() + large - 1) / large)),
-          growing(team.threads()) {}
+          threads(static_cast<unsigned>(std::min<size_t>(most, (triangles.size() + large - 1) / large))),
+          growing(threads) {}
 
     uint32_t total() const { return static_cast<uint32_t>(source.size()); }
     std::span<Boxed> run(uint32_t depth, uint32_t begin, uint32_t end) {
@@ -88,10 +88,10 @@ struct Grower {
 
 // Boxes of all triangles, and the root. Returns whether all corners are places.
 bool Grower::enclose() {
-    for (Array<Boxed>& b : boxed) b.resize(total());
+    for (std::vector<Boxed>& b : boxed) b.resize(total());
     std::vector<Extent> extents((total() + large - 1) / large);
     std::atomic<bool> is_finite = true;
-    team.run(extents.size(), [&](unsigned, size_t job) {
+    on_threads(threads, extents.size(), [&](unsigned, size_t job) {
         const auto begin = static_cast<uint32_t>(job) * large, end = std::min(begin + large, total());
         Extent extent;
         auto outside = Four{} != Four{};
@@ -142,14 +142,12 @@ void Grower::cut_in_pieces(Level& level) const {
 
 // Pieces fill their bins; the last piece of a branch then knows all of them.
 void Grower::find_cuts(Level& level) {
-    Array<Bins> bins;
-    bins.resize(level.pieces.size());
+    std::vector<Bins> bins(level.pieces.size());
     std::vector<std::atomic<size_t>> done(level.count);
     level.cuts.resize(level.count);
-    team.run(level.pieces.size(), [&](unsigned, size_t job) {
+    on_threads(threads, level.pieces.size(), [&](unsigned, size_t job) {
         const Piece& own = level.pieces[job];
         const BinGrid& grid = level.grids[own.branch];
-        bins[job] = Bins();
         bins[job].add(run(level.depth, own.begin, own.end), grid);
         const std::span<Piece> pieces = level.pieces_of(own.branch);
         if (++done[own.branch] < pieces.size()) return;
@@ -170,7 +168,7 @@ void Grower::find_cuts(Level& level) {
 }
 
 void Grower::copy_sides(Level& level) {
-    team.run(level.pieces.size(), [&](unsigned, size_t job) {
+    on_threads(threads, level.pieces.size(), [&](unsigned, size_t job) {
         Piece& piece = level.pieces[job];
         const BinCut& cut = level.cuts[piece.branch];
         if (!cut) return;
@@ -286,11 +284,12 @@ GrownBvh grow_bvh(const std::vector<RayTriangle>& triangles, unsigned threads) {
     grower.split_large();
     grown.order.resize(triangles.size());
     grown.triangles.resize(triangles.size());
-    grower.team.run(grower.branches.size(), [&](unsigned thread, size_t i) {
+    on_threads(grower.threads, grower.branches.size(), [&](unsigned thread, size_t i) {
         if (grower.branches[i].child == 0) grower.grow_below(grower.branches[i], grower.growing[thread]);
     });
     grower.place();
-    grower.team.run(grower.branches.size(), [&](unsigned, size_t i) { grower.copy_below(grower.branches[i]); });
+    on_threads(grower.threads, grower.branches.size(),
+               [&](unsigned, size_t i) { grower.copy_below(grower.branches[i]); });
     return std::move(grown);
 }
 

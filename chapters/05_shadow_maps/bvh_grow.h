@@ -2,14 +2,13 @@
 #pragma once
 #include <vector>
 
-#include "01_obj/array.h"
 #include "05_shadow_maps/bvh_data.h"
 
 namespace lightwalk {
 
 struct GrownBvh {
-    Array<BvhNode> nodes;
-    Array<RayTriangle> triangles;
+    std::vector<BvhNode> nodes;
+    std::vector<RayTriangle> triangles;
     std::vector<uint32_t> order;  ///< for each triangle its place in the given ones
     uint32_t depth = 0;
     bool is_finite = true;  ///< false: a corner is no place within Bvh::farthest_m, and there is no hierarchy

@@ -1,12 +1,39 @@
 // Chapter 05: shadow maps, depth as seen from each light.
+#include <array>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/lit_stage.h"
-#include "05_shadow_maps/wrong_shares.h"
+#include "05_shadow_maps/shadow_error.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
+
+namespace {
+
+// Adds the percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h). Alpha of `picture` (RGBA16F):
+// 1 and the kind of error, or 0 for the background.
+void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
+    const std::vector<std::byte> texels = gpu.read_back(picture);
+    std::array<size_t, 6> count{};
+    for (size_t i = 6; i < texels.size(); i += 8) {
+        uint16_t alpha = 0;
+        std::memcpy(&alpha, texels.data() + i, 2);
+        ++count.at(static_cast<size_t>(glm::unpackHalf1x16(alpha)));
+    }
+    const double surface = std::max(1.0, static_cast<double>(texels.size() / 8 - count[0]));
+    const auto add = [&](const char* name, uint32_t kind) {
+        error[name] = 100.0 * static_cast<double>(count.at(1 + kind)) / surface;
+    };
+    add("acne", SHADOW_ACNE);
+    add("peter_panning", SHADOW_PETER_PANNING);
+    add("leak", SHADOW_LEAK);
+    add("edge", SHADOW_EDGE);
+}
+
+}  // namespace
 
 struct ShadowMaps : ModelChapter {
     LitStage world{*this};

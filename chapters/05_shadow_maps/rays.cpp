@@ -39,7 +39,6 @@ class Masks {
 
   private:
     uint32_t add(const Level& level, int channel) {
-        Turn::works(level.texels.size());
         const bool whole = std::all_of(level.texels.begin(), level.texels.end(),
                                        [&](const glm::vec4& texel) { return texel[channel] >= 1.0f; });
         if (whole) return 0;
@@ -57,7 +56,6 @@ class Masks {
 // Notes for each triangle with holes where its masks are.
 std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Scene& scene,
                                 std::vector<RayTriangle>& triangles) {
-    Turn::works(triangles.size());
     std::vector<RayCutout> with_holes;
     size_t next = 0;
     for (size_t i = 0; i < scene.items.size(); ++i) {
@@ -76,7 +74,6 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
 }  // namespace
 
 std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
-    Turn::works(scene.triangle_count());
     std::vector<RayTriangle> triangles;
     std::map<const Mesh*, std::vector<Vertex>> moved;  // by skins and morphs
     for (const DrawItem& item : scene.items) {

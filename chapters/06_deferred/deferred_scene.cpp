@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "common/gpu/gpu_work.h"
-
 namespace lightwalk {
 
 DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed)
@@ -170,7 +168,6 @@ SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
 }
 
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {
-    ++gpu_work.lists;
     std::vector<Batch> kept;
     for (const Batch& batch : batches) {
         bool any = false;

@@ -1,12 +1,44 @@
 // Chapter 09: from light to the screen. Depth of field, exposure, tone curves and post effects.
+#include <list>
+
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
-#include "09_post_effects/effect_count.h"
 #include "09_post_effects/post.h"
 #include "09_post_effects/through_lens.h"
+#include "common/app/knob_scope.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
+
+namespace {
+
+// How each is switched on that has more than one way.
+const char* on_text(const KnobBase& effect) {
+    if (effect.name == "exposure") return "fixed";
+    if (effect.name == "tone") return "hill";
+    if (effect.name == "grain") return "white";
+    return effect.name == "dither" ? "bayer_8" : "on";
+}
+
+// One frame's knobs: the given number of effects on, single-pixel ones first; below 0, and with `reference`, tones are mapped by
+// aces.
+std::list<KnobScope> knobs_for_frame(Post& post, bool reference, int effects) {
+    std::list<KnobScope> scopes;
+    const auto put = [&](KnobBase& knob, const std::string& text) {
+        if (knob.text() != text) scopes.emplace_back(knob, text);
+    };
+    if (effects < 0) {
+        if (reference && !post.tone.is("off")) put(post.tone, "aces");
+        return scopes;
+    }
+    std::vector<KnobBase*> order = post.effects();
+    std::rotate(order.begin(), order.begin() + 3, order.end());  // pixel by pixel first
+    for (size_t i = 0; i < order.size(); ++i)
+        put(*order[i], i < static_cast<size_t>(effects) ? on_text(*order[i]) : "off");
+    return scopes;
+}
+
+}  // namespace
 
 struct PostEffects : ModelChapter {
     ThroughLens world{*this};
@@ -38,7 +70,7 @@ struct PostEffects : ModelChapter {
 
     // [frame]
     void frame(Frame& frame) override {
-        const KnobsForFrame kept(post, reference, effects);
+        const std::list<KnobScope> kept = knobs_for_frame(post, reference, effects);
         const View view = set_view(frame, world);
 
         // 1. A picture in linear light: chapter 06's objects, with depth of field (through_lens.h).

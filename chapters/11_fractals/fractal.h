@@ -1,9 +1,22 @@
 // Fractal world: a Julia set, or a landscape under a sky of its own.
 #pragma once
-#include "11_fractals/julia_set.h"
+#include "11_fractals/julia.h"
 #include "11_fractals/terrain.h"
+#include "common/app/world.h"
 
 namespace lightwalk {
+
+// A Julia set in an environment.
+struct JuliaSet : World {
+    using World::World;
+    EnvironmentLight environment{*this, "environment"};
+    Julia julia{*this, "julia", environment};
+
+    Drawings drawings() override { return {julia}; }
+    std::vector<std::pair<std::string, std::string>> look() const override {
+        return {{"bloom.method", "none"}, {"post.tone", "film"}};
+    }
+};
 
 // [fractal]
 struct Fractal : World {

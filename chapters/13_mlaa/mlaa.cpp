@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "13_mlaa/tables.h"
+#include "13_mlaa/exercises.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 
@@ -16,6 +16,30 @@ struct Step {
 
 constexpr glm::ivec2 straight[4] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
 constexpr glm::ivec2 diagonal[4] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+
+constexpr int longest_reach = 255;  // limit of a byte
+
+// [(to_other - 1) * longest_reach + to_end - 1]: the share of a pixel that lies `to_end` pixels from the end of a line at which
+// the outline turns, and `to_other` pixels from its other end; itself counted both times. By exercise 13.area.
+std::vector<float> area_table() {
+    const auto area_of = area.function();
+    std::vector<float> table;
+    for (int to_other = 1; to_other <= longest_reach; ++to_other)
+        for (int to_end = 1; to_end <= longest_reach; ++to_end)
+            table.push_back(area_of(to_end - 1, to_end + to_other - 1));
+    return table;
+}
+
+// [4 * at_other + at_end]: the side to which an outline turns at an end of a line: -1 the near one, 1 the far one, 0 none.
+// Index: crossing edges there and at the other end: 0 nothing, 1 an edge on the near side, 2 on the far side, 3 both. With both,
+// two outlines cross: each continues from one side of the line to the other.
+std::vector<float> crossing_table() {
+    const auto turn = [](int across) { return across == 1 ? -1.0f : across == 2 ? 1.0f : 0.0f; };
+    std::vector<float> table;
+    for (int at_other = 0; at_other < 4; ++at_other)
+        for (int at_end = 0; at_end < 4; ++at_end) table.push_back(at_end == 3 ? -turn(at_other) : turn(at_end));
+    return table;
+}
 
 }  // namespace
 

@@ -136,7 +136,7 @@ bool EditorFields::number(const char* label, const char* help, float& value, flo
         ImGui::SetNextItemWidth(-beside_px());
         return ImGui::DragFloat(field.c_str(), &value, speed, lower, upper, format);
     });
-    log_place(std::string("number.") + label, format[0] == '%' ? "" : format);
+    log_place(std::string("number.") + label);
     help_on_hover(help);
     return changed && takes(label, &value, 1, &before, lower, upper);
 }

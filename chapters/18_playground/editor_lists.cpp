@@ -69,7 +69,7 @@ void KeysPanel::draw() {
     for (const auto& [key, help] : keys) {
         ImGui::TableNextColumn();
         ImGui::TextColored(reference_color, "%s", key);
-        log_place(std::string("key.") + key, key);
+        log_place(std::string("key.") + key);
         ImGui::TableNextColumn();
         ImGui::TextWrapped("%s", help);
     }

@@ -65,7 +65,7 @@ void SettingsPanel::draw_rows() {
             chosen = facet.name;
         }
         if (!there) ImGui::PopStyleColor();
-        log_place(std::string("entry.") + facet.name, with_icon(facet.icon, facet.name));
+        log_place(std::string("entry.") + facet.name);
         help_on_hover(facet.help);
         ImGui::Unindent(TextWidth{13.0f});
     }
@@ -162,7 +162,7 @@ void SettingsPanel::draw_output_shape() {
     label_left("output");
     ImGui::SetNextItemWidth(-beside_px());
     const bool open = ImGui::BeginCombo("##output", OutputFrame::names()[output.shape]);
-    log_place("choice.output", OutputFrame::names()[output.shape]);
+    log_place("choice.output");
     help_on_hover("Frame of a picture of another shape, over this one");
     if (!open) return;
     for (size_t i = 0; i < OutputFrame::names().size(); ++i) {

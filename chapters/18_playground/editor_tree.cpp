@@ -104,7 +104,7 @@ void TreePanel::draw_name(const TreeRow& row) {
         if (ImGui::IsMouseDoubleClicked(0)) begin_renaming(row.id);
     }
     if (hidden) ImGui::PopStyleColor();
-    log_place("entry." + shown_as, label);
+    log_place("entry." + shown_as);
     if (name != shown_as) help_on_hover(shown_as.c_str());
     draw_menu(row.id);
     drag_and_drop(row.id, shown_as);

@@ -32,7 +32,7 @@ inline void label_left(const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    log_place(std::string("label.") + label, label);
+    log_place(std::string("label.") + label);
     ImGui::SameLine(left + std::max<float>(label_px, ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x));
 }
 
@@ -113,7 +113,7 @@ inline bool tool_button(const char* label, const char* help, bool pressed = fals
     const std::string shown = text.empty() ? label : text;
     const bool clicked = ImGui::Button((shown + "###" + label).c_str(), {width, 0.0f});
     if (pressed) ImGui::PopStyleColor();
-    log_place(std::string("tool.") + label, shown);
+    log_place(std::string("tool.") + label);
     help_on_hover(help);
     return clicked;
 }

@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "19_ambiance/benchmark.h"
 #include "19_ambiance/level_file.h"
-#include "19_ambiance/path_error.h"
 #include "19_ambiance/ways.h"
 #include "common/app/knob_scope.h"
 
@@ -148,6 +148,27 @@ void Ambiance::make_effects(Gpu& gpu) const {
     }
 }
 
-void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) { measure_paths(reel.film(), error); }
+// Over all camera paths of the film: the greatest distance from the line between two keys, in lengths of that line; and the
+// largest speed over the smallest, of the path on which that is most.
+void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) {
+    double off = 0, speed = 1;
+    for (const FilmScene& scene : reel.film().scenes) {
+        const CameraPath& path = scene.camera;
+        if (path.keys().size() < 2) continue;
+        off = std::max(off, off_the_chord(path.positions(), 64));
+        constexpr int steps = 512;
+        double slowest = 1e30, fastest = 0;
+        const double begin = path.keys().front().time_s, whole = path.keys().back().time_s - begin;
+        for (int i = 0; i < steps; ++i) {
+            const double step =
+                glm::distance(path.eye(begin + whole * i / steps), path.eye(begin + whole * (i + 1) / steps));
+            slowest = std::min(slowest, step);
+            fastest = std::max(fastest, step);
+        }
+        if (slowest > 0) speed = std::max(speed, fastest / slowest);
+    }
+    error["off_chord"] = off;
+    error["speed"] = speed;
+}
 
 }  // namespace lightwalk

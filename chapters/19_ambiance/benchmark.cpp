@@ -93,15 +93,6 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
 
     // 2. Each scene's cost on the GPU.
     reel.wait_until_ready();
-    for (const Reel::Preparation& one : reel.preparations)
-        written["preparations"].push_back({{"name", film.scenes.at(one.scene).name},
-                                           {"from_s", one.from_s},
-                                           {"to_s", one.to_s},
-                                           {"unseen_gpu_ms", one.unseen_gpu_ms},
-                                           {"waited_ms", one.turns.waited_ms},
-                                           {"longest_turn_ms", one.turns.longest_ms},
-                                           {"most_items", one.turns.most_items},
-                                           {"longest_turn_in", one.turns.longest_in}});
     Frame frame(*gpu);
     GpuLoad load(*gpu);
     Patience patience("measuring", "scenes");

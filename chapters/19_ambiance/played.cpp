@@ -65,32 +65,6 @@ json summary(const std::vector<PlayedFrame>& frames, const Wanted& wanted) {
             {"gpu_ms", mean(column(frames, &PlayedFrame::gpu_ms, wanted))}};
 }
 
-// The frames that took longest, in multiples of their scene's mean.
-json slowest(const std::vector<PlayedFrame>& frames, const std::vector<double>& scene_ms) {
-    constexpr size_t most = 60;
-    const auto share = [&](const PlayedFrame& one) {
-        return one.scene ? one.wall_ms / std::max(scene_ms.at(*one.scene), 1e-3) : 0.0;
-    };
-    std::vector<PlayedFrame> sorted(frames.begin() + 1, frames.end());
-    std::ranges::sort(sorted, [&](const PlayedFrame& a, const PlayedFrame& b) { return share(a) > share(b); });
-    json written = json::array();
-    for (size_t i = 0; i < std::min(most, sorted.size()); ++i) {
-        const PlayedFrame& one = sorted[i];
-        written.push_back({{"at_s", static_cast<double>(one.number) / a_second},
-                           {"means", share(one)},
-                           {"frame_ms", one.wall_ms},
-                           {"record_ms", one.record_ms},
-                           {"processor_ms", one.processor_ms},
-                           {"device_ms", one.device_ms},
-                           {"turn_ms", one.turn_ms},
-                           {"gpu_ms", one.gpu_ms},
-                           {"pipelines", one.pipelines},
-                           {"allocations", one.allocations},
-                           {"transfers", one.transfers}});
-    }
-    return written;
-}
-
 }  // namespace
 
 std::vector<int> played_numbers(const Timeline& film, std::optional<int> each_scene) {
@@ -146,16 +120,12 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
         PlayedFrame& one = played.frames.emplace_back();
         one.number = number;
         if (!shown.empty()) one.scene = shown.back().scene;
-        const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID), from_ms = clock_ms(CLOCK_BOOTTIME),
-                     turn_ms = Turn::spent().waited_ms;
+        const double processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
         const GpuWork before = gpu_work;
         const size_t first = frame.begun;
         draw(number);
         recordings.emplace_back(first, frame.begun);
         one.processor_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID) - processor_ms;
-        one.record_ms = clock_ms(CLOCK_BOOTTIME) - from_ms;
-        one.device_ms = gpu_work.waited_ms - before.waited_ms;
-        one.turn_ms = Turn::spent().waited_ms - turn_ms;
         one.pipelines = gpu_work.pipelines - before.pipelines;
         one.allocations = gpu_work.allocations - before.allocations;
         one.transfers = gpu_work.transfers - before.transfers;
@@ -182,12 +152,11 @@ json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames
     for (size_t i = 1; i < frames.size(); ++i)
         in_scene[i] = frames[i].scene == frames[i - 1].scene ? in_scene[i - 1] + 1 : 0;
     json scenes = json::array(), cuts = json::array();
-    std::vector<double> scene_ms;
     for (size_t place = 0; place < film.scenes.size(); ++place) {
         const FilmScene& scene = film.scenes[place];
         const Wanted in_it = [&](size_t i) { return i > 0 && frames[i].scene == place; };
         json figures = summary(frames, in_it);
-        const double mean_ms = scene_ms.emplace_back(figures.value("mean_ms", 0.0));
+        const double mean_ms = figures.value("mean_ms", 0.0);
         figures.update({{"name", scene.name}, {"kind", scene.kind}});
         scenes.push_back(figures);
         if (scene.from_s <= 0) continue;
@@ -219,7 +188,7 @@ json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames
     all["first_second_longest_ms"] = percentile(
         column(frames, &PlayedFrame::wall_ms, Wanted([&](size_t i) { return i > 0 && frames[i].number < a_second; })),
         1.0);
-    return {{"in_order", all}, {"scenes", scenes}, {"cuts", cuts}, {"slowest", slowest(frames, scene_ms)}};
+    return {{"in_order", all}, {"scenes", scenes}, {"cuts", cuts}};
 }
 // [/figures]
 

@@ -9,13 +9,10 @@ namespace lightwalk {
 // [played]
 /// A frame of a film that is played, 1/60 s of the film apart.
 struct PlayedFrame {
-    int number = 0;        ///< its time is number / 60 s
-    double wall_ms = 0;    ///< between the ends of the frame before and its own on the device; the first one since the
-                           ///< program started
-    double record_ms = 0;  ///< wall time of the recording thread, with the waits below
+    int number = 0;      ///< its time is number / 60 s
+    double wall_ms = 0;  ///< between the ends of the frame before and its own on the device; the first one since the
+                         ///< program started
     double processor_ms = 0;                                 ///< of the thread that records
-    double device_ms = 0;                                    ///< it waited for the device
-    double turn_ms = 0;                                      ///< it waited for the thread that loads
     double gpu_ms = 0;                                       ///< sum over its passes
     uint64_t pipelines = 0, allocations = 0, transfers = 0;  ///< GpuWork
     std::optional<size_t> scene;                             ///< the one on the screen, of two the later one
@@ -36,8 +33,7 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options);
 
 /// Times of all frames and of each scene: mean, 99th percentile and longest, the GPU's mean, and the processor's median,
 /// in which shaders compiled once do not count. The first frame, and the longest of the first second. At each cut six
-/// frames, the longest of them, the scene's mean, and `steady_ms`, the median of its first second's other frames. The
-/// frames that took longest, by their scene's mean.
+/// frames, the longest of them, the scene's mean, and `steady_ms`, the median of its first second's other frames.
 nlohmann::json played_figures(const Timeline& film, const std::vector<PlayedFrame>& frames);
 // [/played]
 

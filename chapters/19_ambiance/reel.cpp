@@ -1,7 +1,5 @@
 #include "19_ambiance/reel.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -18,11 +16,6 @@ namespace {
 
 // The time of a step, as frames have it, may round to before it.
 constexpr double just_after_s = 1e-4;
-
-double seconds() {
-    static const auto first = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - first).count();
-}
 
 }  // namespace
 
@@ -103,36 +96,22 @@ void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, 
 // Draws it once with all of a film's effects on a scene, at all times at which it may need something new.
 std::unique_ptr<FilmPart> Reel::made(Gpu& gpu, glm::uvec2 size, size_t place, bool plays) {
     auto part = std::make_unique<FilmPart>(film_.scenes.at(place), film_.music ? &music : nullptr);
-    Preparation preparation{.scene = place, .from_s = seconds(), .turns = {}};
-    const double waited_ms = std::exchange(Turn::spent(), {}).waited_ms;
-    Turn::begins("scene");
     part->load(gpu);
     part->draw_by(ways_[place]);
     for (const double at_s : plays ? film_.turns(place) : std::vector<double>{}) {
-        Turn::begins(fmt::format("picture at {:.1f} s", at_s));
         Frame unseen(gpu);
         part->begin_frame(gpu, size);
         unseen.begin(size, static_cast<float>(at_s));
         part->record(unseen, at_s + just_after_s, {.black = 0.5f, .white = 0.5f});
         unseen.end();
-        double gpu_ms = 0;
-        for (const PassTime& time : unseen.times) gpu_ms += time.gpu_ms;
-        preparation.unseen_gpu_ms = std::max(preparation.unseen_gpu_ms, gpu_ms);
     }
-    preparation.to_s = seconds();
-    preparation.turns = Turn::spent();
-    Turn::spent().waited_ms += waited_ms;
-    if (plays) preparations.push_back(preparation);
     return part;
 }
 
 void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
     unseen_size_ = size;
     ahead_ = std::make_unique<Ahead>([this, &gpu, is_first = true](size_t place) mutable {
-        if (std::exchange(is_first, false) && before_scenes) {
-            before_scenes(gpu);
-            before_scenes_spent = Turn::spent();
-        }
+        if (std::exchange(is_first, false) && before_scenes) before_scenes(gpu);
         const Unseen later;
         return made(gpu, unseen_size_, place, true);
     });

@@ -82,16 +82,6 @@ struct Reel : Module {
 
     /// Called by the worker before its first scene.
     std::function<void(Gpu&)> before_scenes;
-    Turn::Spent before_scenes_spent;
-
-    /// How a scene was made ready for playing.
-    struct Preparation {
-        size_t scene = 0;
-        double from_s = 0, to_s = 0;  ///< since the program's first frame was begun
-        double unseen_gpu_ms = 0;     ///< of the longest unseen frame
-        Turn::Spent turns;
-    };
-    std::vector<Preparation> preparations;
     // [/reel]
 
     bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }

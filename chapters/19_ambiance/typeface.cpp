@@ -30,7 +30,6 @@ float capital_units(const stbtt_fontinfo& font) {
 
 Typeface::Letters Typeface::drawn() {
     Letters all;
-    Turn::works(size_t(across) * down);
     const std::filesystem::path file = find_asset("fonts/inter_semibold.ttf");
     const std::string bytes = read_file(file);
     stbtt_fontinfo font;

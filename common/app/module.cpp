@@ -8,7 +8,6 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/turn.h"
-#include "common/gpu/gpu_work.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -75,7 +74,6 @@ Macros Module::macros() const {
         knob.add_macros(*macros_);
         compiled_.emplace_back(&knob, knob.variant());
     });
-    gpu_work.macro_lists += !compiled_.empty();
     return *macros_;
 }
 
@@ -134,7 +132,6 @@ void Module::visit_used(Self& self, const Visit& visit) {
 
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
     visit_used(*this, [&](Module& module) {
-        Turn::begins(module.path());
         aside([] {});  // yields to waiting threads
         module.prepare(gpu, scene);
     });

@@ -155,9 +155,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--refine", refine, "Whether a window's picture at rest gathers samples (on)")
         ->check(CLI::IsMember({"on", "off"}).description(""))
         ->type_name("{on,off}");
-    app.add_option("--events", o.events, "For tests: log a window's events, or its widgets too, to standard output")
-        ->check(CLI::IsMember({"on", "layout"}).description(""))
-        ->type_name("{on,layout}");
+    app.add_option("--events", o.events, "For tests: log a window's events to standard output")
+        ->check(CLI::IsMember({"on"}).description(""))
+        ->type_name("{on}");
     app.add_option("--shaders-into", o.shaders_into, "For ./course grade: write each compiled shader to this folder")
         ->type_name("FOLDER");
     app.add_option("--shaders-from", o.shaders_from, "For ./course grade: read compiled shaders from this folder alone")

@@ -19,7 +19,7 @@ struct Options {
     bool default_variants = false;  ///< with compile_shaders: default knobs only
     bool pictures = false;          ///< pictures requested on standard input
     bool refine = true;             ///< a still view in a window accumulates samples
-    std::string events;             ///< event log of the window: "on", "layout"; empty: none
+    std::string events;             ///< event log of the window: "on"; empty: none
     std::string study_file;
     std::optional<int> study_rounds;
     std::string shaders_into, shaders_from;  ///< folders of common/gpu/sealed.h

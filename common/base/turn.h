@@ -1,7 +1,6 @@
 // Cooperative threads: one at a time uses shared state, the others compute.
 #pragma once
 #include <atomic>
-#include <string>
 
 namespace lightwalk {
 
@@ -11,18 +10,6 @@ class Turn {
     static bool is_mine();
     static void take();
     static void give();
-
-    struct Spent {
-        double waited_ms = 0;
-        double longest_ms = 0;   ///< longest turn
-        std::string longest_in;  ///< last activity begun in that turn
-        size_t most_items = 0;   ///< maximum of works() in one turn
-    };
-    static Spent& spent();
-    static void begins(std::string activity);
-
-    /// Counts processed items (texels, triangles, bytes), which delay other threads during a turn.
-    static void works(size_t items);
 
     /// Enables the lock: the creating thread holds the turn until the last Shared is destroyed.
     class Shared {

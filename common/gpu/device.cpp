@@ -1,7 +1,6 @@
 #include "common/gpu/device.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -11,7 +10,6 @@
 #include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
 #include "common/gpu/device_wait.h"
-#include "common/gpu/gpu_work.h"
 
 namespace lightwalk {
 
@@ -251,11 +249,9 @@ VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t mo
     };
     const uint64_t most = device.timeout_ns(), before = used_ns();
     const Turn::Aside others;
-    const auto started = std::chrono::steady_clock::now();
     VkResult answer = wait(most);
     for (int again = 1; again < 10 && answer == VK_TIMEOUT && device.software() && used_ns() - before < most; ++again)
         answer = wait(most);
-    gpu_work.waited_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
     return answer;
 }
 

@@ -186,7 +186,6 @@ const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const Target
 
 const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const TargetFormats& formats,
                                            const Macros& macros) {
-    ++gpu_work.searches;
     const std::vector<FlatShader> flat = flatten_stages(pipeline, macros);
     watch(flat);
     const std::string same = identity(pipeline, formats);

@@ -4,7 +4,6 @@
 #include <array>
 #include <numeric>
 
-#include "common/gpu/gpu_work.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -100,7 +99,6 @@ std::vector<Batch> DrawList::batches() const {
         if (std::vector<Batch> known = scene_->opaque_batches();
             !known.empty() && known.back().first + known.back().count == items_.size())
             return known;
-    ++gpu_work.lists;
     std::vector<Batch> result;
     each_run(*scene_, items_, [&](uint32_t first, uint32_t count) { result.emplace_back(*scene_, first, count); });
     return result;

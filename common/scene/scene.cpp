@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "common/base/error.h"
-#include "common/gpu/gpu_work.h"
 #include "common/scene/bare.h"
 #include "common/scene/item_material.h"
 
@@ -215,7 +214,6 @@ const LightList& Scene::lights() const {
 DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }
 std::vector<Batch> Scene::opaque_batches() const {
     if (opaque_runs_.empty()) {
-        ++gpu_work.lists;
         for (uint32_t i = 0; i < first_transparent_; ++i)
             if (i > 0 && batch_of_[i] == batch_of_[i - 1])
                 ++opaque_runs_.back().second;

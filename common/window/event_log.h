@@ -4,19 +4,13 @@
 
 namespace lightwalk {
 
-/// What is logged: "on", "layout" for widgets too, or nothing.
-void log_events(const std::string& what);
+/// Default: nothing is logged.
+void log_events(bool on);
 
 void log_event(const std::string& text);
 
 /// Logs where the widget drawn last is, in window coordinates, when it has moved: "place NAME left top right bottom".
-/// `text`: what stands in it, if that could be too wide. With "layout" a frame whose widgets differ from those of
-/// the frame before lists all of them: "layout COUNT", then lines of tabs, "NAME WINDOW", the four edges, the left and right
-/// end of its window's room, the width and height of the text, and the text.
-void log_place(const std::string& name, const std::string& text = "");
-
-/// Ends a frame's list of widgets; log_frame() does.
-void log_layout();
+void log_place(const std::string& name);
 
 /// Logs the panel's mouse state of this frame when it changes: "mouse x y buttons wheel", the position in window
 /// coordinates, a bit for each pressed button, and the notches turned since the start.

@@ -86,7 +86,7 @@ bool KnobSections::section(const std::string& path, const KnobList& knobs, const
     std::string beside = changed_count ? fmt::format("{} changed", changed_count) : "";
     if (ms > 0) beside += fmt::format("{}{:.2f} ms", beside.empty() ? "" : "   ", ms);
     write_at_right(beside);
-    log_place("knobs." + (path.empty() ? "chapter" : path), title + "    " + beside);
+    log_place("knobs." + (path.empty() ? "chapter" : path));
     if (!open) return false;
     ImGui::PushID(path.c_str());
     bool changed = false;

@@ -258,7 +258,7 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     const std::string label = label_of(knob);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(knob.changed() ? mine_color : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
-    log_place("label." + knob.path(), label);
+    log_place("label." + knob.path());
     bool hovered = ImGui::IsItemHovered();
     if (dynamic_cast<Knob<glm::vec3>*>(&knob))  // three numbers have a line of their own
         ImGui::SetCursorPosX(left);
@@ -271,7 +271,7 @@ bool knob_widget(KnobBase& knob, float label_width, const std::string& beside, A
     const float right = cost + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetNextItemWidth(-right);
     bool changed = widget(knob, "##value", automatic);
-    log_place("knob." + knob.path(), dynamic_cast<Choice*>(&knob) ? knob.text() : "");
+    log_place("knob." + knob.path());
     hovered = hovered || ImGui::IsItemHovered();
     if (knob.changed()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - right);

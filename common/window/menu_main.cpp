@@ -59,7 +59,6 @@ class Menu {
         overlay_.begin();
         const MenuEntry* chosen = build();
         overlay_.end();
-        log_layout();
         const Image* target = swapchain_.acquire();
         if (!target) return chosen;
         screen_.begin({1, 1}, 0.0f);
@@ -127,7 +126,7 @@ class Menu {
         const float foot = size.y - 34.0f * display_.scale();
         ImGui::BeginGroup();
         const bool clicked = button_under_others(entry.chapter.c_str(), size);  // the link to the lesson
-        log_place("chapter." + entry.chapter, entry.chapter.substr(0, 2) + "   " + entry.title);
+        log_place("chapter." + entry.chapter);
         const bool hovered = ImGui::IsItemHovered();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 end{corner.x + size.x, corner.y + size.y};
@@ -243,7 +242,7 @@ int run_menu(std::vector<std::string> options) {
             if (options[i] == name) return options[i + 1];
         return std::string();
     };
-    log_events(value_of("--events"));
+    log_events(value_of("--events") == "on");
     Display display("Lightwalk", {.scaled = {1040, 720}}, "without one: ./course run draws every chapter's pictures");
     Gpu gpu({.name = value_of("--device"),
              .validate = value_of("--validate") == "on",

@@ -27,7 +27,7 @@ bool section(const char* name) {
     ImGui::PushStyleColor(ImGuiCol_Header, {0.115f, 0.13f, 0.155f, 1.0f});
     const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleColor();
-    log_place(std::string("section.") + name, name);
+    log_place(std::string("section.") + name);
     return open;
 }
 
@@ -77,7 +77,7 @@ void Panel::look(PanelState& state, Requests& requests) {
     constexpr const char* picture = "the picture";
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##look", look.output.empty() ? picture : look.output.c_str());
-    log_place("look", look.output.empty() ? picture : look.output);
+    log_place("look");
     if (open) {
         if (ImGui::Selectable(picture, look.output.empty())) look.output.clear();
         log_place("look.the picture");
@@ -130,7 +130,7 @@ void Panel::times(PanelState& state, Requests& requests) {
     row("frame", "wall clock", state.frame_ms);
     ImGui::EndTable();
     if (ImGui::Button("passes as a graph", {-1.0f, 0.0f})) requests.passes = true;
-    log_place("button.passes", "passes as a graph");
+    log_place("button.passes");
     help_on_hover("F6: the passes below the picture, with an image of each target");
     ImGui::PushTextWrapPos();
     for (const std::string& line : state.chapter.all_status()) ImGui::TextUnformatted(line.c_str());
@@ -147,7 +147,7 @@ void Panel::footer(PanelState& state, Requests& requests) {
     const float width = (ImGui::GetContentRegionAvail().x - 3.0f * ImGui::GetStyle().ItemSpacing.x) / 4.0f;
     const auto button = [&](const char* label, const char* help, bool& request) {
         if (ImGui::Button(label, {width, 0.0f})) request = true;
-        log_place(std::string("button.") + label, label);
+        log_place(std::string("button.") + label);
         help_on_hover(help);
     };
     button("Reload", "F5: the scene and all shaders from disk", requests.reload);

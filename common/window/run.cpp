@@ -25,7 +25,7 @@ int run_chapter(int argc, char** argv, const char* name, const MakeChapter& make
         chapter->name = name;
         const std::optional<Options> options = read_options(argc, argv, *chapter);
         if (!options) return 0;
-        log_events(options->events);
+        log_events(options->events == "on");
         use_sealed(options->shaders_into, options->shaders_from);
         if (!options->list.empty()) return print_list(*options, *chapter);
         if (!options->compile_shaders.empty())

@@ -1,4 +1,4 @@
-// Teams of threads: each job once in each step, whoever comes late, and exceptions passed on.
+// Jobs on threads: each once, whoever takes it, all done at the end, and exceptions passed on.
 #include <chrono>
 #include <numeric>
 #include <stdexcept>
@@ -8,45 +8,28 @@
 
 using namespace lightwalk;
 
-TEST_CASE("a team runs every job of every step once, and is done with a step before the next") {
-    for (const size_t threads : {1, 2, 7}) {
-        Team team(threads);
-        CHECK(team.threads() == threads);
-        std::vector<size_t> runs(100);
-        for (size_t step = 1; step <= 300; ++step) {
-            const size_t count = step % runs.size();
-            std::fill(runs.begin(), runs.end(), 0);
-            team.run(count, [&](unsigned thread, size_t i) { runs.at(i) += thread < threads ? 1 : 1000; });
+TEST_CASE("every job runs once") {
+    for (const unsigned threads : {1u, 2u, 7u})
+        for (size_t count = 0; count < 100; ++count) {
+            std::vector<size_t> runs(100);
+            on_threads(threads, count, [&](unsigned thread, size_t i) { runs.at(i) += thread < threads ? 1 : 1000; });
             REQUIRE(std::accumulate(runs.begin(), runs.end(), size_t{0}) == count);
             REQUIRE(std::count(runs.begin(), runs.end(), 1) == std::ptrdiff_t(count));
         }
-    }
 }
 
-TEST_CASE("a team's step ends with its last job, though the caller's own ended before") {
-    Team team(2);
-    if (team.threads() < 2) return;  // the system has no more
-    for (int step = 0; step < 3; ++step) {
-        std::atomic<int> begun = 0, ended = 0;
-        team.run(2, [&](unsigned thread, size_t) {
-            ++begun;
-            while (begun < 2) std::this_thread::yield();
-            if (thread != 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            ++ended;
-        });
-        REQUIRE(ended == 2);
-    }
+TEST_CASE("the last job has ended at the end, though the caller's own ended before") {
+    std::atomic<int> ended = 0;
+    on_threads(2, 20, [&](unsigned thread, size_t) {
+        if (thread != 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        ++ended;
+    });
+    CHECK(ended == 20);
 }
 
-TEST_CASE("an exception of a team's job comes out of its step, and the team goes on") {
-    Team team(3);
+TEST_CASE("an exception of a job comes out") {
     const auto fails = [](unsigned, size_t i) {
         if (i == 20) throw std::runtime_error("20");
     };
-    for (int step = 0; step < 20; ++step) {
-        CHECK_THROWS_AS(team.run(50, fails), std::runtime_error);
-        std::atomic<size_t> runs = 0;
-        team.run(50, [&](unsigned, size_t) { ++runs; });
-        CHECK(runs == 50);
-    }
+    for (int step = 0; step < 20; ++step) CHECK_THROWS_AS(on_threads(3, 50, fails), std::runtime_error);
 }

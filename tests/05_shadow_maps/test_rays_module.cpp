@@ -9,7 +9,6 @@
 #include "05_shadow_maps/rays.h"
 #include "catch.h"
 #include "common/base/error.h"
-#include "common/base/turn.h"
 #include "common/scene_fixture.h"
 
 using namespace lightwalk;
@@ -152,19 +151,4 @@ TEST_CASE("rays go through what a texture cuts out, and not where the knob says 
     test.rays.cutouts.set("on");
     test.maps.cutoff.value = 0;  // nothing has less alpha than that
     CHECK(test.blocked() == 1);
-}
-
-// A film's worker held up the picture for 100 ms while it decoded the texels of a head's colours.
-TEST_CASE("a hierarchy and its masks are made while others have the turn") {
-    SceneObject leaf = object_at(quad_file, {0, 0, 0});
-    leaf.material.maps["diffuse"] = "textures/grass_cutout.png";
-    const Turn::Shared shared;
-    const Turn::Spent before = std::exchange(Turn::spent(), {});
-    RayScene test({leaf});
-    make_mips(test.gpu, test.scene, 0.5f);
-    test.rays.build(test.gpu, test.scene);
-    const glm::uvec2 texels = test.scene.texture(test.scene.items[0], MapSlot::diffuse).desc.size;
-    CHECK(texels.x * texels.y > 10000);
-    CHECK(Turn::spent().most_items < 1000);
-    Turn::spent() = before;
 }

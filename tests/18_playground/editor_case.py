@@ -29,16 +29,11 @@ class EditorTest(PictureTest):
         cls.add_files()
         cls.server = XServer()
         cls.addClassCleanup(cls.server.close)
-        cls.prepare(cls.server)
         cls.session = cls.start(cls.scene)
 
     @classmethod
     def add_files(cls):
         """Beside the scene, before the start."""
-
-    @classmethod
-    def prepare(cls, server: XServer):
-        """Before the start, as a desktop does."""
 
     @classmethod
     def start(cls, scene: Path) -> Session:
@@ -53,10 +48,6 @@ class EditorTest(PictureTest):
         self.session.key("ctrl+s")
         self.session.wait_for_line(r"saved .*", since)
         return json.loads(self.scene.read_text())
-
-    def objects(self) -> dict:
-        """By name, as they are saved."""
-        return {one.get("name", ""): one for one in self.saved()["objects"]}
 
     def said_after(self, pattern: str, key: str):
         """A line that a key leads to."""
@@ -87,10 +78,6 @@ class EditorTest(PictureTest):
         pixels = self.size[1] / 2 / math.tan(math.radians(camera["fov_deg"]) / 2) / z
         return round(self.middle()[0] + pixels * x), round(self.middle()[1] - pixels * y)
 
-    def rest(self):
-        """The picture, too."""
-        self.session.settled(0, 0, *self.session.geometry()[2:])
-
     def scroll_to(self, place: str):
         """Turns the wheel over the properties until a widget of theirs is on the screen."""
         session = self.session
@@ -120,38 +107,6 @@ class EditorTest(PictureTest):
             session.release()
         session.park()
         session.wait(lambda: session.types, "a field")
-
-    def type_into(self, field: str, text: str):
-        self.session.tap(field)
-        self.session.replace(text)
-
-    def type_slowly(self, place: str, text: str, *keys: str):
-        """As type_number(), but each digit is in a frame of its own, as where a person types."""
-        self.scroll_to(place)
-        self.open_number(self.session.areas[place][0] + 8, self.session.places[place][1])
-        self.type_letters(text, *keys)
-
-    def type_letters(self, text: str, *keys: str):
-        session = self.session
-        session.key("ctrl+a")
-        for letter in text:
-            session.type(letter)
-            session.read_all()
-        session.key(*keys)
-        session.read_all()
-
-    def resize(self, width: int, height: int):
-        self.session.resize(width, height)
-        self.session.read_all()
-
-    def ask_for_a_name(self, key: str = ""):
-        """By a key, or the scene's button. The field has the keyboard."""
-        if key:
-            self.session.key(key)
-        else:
-            self.session.tap("entry.scene")
-            self.session.tap("tool.save as")
-        self.session.wait(lambda: self.session.types and "field.scene name" in self.session.places, "the field")
 
     def leave(self):
         """With nothing to say: what is open is closed, the selection goes, and the last one is asked for twice."""

@@ -1,56 +1,9 @@
-// Edits of materials and settings, and what the scene on the device has of them.
+// Edits of materials and settings.
 #include <nlohmann/json.hpp>
 
 #include "driven_editor.h"
-#include "shown_scene.h"
 
 using namespace lightwalk;
-
-namespace {
-
-// As a new scene of the document has it, on the device as well after a frame.
-void check_as_loaded(Shown& shown, const ModelLoader& loader) {
-    Scene fresh;
-    fresh.load(shown.gpu, exported(shown.document).scene, loader);
-    CHECK(items_of(shown.scene) == items_of(fresh));
-    Frame frame(shown.gpu);
-    TestScene::begin(frame);
-    shown.scene.upload_moved(frame);
-    frame.end();
-    CHECK(shown.gpu.read_back(shown.scene.materials) == shown.gpu.read_back(fresh.materials));
-}
-
-}  // namespace
-
-TEST_CASE("after an edit of a material or of the whole scene it is as a new scene of the document", "[18.painted]") {
-    Shown shown;
-    const EntryId id = add_object(shown.document, named("a", ball_file));
-    const auto shiny = [](const std::filesystem::path& file) {
-        Model model = test_model(file);
-        Material& material = model.materials[0];
-        material.emissive = {1, 2, 3};
-        material.has_exponent = material.metallic_roughness = material.microfacets = true;
-        material.roughness = 0.25f;
-        return model;
-    };
-    const auto edit = [&](EntryId entry, const auto& change) {
-        shown.document.begin("edit");
-        change(shown.document.edit(entry));
-        shown.document.commit();
-        shown.live.update(shown.gpu, shown.document, shown.scene, shiny);
-        check_as_loaded(shown, shiny);
-    };
-    using Change = void (*)(MaterialOverride&);
-    for (const Change change : std::initializer_list<Change>{
-             [](MaterialOverride& m) { m.diffuse = glm::vec3(0.25f, 0, 0); },
-             [](MaterialOverride& m) { m.emissive = glm::vec3(1, 2, 3); },
-             [](MaterialOverride& m) { m.opacity = 0.5f; }, [](MaterialOverride& m) { m.opacity = 1; },
-             [](MaterialOverride& m) { m.roughness = 0.5f; }, [](MaterialOverride& m) { m.shininess = 7; },
-             [](MaterialOverride& m) { m.two_sided = true; }})
-        edit(id, [&](auto& entry) { change(entry.object()->material); });
-    edit(root_entry, [](auto& entry) { entry.settings()->emission = 2; });
-    edit(root_entry, [](auto& entry) { entry.settings()->bare = true; });
-}
 
 TEST_CASE("numbers and choices that change are the document's settings", "[18.settings]") {
     Playground chapter;

@@ -31,25 +31,10 @@ class Properties(EditorTest):
     def undo_step(self, step: str):
         self.said_after("notice undone: " + step, "ctrl+z")
 
-    def test_2b_a_property_is_reset_in_all_and_an_eye_hides(self):
-        self.select("one", "two")
-        self.session.tap("reset.position")
-        places = [one.get("position", [0, 0, 0]) for one in self.saved()["objects"]]
-        self.assertEqual(places, [[0, 0, 0], [0, 0, 0]])
-        self.undo_step("reset position of 2 entries")
-        self.session.tap("eye.one")
-        self.assertTrue(self.objects()["one"]["hidden"])
-        self.session.tap("eye.one")
-        self.assertEqual(self.saved(), self.before)
-
-    def test_2d_a_thin_fog_is_set_with_the_mouse(self):
-        session = self.session
-        session.tap("entry.fog")
-        session.read_all()
-        left, top, right, bottom = session.areas["knob.fog.density"]
-        session.drag((left + 10, (top + bottom) // 2), (left + (right - left) // 5, (top + bottom) // 2))
-        density = float(self.saved()["knobs"]["fog.density"])
-        self.assertTrue(1e-4 < density < 1e-2, density)  # of 0 to 10
+    def test_1_a_number_is_typed_and_is_one_step(self):
+        self.select("one")
+        self.type_number("numbers.position", "1.25")
+        self.assertEqual(self.saved()["objects"][0]["position"][0], 1.25)
         self.undo()
         self.assertEqual(self.saved(), self.before)
 
@@ -99,49 +84,6 @@ class Properties(EditorTest):
         method = re.fullmatch(r"lights\.method: (\w+) is the fastest.*; .* \(FLIP .*, .* ms at \d+×\d+\)", said)
         self.assertIsNotNone(method, said)
         self.assertEqual(self.saved().get("knobs", {}).get("lights.method", "clustered"), method[1])
-
-    def test_6_where_nothing_can_be_measured_it_says_why_and_changes_nothing(self):
-        before = self.saved()
-        self.assertRegex(self.choose("shadow.method"), r"shadow\.method: its reference, .*rays.*, exists in chapter 05 only")
-        self.assertEqual(self.choose("picker.method"), "picker.method: its study measures wrong_picks, not the picture")
-        self.assertEqual(self.saved(), before)
-
-    def facet_menu(self, facet: str, knob: str):
-        """Of a knob in the properties, which the panel on the right has, too: there it is filtered away."""
-        session = self.session
-        self.filter("no such knob")
-        session.read_all()
-        session.places.pop("knob." + knob, None)
-        session.click("entry." + facet)
-        session.wait(lambda: "knob." + knob in session.places, knob)
-        session.click("knob." + knob)
-
-    def test_7_what_the_scene_has_once_offers_auto_in_its_own_fields_or_says_that_there_is_none(self):
-        session = self.session
-        self.facet_menu("fog", "fog.method")
-        session.wait(lambda: "no auto.fog.method" in session.places, "why there is none")
-        self.assertNotIn("option.fog.method.auto", session.places)
-        session.key("Escape")
-        self.facet_menu("sky", "atmosphere.method")
-        since = session.said()
-        session.click("option.atmosphere.method.auto")
-        self.assertRegex(session.wait_for_line(r"auto (.*)", since)[1], r"atmosphere\.method: .*")
-
-    def title(self) -> str:
-        return self.session.xdotool("getwindowname", self.session.window).strip()
-
-    def test_8_the_title_counts_what_is_measured_and_escape_ends_it(self):
-        session, before = self.session, self.title()
-        self.show_knob("bloom.method")
-        since = session.said()
-        session.click("knob.bloom.method")
-        session.wait(lambda: "option.bloom.method.auto" in session.places, "auto")
-        session.move(*session.places["option.bloom.method.auto"])
-        session.xdotool("click", "1")  # and does not wait for the window's next read after the measurement
-        session.wait(lambda: re.search(r"measuring bloom\.method: [1-9]\d* pictures", self.title()), "a count")
-        session.key("Escape")
-        session.wait_for_line(r"auto bloom\.method: not measured, cancelled by Esc", since)
-        self.assertEqual(self.title(), before)
 
     def test_9_it_ends_with_nothing_to_say(self):
         self.saved()

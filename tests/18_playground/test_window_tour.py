@@ -46,15 +46,6 @@ class Tour(EditorTest):
         remembered = json.loads((self.folder / "state/lightwalk/18_playground.tour.panel.json").read_text())
         self.assertEqual(remembered, {"left": True})
 
-    def test_2_keys_begin_it_again(self):
-        session = self.session
-        since = session.said()
-        session.key("F1")
-        session.tap("tool.tour")
-        session.wait_for_line("tour 1", since)
-        session.tap("tool.leave the tour")
-        session.wait_for_line("tour left", since)
-
     def test_4_later_starts_have_none(self):
         session = self.session
         session.key("ctrl+s")
@@ -62,14 +53,6 @@ class Tour(EditorTest):
         type(self).session = self.session = self.start(self.scene)
         self.session.read_all()
         self.assertNotIn("tool.leave the tour", self.session.areas)
-
-    def test_5_a_first_start_without_a_scene_has_one_to_play_with(self):
-        (self.folder / "state/lightwalk/18_playground.tour.panel.json").unlink()
-        session = Session(self.server, BUILD / "chapters" / "18_playground", ["--validate", "on", "--size", "460x700"],
-                          self.folder, tour=True, LIGHTWALK_ROOT=str(ROOT))
-        self.addCleanup(session.close)
-        session.wait(lambda: "entry.terrace" in session.areas, "the scene of the tour")
-        self.assertEqual([line for line in session.errors if line], [])
 
 
 if __name__ == "__main__":

@@ -45,13 +45,3 @@ TEST_CASE("a thread that shall end does so where it would give its turn") {
     CHECK_THROWS_AS(aside([] { return 1; }), Turn::Stopped);
     Turn::stop_when(nullptr);
 }
-
-TEST_CASE("a thread knows its longest turn and what it began in it") {
-    const Turn::Shared shared;
-    Turn::spent() = {};
-    Turn::begins("long work");
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    aside([] {});
-    CHECK(Turn::spent().longest_ms >= 20);
-    CHECK(Turn::spent().longest_in == "long work");
-}

@@ -25,12 +25,6 @@ class Window(WindowTest):
         self.assertTrue(shot.read_bytes() == self.headless(WIDTH, HEIGHT)[0], "not the picture that --screenshot writes")
         self.assert_same(read_png(shot)[2], self.start)
 
-    def test_exercises_take_a_line_each_so_that_the_knobs_are_in_view(self):
-        rows = sorted(area[1] for name, area in self.session.areas.items() if name.startswith("exercise.01."))
-        self.assertGreater(len(rows), 3)
-        self.assertLess(max(below - above for above, below in zip(rows, rows[1:])), 30)
-        self.assertLess(self.session.areas["knob.loader"][3], HEIGHT)
-
     def test_f2_toggles_every_exercise(self):
         since, pressed = self.session.said(), time.monotonic()
         self.session.key("F2")
@@ -58,26 +52,6 @@ class Window(WindowTest):
             self.session.click("knob.loader")
             self.session.click("option.loader." + loader)
             self.session.wait_for_line("knob loader " + loader, since)
-        self.assert_as_at_the_start()
-
-    def test_beside_a_picture_that_nothing_changes_the_panel_alone_is_drawn(self):
-        session = self.session
-
-        def drawn() -> tuple[int, int]:
-            session.wait(lambda: session.rests, "rest")
-            return session.frames, session.pictures
-
-        session.park()
-        frames, pictures = drawn()
-        for x in range(10, WIDTH + PANEL, 60):
-            session.move(x, 300)
-        session.park()
-        self.assertGreater(drawn()[0], frames + 10)
-        self.assertEqual(drawn()[1], pictures)
-        for _ in range(2):  # it folds, and unfolds
-            session.tap("section.Knobs")
-            self.assertIn(drawn()[1] - pictures, (1, 2), "pictures after a click on the panel: once it has come to rest")
-            pictures = drawn()[1]
         self.assert_as_at_the_start()
 
     def test_resizes(self):
@@ -123,17 +97,6 @@ class Window(WindowTest):
         self.session.key("Home")
         self.assert_as_at_the_start()
 
-    def test_the_way_to_where_a_button_is_pressed_moves_nothing(self):
-        places = [(str(x), "200") for x in (60, 300, 90, 310, 70)]
-        for x, y in places:  # a slow frame reads all of it at once
-            self.session.xdotool("mousemove", "--window", self.session.window, x, y)
-        self.session.xdotool("mousemove", "--window", self.session.window, "60", "200",
-                             "mousemove", "--window", self.session.window, "320", "200", "mousedown", "1")
-        self.session.wait(lambda: self.session.mouse[2] != 0, "the button down")
-        self.session.release()
-        self.session.park()
-        self.assert_as_at_the_start()
-
     def test_looks_at_a_pass(self):
         self.session.click("look")
         self.session.click("look.clay depth: depth")
@@ -165,31 +128,6 @@ class Window(WindowTest):
         self.assert_same(moved[row], self.start[row])
         self.session.key("F3")
         self.session.wait_for_line("split off", since)
-        self.assert_as_at_the_start()
-
-    def test_split_while_the_clock_runs(self):
-        """The reference is compared only when it has been drawn."""
-        since = self.session.said()
-        self.session.key("space")
-        self.session.key("F3")
-        self.session.wait_for_line(r"flip (\S+)", since)
-        self.session.key("F3")
-        self.session.wait_for_line("split off", since)
-        self.session.key("space")
-        self.assert_as_at_the_start()
-
-    def test_clock_runs_and_stops(self):
-        self.session.key("space")
-        frames = set()
-
-        def moves() -> bool:
-            frames.add(self.session.pixels(WIDTH, 0, PANEL, HEIGHT))
-            return len(frames) > 5
-
-        self.session.wait(moves, "six states of the panel's clock")
-        self.session.key("space")
-        self.picture()
-        self.assert_rests()
         self.assert_as_at_the_start()
 
     def test_panel_hides(self):
@@ -258,21 +196,6 @@ class Menu(unittest.TestCase):
             menu.tap("chapter.03_attenuation")
             menu.wait_for_line("wanted 03_attenuation", 0)
             self.assertEqual(Path(folder, "wanted").read_text(), "03_attenuation\n")
-            self.assertFalse([line for line in menu.lines if line.startswith("started")])
-            menu.key("Escape")
-            self.assertEqual(menu.end(), 0)
-
-    def test_lesson_leads_to_its_page_and_starts_no_chapter(self):
-        with tempfile.TemporaryDirectory() as folder:
-            opener = Path(folder, "xdg-open")
-            opener.write_text("#!/bin/sh\n")
-            opener.chmod(0o755)
-            server = XServer()
-            self.addCleanup(server.close)
-            menu = Session(server, BUILD / "menu", [], Path(folder), PATH=f"{folder}:{os.environ['PATH']}")
-            self.addCleanup(menu.close)
-            menu.click("lesson.01_obj")
-            menu.wait_for_line(r"lesson .*/build/docs/01_obj\.html|no page 01_obj", 0)
             self.assertFalse([line for line in menu.lines if line.startswith("started")])
             menu.key("Escape")
             self.assertEqual(menu.end(), 0)

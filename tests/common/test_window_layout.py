@@ -56,15 +56,6 @@ class Layout(unittest.TestCase):
                 self.assertGreater(right - left, 0.85 * scale * PANEL)
                 self.end(session)
 
-    def test_escape_closes_a_list_before_the_window(self):
-        session = self.start(["--size", "360x1100"])
-        session.tap("look")
-        session.wait(lambda: "look.the picture" in session.areas, "the list")
-        session.key("Escape")
-        session.read_all()
-        self.assertIsNone(session.process.poll())
-        self.end(session)
-
     def pixel(self, session: Session, x: int, y: int) -> list:
         since = session.said()
         session.move(x, y)
@@ -77,16 +68,6 @@ class Layout(unittest.TestCase):
         self.assertEqual((depth, names[0]), ("3.5 m", "box"))  # its front is at 0.5 m
         self.assertEqual(len(self.pixel(session, 2, 2)), 1)  # the background has a value alone
         session.park()
-        self.end(session)
-
-    def test_the_cost_of_the_last_seconds_is_a_graph(self):
-        session = self.start(["--size", "360x1100"])
-        session.wait(lambda: "cost" in session.areas, "the graph")
-        left, top, right, bottom = session.areas["cost"]
-        before = session.settled(left, top, right - left, bottom - top)
-        for _ in range(3):
-            session.drag((100, 100), (140, 110))
-        session.wait(lambda: session.pixels(left, top, right - left, bottom - top) != before, "another graph")
         self.end(session)
 
 

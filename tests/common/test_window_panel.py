@@ -52,13 +52,6 @@ class Panel(unittest.TestCase):
         self.assertNotIn("knob.shadow.method", session.areas)
         self.end(session)
 
-    def test_a_broken_memory_is_none(self):
-        self.remember()
-        (self.folder / "state/lightwalk/05_shadow_maps.panel.json").write_text('{"maps": tru')
-        session = self.start()
-        session.wait(lambda: "knob.shadow.method" in session.areas, "the panel as at first")
-        self.end(session)
-
     def test_filter_changes_and_resets(self):
         session = self.start()
         session.click("section.Exercises")
@@ -108,33 +101,6 @@ class Panel(unittest.TestCase):
         self.assertFalse([line for line in session.lines[since:] if line.startswith("auto")])
         session.key("Escape")  # its menu
         session.read_all()
-        self.end(session)
-
-    def test_no_label_is_cut_at_any_scale(self):
-        self.remember(**{name: True for name in ("maps", "lights", "shadow", "rays", "sphere_shadow")})
-        for scale, width, height in ((1.0, 940, 720), (1.5, 940, 720), (2.0, 2820, 2060)):
-            with self.subTest(scale=scale):
-                self.server.set_text_scale(scale)
-                session = self.start(width, height)
-                session.wait(lambda: "label.sphere_shadow.power" in session.areas, "all sections")
-                labels = {name[6:]: area for name, area in session.areas.items() if name.startswith("label.")}
-                self.assertGreater(len(labels), 50)
-                window = session.geometry()[2]
-                for name, (left, top, right, bottom) in labels.items():
-                    self.assertLess(right, window - 8 * scale, name)
-                    knob = session.areas["knob." + name]
-                    self.assertTrue(right < knob[0] or bottom <= knob[1], f"{name}: the label lies under its widget")
-                    knob_width, knob_height = knob[2] - knob[0], knob[3] - knob[1]
-                    checkbox = abs(knob_width - knob_height) < 3
-                    self.assertTrue(checkbox or knob_width >= 90 * scale, f"{name}: {knob_width} pixels for its widget")
-                self.assertGreater(labels["shadow.method"][3] - labels["shadow.method"][1], 11 * scale)
-                self.end(session)
-
-    def test_a_window_too_small_for_a_panel_shows_the_picture(self):
-        session = self.start(16, 200)
-        session.resize(300, 200)
-        picture = session.settled(0, 0, 300, 200)
-        self.assertGreater(len({picture[i:i + 3] for i in range(0, len(picture), 3)}), 1)
         self.end(session)
 
 

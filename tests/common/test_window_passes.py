@@ -68,16 +68,6 @@ class Passes(unittest.TestCase):
         session.key("Escape")
         self.assertEqual((session.end(), session.errors), (0, []))
 
-    def test_messages_leave_the_picture_alone(self):
-        session = self.session
-        whole = self.picture(HEIGHT)
-        session.key("F5")
-        session.wait(lambda: "notice" in session.areas, "a message")
-        self.assertGreaterEqual(session.areas["notice"][1], HEIGHT)
-        self.assertEqual(self.picture(HEIGHT), whole)
-        session.key("Escape")
-        self.assertEqual((session.end(), session.errors), (0, []))
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -30,16 +30,6 @@ class Refining(WindowTest):
         self.assert_nearly(self.whole(), self.headless(16))
         self.assert_rests()
 
-    def test_what_moves_has_one_sample_and_none_is_said(self):
-        whole = self.whole()
-        self.session.move(WIDTH // 2, HEIGHT // 2)
-        self.session.press()
-        self.session.move(WIDTH // 2 + 40, HEIGHT // 2)
-        self.session.wait(lambda: "samples" not in self.title(), "a title without samples")
-        self.session.release()
-        self.session.park()
-        self.assert_other(self.whole(), whole)
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -76,6 +76,7 @@ class WindowTest(PictureTest):
     """One window, used by one test after the other; each leaves it as it found it."""
 
     refine = "off"
+    environment: dict[str, str] = {}
 
     @classmethod
     def setUpClass(cls):
@@ -87,7 +88,7 @@ class WindowTest(PictureTest):
         cls.addClassCleanup(cls.server.close)
         cls.session = Session(cls.server, CHAPTER,
                               ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(cls.scene)],
-                              cls.folder, refine=cls.refine, LIGHTWALK_ROOT=str(cls.course))
+                              cls.folder, refine=cls.refine, LIGHTWALK_ROOT=str(cls.course), **cls.environment)
         cls.start = cls.picture()
 
     @classmethod

@@ -8,7 +8,6 @@ import threading
 import time
 from pathlib import Path
 
-from window_widgets import Widget
 from x_server import XServer
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,8 +29,8 @@ def keys_of(text: str) -> int:
 class Session:
     """One program, started with --events, and its window."""
 
-    def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, events: str = "on",
-                 refine: str = "off", tour: bool = False, **environment: str):
+    def __init__(self, server: XServer, program: Path, options: list[str], folder: Path, refine: str = "off",
+                 tour: bool = False, **environment: str):
         self.server = server
         self.environment = {**os.environ, "DISPLAY": server.display,
                             "XDG_STATE_HOME": str(folder / "state"), **environment}
@@ -48,12 +47,11 @@ class Session:
         self.frames = self.pictures = 0  # frames drawn, and the ones with a picture of their own
         self.keys_down = 0  # keys that went down and have arrived
         self.size = (0, 0)  # of the window's picture and panels, since it has changed
-        self.layout: list[Widget] = []  # of the last frame, with --events layout
         self.keys_wait = False  # for the next frame
         self.types = False  # a field has the keyboard
         self.unfolded: set[str] = set()  # exercises
         self.rests = False  # nothing is drawn until something happens
-        self.process = subprocess.Popen([str(program), *options, "--events", events, "--refine", refine], cwd=folder, env=self.environment, text=True,
+        self.process = subprocess.Popen([str(program), *options, "--events", "on", "--refine", refine], cwd=folder, env=self.environment, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.readers = [threading.Thread(target=self.read, args=(pipe, target), daemon=True)
                         for pipe, target in ((self.process.stdout, self.lines), (self.process.stderr, self.errors))]
@@ -85,8 +83,6 @@ class Session:
                 self.keys_down, self.rests = self.keys_down + 1, False
             elif line.startswith("size "):
                 self.size, self.rests = tuple(map(int, line.split()[1:])), False
-            elif line.startswith("layout "):
-                self.layout = [Widget.read(next(pipe)) for _ in range(int(line.split()[1]))]
             elif line.startswith("frame "):
                 words = line.split()
                 self.keys_wait, self.types, self.rests = "keys" in words, "text" in words, False
@@ -259,9 +255,6 @@ class Session:
             if now != before or not (self.rests or self.frames == 0 or self.frames >= frames + 20):
                 before, since = now, time.monotonic()
         return before
-
-    def drop(self, *files: Path):
-        self.server.drop_on(int(self.window), self.geometry(), files, PATIENCE_S)
 
     def set_minimised(self, minimised: bool):
         since = self.said()

@@ -1,48 +1,11 @@
-"""A virtual X server: its screen, and a desktop's messages to programs."""
+"""A virtual X server and its screen."""
 import ctypes
 import os
 import shutil
 import struct
 import subprocess
 import tempfile
-import time
 from pathlib import Path
-from typing import Sequence
-
-
-def drop_by(x11, display, target: int, geometry: tuple[int, int, int, int], uris: bytes, patience_s: float):
-    def atom(name):
-        return x11.XInternAtom(display, name.encode(), 0)
-
-    long = ctypes.c_long
-    source = x11.XCreateSimpleWindow(display, long(x11.XDefaultRootWindow(display)), 0, 0, 1, 1, 0, long(0), long(0))
-
-    def send(kind, *data):
-        event = (long * 24)(33, 0, 1, 0, target, atom(kind), 32, source, *data)  # 33: ClientMessage
-        x11.XSendEvent(display, long(target), 0, long(0), event)
-
-    x, y, width, height = geometry
-    x11.XSetSelectionOwner(display, long(atom("XdndSelection")), long(source), long(0))
-    send("XdndEnter", 5 << 24, atom("text/uri-list"), 0, 0)
-    send("XdndPosition", 0, (x + width // 2) << 16 | (y + height // 2), 0, atom("XdndActionCopy"))
-    send("XdndDrop", 0, 0, 0, 0)
-    x11.XSync(display, 0)
-    event, until = (long * 24)(), time.monotonic() + patience_s
-    while True:
-        if time.monotonic() > until:
-            raise AssertionError("nobody took what was dropped")
-        if not x11.XPending(display):
-            time.sleep(0.02)
-            continue
-        x11.XNextEvent(display, event)
-        kind = event[0] & 0xff
-        if kind == 30:  # SelectionRequest: owner, requestor, selection, target, property, time
-            requestor, selection, form, place, when = event[5:10]
-            x11.XChangeProperty(display, long(requestor), long(place), long(form), 8, 0, uris, len(uris))
-            answer = (long * 24)(31, 0, 1, 0, requestor, selection, form, place, when)
-            x11.XSendEvent(display, long(requestor), 0, long(0), answer)
-        elif kind == 33 and event[5] == atom("XdndFinished"):
-            return
 
 
 class XServer:
@@ -75,18 +38,6 @@ class XServer:
         resource_manager, string = ctypes.c_ulong(23), ctypes.c_ulong(31)  # predefined atoms, Xatom.h
         x11.XChangeProperty(display, root, resource_manager, string, 8, 0, resources, len(resources))
         x11.XCloseDisplay(display)
-
-    def drop_on(self, window: int, geometry: tuple[int, int, int, int], files: Sequence[Path], patience_s: float):
-        """Drops files on a window's middle like a file manager: the protocol XDND, version 5, from enter to finished."""
-        x11 = ctypes.CDLL("libX11.so.6")
-        for function in ("XOpenDisplay", "XDefaultRootWindow", "XInternAtom", "XCreateSimpleWindow"):
-            getattr(x11, function).restype = ctypes.c_void_p
-        display = ctypes.c_void_p(x11.XOpenDisplay(self.display.encode()))
-        uris = "".join(file.resolve().as_uri() + "\r\n" for file in files).encode()
-        try:
-            drop_by(x11, display, window, geometry, uris, patience_s)
-        finally:
-            x11.XCloseDisplay(display)
 
     def set_minimised(self, window: int, minimised: bool):
         """The window manager's part before the mapping: the window's property (ICCCM 4.1.3.1)."""
