@@ -8,6 +8,7 @@ COMMANDS = {
     "run --table": "film",
     "run --page": "film",
     "test": "test.run_tests",
+    "release": "test.release",
     "accept": "shots.accept",
     "check": "check.check",
     "check --next": "check.next_step",
