@@ -89,9 +89,9 @@ class Variables(unittest.TestCase):
                 return text_check.check_variables()
 
     def test_readme_names_what_is_read_and_nothing_else(self):
-        self.assertEqual(self.wrong("| `LIGHTWALK_A` | x |\nand `LIGHTWALK_B`"), [])
-        self.assertEqual(self.wrong("`LIGHTWALK_A`"), ["b.py: docs/development.md does not name LIGHTWALK_B"])
-        self.assertEqual(self.wrong("`LIGHTWALK_A` `LIGHTWALK_B` `LIGHTWALK_C`"), ["docs/development.md: nothing reads LIGHTWALK_C"])
+        self.assertEqual(self.wrong("| `LIGHTWALK_A` | x |\n| `LIGHTWALK_B` | y |"), [])
+        self.assertEqual(self.wrong("| `LIGHTWALK_A` | x |\nand `LIGHTWALK_B`"), ["b.py: docs/development.md does not name LIGHTWALK_B"])
+        self.assertEqual(self.wrong("".join(f"| `LIGHTWALK_{name}` | x |\n" for name in "ABC")), ["docs/development.md: nothing reads LIGHTWALK_C"])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from browser import WHY_NONE, Browser
+from live_page import has_pages
 from small_course import REAL
 
 sys.path.insert(0, str(REAL / "common/course"))

@@ -9,7 +9,6 @@ A failure is exit code 1 and a line that says why.
 
 import json
 import sys
-from pathlib import Path
 
 from charts.study_charts import chart_paths, charts_of
 from charts.study_file import StudyError, load, markdown_table

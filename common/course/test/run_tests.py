@@ -1,6 +1,5 @@
 """Builds the tests' programs, runs them, writes the report."""
 
-import json
 import os
 import re
 import shutil

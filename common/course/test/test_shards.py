@@ -17,7 +17,7 @@ def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> lis
     listed = needs.selected(folder, selection)
     if not listed:
         raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
-    mine = [number for number, name in listed if shard.takes(name)]
+    mine = [str(place) for place, (_, name) in enumerate(listed, 1) if shard.takes(name)]  # ctest counts selected tests alone
     if not mine:  # a selection of few tests, cut into many
         return ["-E", "."]
     chosen = folder / f"tests.{shard.number}-of-{shard.of}"
