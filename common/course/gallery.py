@@ -157,7 +157,8 @@ class Drawer:
         finally:
             self.stopping = True
             for drawing in list(self.drawings):
-                drawing.program.kill()
+                if drawing.program:  # None: it could not be started
+                    drawing.program.kill()
             if programs:
                 programs.stop()
         if programs:
