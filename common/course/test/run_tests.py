@@ -102,11 +102,13 @@ def run(arguments, rest) -> int:
 
 def with_platform(commit: str) -> list[str]:
     """ctest's options for first, engine, and what concerns the files changed since a commit, which a line says."""
-    commit = commit or branch_base()
-    folder, files = build(NOTHING), changed_since(commit)
+    files = changed_since(since := commit or branch_base())
+    if commit and files is None:
+        raise UsageError(f"--changed {commit}: git knows no such commit")
+    folder = build(NOTHING)
     more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
-    why = f"changes since {commit}" if files is not None else f"git knows no {commit}, so all of platform"
-    say(f"platform: {why} concern {len(more)} tests" + (": " + " ".join(more) if more else ""))
+    why = f"changes since {since} concern" if files is not None else f"git knows no {since}, so these are all"
+    say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else ""))
     every = [name for _, name in selected(folder, EVERY_COMMIT)]
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
