@@ -11,18 +11,17 @@ from small_course import REAL, Course
 sys.path.insert(0, str(REAL / "common/course"))
 from test import release  # noqa: E402
 
-# Writes what a step's tests leave, and ends as its name in the file "ends" says.
+# Writes what a step's tests leave, and ends as they would.
 COURSE = """#!/bin/sh
 cd "$(dirname "$0")" || exit
 echo "$@ $VK_DRIVER_FILES" >>build/ran
 mkdir -p build/results
-for file in tests sanitizer; do echo '<testsuite><testcase name="shots.01" status="run"/>
-<testcase name="shots.02" status="STATUS"/></testsuite>' >build/results/$file.xml; done
+write() { echo "<testsuite><testcase name='shots.01' status='run'/><testcase name='shots.02' status='$2'/></testsuite>" >build/results/$1.xml; }
 case "$*" in
-    *--all*) exit 0 ;;
-    *--sanitize*) sed -i s/STATUS/fail/ build/results/sanitizer.xml; exit 1 ;;
+    *--all*) write tests run ;;
+    *--sanitize*) write sanitizer fail; exit 1 ;;
     *--on*) echo "course: only root can | make a container" >&2; exit 2 ;;
-    *) echo compiling; echo "course: the build failed in $(pwd)/chapters" >&2; rm build/results/*; exit 1 ;;
+    *) echo compiling; echo "course: the build failed in $(pwd)/chapters" >&2; exit 1 ;;
 esac
 """
 APT = """#!/bin/sh
@@ -99,6 +98,7 @@ class Release(Course):
         self.assertRegex(self.rows()["release --only driver"][-1], "not run: (apt-get .* E: there is no network|the second driver is a package for Debian 12)")
         if release.platform.freedesktop_os_release().get("VERSION_CODENAME") == "bookworm":
             self.program("apt-get", APT.replace("MAKE", "true"))
+            self.put("build/results/tests.xml", "<testsuite><testcase name='of a run before' status='fail'/></testsuite>")
             self.release("--only", "driver", code=1, PATH=path)
             row = self.rows()["test -L ^first$"]
             self.assertEqual((row[0], row[-1]), ("first with a second driver, Mesa 25.0.7", "failed: the build failed in chapters"))
