@@ -21,7 +21,7 @@ void World::draw_light(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void set_look(const World& world, const Module& shown_by) {
-    const KnobList knobs = shown_by.all_knobs();
+    const KnobList& knobs = shown_by.all_knobs();
     for (const auto& [name, value] : world.look()) find_knob(knobs, name).change_default(value);
 }
 

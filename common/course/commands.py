@@ -9,6 +9,7 @@ COMMANDS = {
     "run --page": "film",
     "test": "test.run_tests",
     "test --device": "test.device",
+    "release": "test.release",
     "accept": "shots.accept",
     "check": "check.check",
     "check --next": "check.next_step",

@@ -1,4 +1,4 @@
-"""The gallery: draws every picture of the course, the best of each chapter first, while the programs are being built."""
+"""The gallery: draws the best picture of each chapter while the programs are being built, then all others if asked."""
 
 import argparse
 import hashlib
@@ -48,11 +48,11 @@ def gallery_in_shards(words: list[str]) -> int:
     return draw_gallery_shard(file, arguments.shard)
 
 
-def gallery_pictures() -> list[dict]:
+def gallery_pictures(best_only: bool = False) -> list[dict]:
     return [{"chapter": chapter, "name": shot["name"], "caption": shot.get("caption", ""),
              "image": f"{chapter}/{shot['name']}.png", "error": None,
              "command": f"./course run {chapter[:2]} --shot {shot['name']}"}
-            for chapter in chapters() for shot in best_first(chapter)]
+            for chapter in chapters() for shot in best_first(chapter)[:1 if best_only else None]]
 
 
 def draw_gallery_shard(file: Path, shard: shards.Shard) -> int:
@@ -82,22 +82,27 @@ def merge_gallery(paths: list[Path]) -> int:
     return finish_gallery(pictures, folder)
 
 
-def draw_gallery() -> int:
-    """Builds the programs and draws every picture that is not drawn yet as things stand. Exit code 1 where one failed."""
-    folder, pictures = BUILD / "gallery", gallery_pictures()
+def draw_gallery(best_only: bool) -> int:
+    """Builds the programs and draws every picture, or each chapter's best one, unless an equal one is there. Exit code 1 where
+    one failed."""
+    folder, pictures = BUILD / "gallery", gallery_pictures(best_only)
     build([chapters()[0]])  # and with it the shared library
     known, start_s = read_drawn(folder), time.monotonic()
     drawer = Drawer(folder, pictures, [], known)
     stale = drawer.draw_all(Programs(drawer.page_changed))
     if stale:
         warn(f"drew {stale} pictures in {time.monotonic() - start_s:.1f} s")
-    return finish_gallery(pictures, folder)
+    failed = finish_gallery(pictures, folder, best_only)
+    if best_only:
+        say(f"./course run --gallery draws all {len(gallery_pictures())}")
+    return failed
 
 
-def finish_gallery(pictures: list[dict], folder: Path) -> int:
+def finish_gallery(pictures: list[dict], folder: Path, best_only: bool = False) -> int:
     from pages.gallery import write_gallery  # here: a chapter starts without jinja2, too
 
-    write_gallery(pictures, folder / "index.html")  # with nothing to draw, too: lessons may have got pages
+    # With nothing to draw, too: lessons may have got pages.
+    write_gallery(pictures, folder / "index.html", all_of_them=len(gallery_pictures()) if best_only else 0)
     failed = say_failed(pictures)
     if not has_display():
         warn("there is no display to open a window on")
@@ -152,7 +157,8 @@ class Drawer:
         finally:
             self.stopping = True
             for drawing in list(self.drawings):
-                drawing.program.kill()
+                if drawing.program:  # None: it could not be started
+                    drawing.program.kill()
             if programs:
                 programs.stop()
         if programs:
@@ -266,9 +272,9 @@ class Drawer:
         for picture in self.pictures:
             if self.programs.states[picture["chapter"]].name != "ready":
                 picture["error"] = "its chapter does not compile"
-        names = {picture["image"] for picture in self.pictures if not picture["error"]}
+        failed = {picture["image"] for picture in self.pictures if picture["error"]}
         write_atomically(self.folder / "drawn.json",
-                         json.dumps({image: key for image, key in self.known.items() if image in names}))
+                         json.dumps({image: key for image, key in self.known.items() if image not in failed}))
 
 
 def read_drawn(folder: Path) -> dict:

@@ -13,14 +13,12 @@ from tree import (BUILD, Failure, UsageError, chapter_program, chapters, find_ch
 HELP = """Builds the course and starts it.
 
   ./course run                  a menu of the chapters, each of which can be started as soon as it is built; without a
-                                display, build/gallery/index.html, which grows while the course is built
+                                display, each chapter's best picture on build/gallery/index.html
   ./course run 02 [options]     chapter 02, by its number or its name, with the chapter's own options
   ./course run 02 --help        a list of these options
   ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
-  ./course run --gallery        the pictures, with or without a display
-  ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
+  ./course run --gallery        every picture of the course on that page, with or without a display
   ./course run --gallery --shard 3/16 --out F    part 3 of 16 of them, into the folder F; --merge F writes the page
-  ./course run --menu [options] the menu, with options of the chapters that it starts: --device NAME, for instance
   ./course run --gallery --slurm                 Slurm draws the parts"""
 
 
@@ -38,7 +36,7 @@ def run_words(words: list[str]) -> int:
         return start(find_chapter(words[0]), words[1:])
     if words or not has_display():
         with alone(BUILD, "gallery"):
-            return draw_gallery()
+            return draw_gallery(best_only=not words)
     return open_menu([])
 
 

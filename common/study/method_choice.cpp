@@ -43,7 +43,7 @@ bool is_own_method(const Chapter& chapter, const KnobBase& knob) {
 
 StudyPlan plan_for(const Chapter& chapter, const KnobBase& method, const fs::path& file) {
     const JsonWithLines source = parse_json(read_file(file), file.string());
-    const KnobList knobs = chapter.all_knobs();
+    const KnobList& knobs = chapter.all_knobs();
     if (is_own_method(chapter, method)) return read_study(source, knobs);
     try {
         return read_study_of(method, source, knobs);

@@ -69,7 +69,7 @@ bool slider_beside_number(const char* id, const std::function<bool()>& slider,
 }
 
 bool widget(Knob<float>& knob, const char* id) {
-    const auto [lower, upper] = knob.range;
+    const float lower = knob.range.lower, upper = knob.range.upper;  // no binding: clang 14 lets no lambda capture one
     const float before = knob.value;
     const bool tiny = lower > 0.0f && lower < 1e-3f, decades = spans_decades(lower, upper, knob.default_value);
     const char* const format = tiny ? "%.6f" : decades ? "%.5g" : number_format(upper - lower);

@@ -73,18 +73,28 @@ class Commands(Course):
         self.assertIn("the menu", self.course("run", DISPLAY=":9"))
 
     def test_gallery_draws_what_is_new(self):
-        self.assertIn("3 pictures", self.course("run"))
-        self.assertIn("01_obj/bunny.png", (self.root / "build/gallery/index.html").read_text())
+        def gallery():
+            return self.course("run", "--gallery")
+
+        page = self.root / "build/gallery/index.html"
+        self.assertRegex(self.course("run"), r"index\.html: 2 pictures\n\./course run --gallery draws all 3\n\Z")
+        self.assertIn("01_obj/bunny.png", page.read_text())
+        self.assertIn("draws all 3 pictures", page.read_text())
+        self.assertNotIn("car.png", page.read_text())
         self.assertNotIn("drew", self.course("run"))
+        self.assertRegex(gallery(), r"drew 1 [\s\S]*index\.html: 3 pictures\n\Z")
+        self.assertIn("car.png", page.read_text())
+        self.course("run")
+        self.assertNotIn("drew", gallery())  # what --gallery drew is kept
         self.put("shaders/common/new.glsl")
-        self.assertIn("drew 3", self.course("run"))
+        self.assertIn("drew 3", gallery())
         self.put("tests/02_lambert/shots.json", json.dumps({"shots": [{"name": "bunny", "caption": "One."}]}))
         self.assertIn("drew 1", self.course("run"))
         self.put("crash")
         self.put("shaders/common/newer.glsl")
         self.assertIn("mesh.frag:3", self.course("run", code=1))
         (self.root / "crash").unlink()
-        self.assertIn("drew 3", self.course("run"))
+        self.assertIn("drew 2", self.course("run"))
 
     def test_interrupt_is_quiet_and_130(self):
         self.course("run", "01")
@@ -157,13 +167,18 @@ class Tests(Course):
         self.assertIn("the build failed", self.course("test", "unit", code=1))
         self.assertIn("the build failed", self.course("test", code=1))
 
-    def test_sanitizers_are_counted_and_without_all_two_suites_are_run(self):
+    def test_without_all_two_suites_are_run_with_and_without_sanitizers(self):
         self.accept()
-        self.assertIn("out of 20", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertIn("out of 10", self.course("test", "--sanitize").splitlines()[-1])
+        self.assertTrue((self.root / "build/results/sanitizer.xml").exists())
         said = self.course("test")
         self.assertIn("out of 10", said.splitlines()[-1])
         self.assertRegex(said, r"time of tests, some at once: first \d+ s in 5 tests, engine \d+ s in 5 tests\nslowest: ")
         self.assertIn("out of 1", self.course("test", "-L", "platform").splitlines()[-1])
+        said = self.course("test", "--changed")
+        self.assertIn("platform: git knows no HEAD~1, so these are all 1 tests: text.course\n", said)
+        self.assertIn("out of 11", said.splitlines()[-1])
+        self.assertEqual(self.course("test", "--changed", "shots", code=2), "course: --changed shots: git knows no such commit\n")
 
     def test_nothing_to_build_says_nothing(self):
         self.course("run", "01")

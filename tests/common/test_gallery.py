@@ -10,6 +10,7 @@ from unittest import mock
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 import gallery  # noqa: E402
+from tree import Failure  # noqa: E402
 
 SHOTS = [{"chapter": "01_obj", "name": name, "image": f"01_obj/{name}.png", "error": None} for name in ("bunny", "car")]
 
@@ -35,13 +36,13 @@ class Built:
 
 
 class First(unittest.TestCase):
-    def order(self, known: dict, wrong: str = "") -> list[str]:
+    def order(self, known: dict, wrong: str = "", starts: bool = True) -> list[str]:
         """What is drawn and compiled, one after the other."""
         found = []
 
         class Drawing:
             def __init__(self, _chapter, **_):
-                self.program = mock.Mock()
+                self.program = mock.Mock() if starts else None
 
             def is_alive(self):
                 return True
@@ -50,6 +51,8 @@ class First(unittest.TestCase):
                 pass
 
             def draw(self, words, file):
+                if not starts:
+                    raise Failure("no such program")
                 found.append(f"{words[1]}, {words[3]}")
                 if not wrong:
                     file.write_text("")
@@ -72,6 +75,7 @@ class First(unittest.TestCase):
 
     def test_one_that_cannot_be_drawn_stops_nothing(self):
         self.assertIn("the compiler", self.order({}, "no device"))
+        self.assertEqual(self.order({}, starts=False), ["the compiler"])
 
     def test_what_is_drawn_already_is_not_waited_for(self):
         self.assertEqual(self.order({shot["image"]: "now" for shot in SHOTS}), ["the compiler"])

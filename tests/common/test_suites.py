@@ -5,11 +5,13 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 from test import suites  # noqa: E402
+from tree import Failure  # noqa: E402
 
 JUNIT = """<testsuite><testcase name="shots.01" time="2.4"/><testcase name="unit.common" time="1"/>
 <testcase name="text.grade_book" time="70"/></testsuite>"""
@@ -39,13 +41,32 @@ class Suites(unittest.TestCase):
     def test_what_changed_is_asked_of_git(self):
         self.assertIsNone(suites.changed_since("no such commit"))
 
+    def test_a_change_begins_where_the_branch_left_the_main_one(self):
+        def base(head: str, **merge_bases: str) -> str:
+            def git(*words):
+                found = merge_bases.get(words[2].replace("/", "_")) if words[0] == "merge-base" else head
+                if not found:
+                    raise Failure("no such branch")
+                return f"{found}\n".encode()
+            with mock.patch.object(suites, "git", git):
+                return suites.branch_base()
+        self.assertEqual(base("new", origin_HEAD="old"), "old")
+        self.assertEqual(base("new", origin_main="old"), "old")
+        self.assertEqual(base("same", origin_HEAD="same"), "HEAD~1")
+        self.assertEqual(base("new"), "HEAD~1")
+
     def test_times_are_told_by_suite(self):
         with tempfile.NamedTemporaryFile("w", suffix=".xml") as file:
             file.write(JUNIT)
             file.flush()
-            self.assertEqual(suites.times(Path(file.name)), [
-                "time of tests, some at once: first 2 s in 1 tests, engine 1 s in 1 tests, platform 70 s in 1 tests",
-                "slowest: text.grade_book 70 s, shots.01 2 s, unit.common 1 s"])
+            said = ["time of tests, some at once: first 2 s in 1 tests, engine 1 s in 1 tests, platform 70 s in 1 tests",
+                    "slowest: text.grade_book 70 s, shots.01 2 s, unit.common 1 s"]
+            self.assertEqual(suites.times(Path(file.name), with_reasons=False), said)
+            self.assertEqual(suites.times(Path(file.name), with_reasons=True),
+                             [*said, "above 60 s without a reason in tests/suites.txt: text.grade_book"])
+
+    def test_a_long_test_has_a_reason(self):
+        self.assertEqual(suites.long_without_reason({"shots.05": 70, "text.grade_book": 61, "text.grade": 60}), ["text.grade_book"])
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from pages.report import write_report
 from test import test_shards
 from test.container import test_on
 from test.needs import NOTHING, build_for, selected
-from test.suites import EVERY_COMMIT, changed_since, concerned, times
+from test.suites import EVERY_COMMIT, branch_base, changed_since, concerned, times
 from test.test_shards import closing_line
 from tree import BUILD, Failure, UsageError, relative, say
 
@@ -25,9 +25,9 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --all            all four suites, as before a release
   ./course test -L platform      one suite; other options are passed to ctest as well
   ./course test shots.02         the tests whose name matches this regular expression
-  ./course test --since COMMIT   first, engine, and the tests of platform that the files changed since then concern
-  ./course test --sanitize       these tests, then first and engine once more under the sanitizers of addresses and of
-                                 undefined behaviour
+  ./course test --changed [COMMIT]    first, engine, and the tests of platform that the files changed since then concern;
+                                 by default since the branch left the main one, on that since its parent
+  ./course test --sanitize       these tests under the sanitizers of addresses and of undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --device NAME    every shot and every check on one device, such as a graphics card (hardware), within limits of
                                  its own; --against FILE compares with an earlier run, and --device --help says more
@@ -40,20 +40,21 @@ The suites, by what they prove (tests/suites.txt lists their tests):
   platform   what stands around the chapters: pages, live pages, grading, the command, windows
   field      studies, need rules, figures of lessons, all knobs, other systems, drivers and browsers
 
-The last line counts all tests that ran; the lines before say how long each suite took, and which tests were slowest."""
+The last line counts all tests that ran; the lines before say how long each suite took, which tests were slowest, and which
+took over a minute without a reason in tests/suites.txt."""
 PASSES_OPTIONS = True
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 
 
 def add_arguments(parser):
-    parser.usage = ("./course test [PATTERN | --all | --since COMMIT | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
+    parser.usage = ("./course test [PATTERN | --all | --changed [COMMIT] | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
                     "[--merge FILE...] [OPTIONS OF CTEST]")
     parser.add_argument("--all", action="store_true", help="all four suites")
-    parser.add_argument("--since", metavar="COMMIT", help="add the tests of platform that changed files concern")
+    parser.add_argument("--changed", nargs="?", const="", metavar="COMMIT", help="add the tests of platform that changed files concern")
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
-    parser.add_argument("--sanitize", action="store_true", help="then run first and engine once more under the sanitizers")
+    parser.add_argument("--sanitize", action="store_true", help="run the tests under the sanitizers")
 
 
 def run(arguments, rest) -> int:
@@ -79,26 +80,21 @@ def run(arguments, rest) -> int:
     results.mkdir(parents=True, exist_ok=True)
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
-    sanitized = selection or EVERY_COMMIT
     if not selection and not arguments.all:
-        selection = with_platform(arguments.since) if arguments.since else EVERY_COMMIT
+        selection = EVERY_COMMIT if arguments.changed is None else with_platform(arguments.changed)
 
     def of_shard(folder, chosen):
         return test_shards.words(folder, chosen, arguments.shard)
 
-    folder, options = build_for(selection, of_shard, also=["every_shader"] if arguments.all else [])
-    runs = [run_ctest(folder, results / "tests.xml", options)]
-    for line in times(results / "tests.xml") if runs[0][0] else []:
+    preset, junit = ("sanitizer", results / "sanitizer.xml") if arguments.sanitize else ("default", results / "tests.xml")
+    folder, options = build_for(selection, of_shard, preset, also=["every_shader"] if arguments.all else [])
+    total, failed = run_ctest(folder, junit, options)
+    for line in times(junit, with_reasons=not arguments.sanitize) if total else []:
         say(line)
-    if arguments.sanitize:
-        say("\nunder the sanitizers:")
-        folder, options = build_for(sanitized, of_shard, "sanitizer")
-        runs.append(run_ctest(folder, results / "sanitizer.xml", options))
     if file:
-        return test_shards.write(file, arguments.shard, results, runs, rest)
+        return test_shards.write(file, arguments.shard, results, total, failed, rest)
     report = BUILD / "report" / "index.html"
     write_report(results, report)
-    total, failed = (sum(counts) for counts in zip(*runs))
     if not total:
         raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
     say(f"\nreport: {relative(report)}")
@@ -108,10 +104,13 @@ def run(arguments, rest) -> int:
 
 def with_platform(commit: str) -> list[str]:
     """ctest's options for first, engine, and what concerns the files changed since a commit, which a line says."""
-    folder, files = build(NOTHING), changed_since(commit)
+    files = changed_since(since := commit or branch_base())
+    if commit and files is None:
+        raise UsageError(f"--changed {commit}: git knows no such commit")
+    folder = build(NOTHING)
     more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
-    why = f"changes since {commit}" if files is not None else f"git knows no {commit}, so all of platform"
-    say(f"platform: {why} concern {len(more)} tests" + (": " + " ".join(more) if more else ""))
+    why = f"changes since {since} concern" if files is not None else f"git knows no {since}, so these are all"
+    say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else ""))
     every = [name for _, name in selected(folder, EVERY_COMMIT)]
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
