@@ -122,8 +122,7 @@ Bounds City::bounds() const {
     if (boxes_.empty() || !ground_.exists()) return all;
     const float reach = plan_.radius_m + block_x_m;
     all.add(glm::vec3(plan_.middle_m.x - reach, -10.0f, plan_.middle_m.y - reach));
-    all.add(glm::vec3(plan_.middle_m.x + reach, ground_.map().highest_m + grid_.highest,
-                      plan_.middle_m.y + reach));
+    all.add(glm::vec3(plan_.middle_m.x + reach, ground_.map().highest_m + grid_.highest, plan_.middle_m.y + reach));
     return all;
 }
 

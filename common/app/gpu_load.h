@@ -11,7 +11,7 @@ class GpuLoad {
   public:
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
 
-    /// Keeps the device busy for `duration`, up to 0.5 s longer until it is at full speed. Blocks. Hardware only.
+    /// Keeps the device busy for `duration`, up to 0.5 s longer until it is at full speed. Blocks. Nothing on the software path.
     void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));
 
   private:

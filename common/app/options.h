@@ -16,10 +16,11 @@ struct Options {
     std::optional<float> time_given;
     int frames = 1, camera_of_file = 0;
     bool frames_given = false, json = false, validate = false, explain = false;
-    bool default_variants = false;  ///< with compile_shaders: default knobs only
-    bool pictures = false;          ///< pictures requested on standard input
-    bool refine = true;             ///< a still view in a window accumulates samples
-    std::string events;             ///< event log of the window: "on"; empty: none
+    std::optional<bool> software_paths;  ///< forces Device::software_paths
+    bool default_variants = false;       ///< with compile_shaders: default knobs only
+    bool pictures = false;               ///< pictures requested on standard input
+    bool refine = true;                  ///< a still view in a window accumulates samples
+    std::string events;                  ///< event log of the window: "on"; empty: none
     std::string study_file;
     std::optional<int> study_rounds;
     std::string shaders_into, shaders_from;  ///< folders of common/gpu/sealed.h

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,8 +32,9 @@ struct DeviceInfo {
 std::vector<DeviceInfo> list_devices();
 
 struct DeviceOptions {
-    std::string name;       ///< part of a device name, or a device type; empty: hardware before software
-    bool validate = false;  ///< core and synchronisation validation
+    std::string name;                      ///< part of a device name, or a device type; empty: hardware before software
+    bool validate = false;                 ///< core and synchronisation validation
+    std::optional<bool> software_paths{};  ///< forces Device::software_paths, so that tests run both sides
     std::vector<const char*> surface_extensions;  ///< GLFW's extensions; empty: headless
 
     std::function<void(const char*)> on_message;  ///< receives every message until the device is destroyed
@@ -60,10 +62,9 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;  ///< graphics and compute
     uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
-    VkPhysicalDeviceFeatures has{};  ///< optional features; all are enabled
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
-    bool hides_blocks = false;  ///< uniform blocks are array elements (hidden_blocks.h)
+    bool software_paths = false;  ///< side of each branch by device (docs/framework.md#what-differs-between-devices)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 

@@ -233,9 +233,9 @@ TEST_CASE("what moves within the finest cascade draws that one again, and no oth
 }
 
 TEST_CASE("a caster whose vertices move where it stands has its map drawn again") {
-    ShadowScene test({object_at(quad_file, {0, 0, -4}, glm::vec3(9.0f)),
-                      object_at("conformance/moving_skin.gltf", {0, 0, 2})},
-                     {{.kind = Light::Kind::spot, .position = {0, 0, 8}, .direction = {0, 0, -1}, .outer_rad = 0.7f}});
+    ShadowScene test(
+        {object_at(quad_file, {0, 0, -4}, glm::vec3(9.0f)), object_at("conformance/moving_skin.gltf", {0, 0, 2})},
+        {{.kind = Light::Kind::spot, .position = {0, 0, 8}, .direction = {0, 0, -1}, .outer_rad = 0.7f}});
     const std::vector<TestPoint> points = square(2000, 4.0f);
     animate(test.scene, 0);
     const std::vector<float> before = test.visibility(points);
