@@ -111,7 +111,7 @@ void step_again(Any& pass, const RecordedStep& step, const Cast& cast) {
             if (std::max({n.x, n.y, n.z}) > 65535) throw Failure("it dispatches {} x {} x {} groups", n.x, n.y, n.z);
             if constexpr (std::is_same_v<Any, Compute>) return void(pass.dispatch(n));
             break;
-        case Kind::draw:
+        case Kind::draw:  // NOLINT(bugprone-branch-clone): a pass that computes has neither draws nor calls
             if constexpr (std::is_same_v<Any, Raster>) return void(pass.draw(n.x, n.y, n.z));
             break;
         case Kind::call:

@@ -50,7 +50,7 @@ std::string defines() {
 
 }  // namespace
 
-std::string undefined_glsl() {
+std::string undefined_glsl() {  // NOLINT(readability-function-cognitive-complexity): a loop for each operation and type
     std::string text =
         "float undefined_result = 0.0, undefined_a, undefined_b;\nint undefined_what = 0;\n"
         "bool undefined_nan(float a) { return (floatBitsToUint(a) & 0x7fffffffu) > 0x7f800000u; }\n"

@@ -47,6 +47,7 @@ class Asking {
             std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s() + 1500);
         channel::Request request{.nonce = nonce(), .id = id, .commas = writes_commas(), .arguments = arguments};
         const std::string bytes = channel::packed(request);
+        // A copy: guard_call changes what guarded() refers to. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
         const std::string before = guarded(), what = before.empty() ? name_of(id) : before;
         guard_call("");  // from here on the clock is this deadline
         send(bytes, what);
