@@ -64,7 +64,9 @@ class Checks:
         ready = select.select([self.process.stdout], [], [], TIMEOUT_S)[0]
         line = self.process.stdout.readline() if ready else ""
         if not line.startswith("{"):
-            return {"first_failure": f"it was ended by signal {-self.end()}" if ready else f"it did not end within {TIMEOUT_S} s"}
+            code = self.end() if ready else 0
+            how = f"was ended by signal {-code}" if code < 0 else f"ended with {code}" if ready else f"did not end within {TIMEOUT_S} s"
+            return {"first_failure": f"it {how}"}
         if "variant" in answer:
             self.end()
         return json.loads(line)
