@@ -152,8 +152,8 @@ void Ambiance::make_effects(Gpu& gpu) const {
 // largest speed over the smallest, of the path on which that is most.
 void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) {
     double off = 0, speed = 1;
-    for (const FilmScene& shown : reel.film().scenes) {
-        const CameraPath& path = shown.camera;
+    for (const FilmScene& one : reel.film().scenes) {
+        const CameraPath& path = one.camera;
         if (path.keys().size() < 2) continue;
         off = std::max(off, off_the_chord(path.positions(), 64));
         constexpr int steps = 512;
