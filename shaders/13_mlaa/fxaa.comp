@@ -87,7 +87,8 @@ bool fxaa(ivec2 place) {
     float sw = kept_luma(place + ivec2(-1, 1)), se = kept_luma(place + ivec2(1, 1));
     float across_rows = abs(nw + sw - 2.0 * w) + 2.0 * abs(n + s - 2.0 * m) + abs(ne + se - 2.0 * e);
     float across_columns = abs(nw + ne - 2.0 * n) + 2.0 * abs(w + e - 2.0 * m) + abs(sw + se - 2.0 * s);
-    bool horizontal = across_rows >= across_columns;
+    // Where three blocks meet both are often equal: rounding, which is the device's, does not decide.
+    bool horizontal = across_rows >= 0.99999 * across_columns;
     float before = horizontal ? n : w, behind = horizontal ? s : e;
     int towards = abs(before - m) >= abs(behind - m) ? -1 : 1;
     ivec2 side = horizontal ? ivec2(0, towards) : ivec2(towards, 0), along = horizontal ? ivec2(1, 0) : ivec2(0, 1);

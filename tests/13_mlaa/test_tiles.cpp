@@ -12,7 +12,9 @@ constexpr glm::uvec2 sizes[] = {{1, 1}, {2, 40}, {3, 257}, {33, 34}, {1279, 719}
 float random(int x, int y, uint32_t salt) {
     uint32_t n = (uint32_t(x) * 73856093u) ^ (uint32_t(y) * 19349663u) ^ (salt * 83492791u);
     n = (n ^ n >> 13) * 0x5bd1e995u;
-    return float((n ^ n >> 15) & 255) / 256.0f;  // half floats hold it to the bit
+    // Half floats hold it to the bit. Of odd 512ths no two have roots that differ by exactly 1/16 or an eighth: at such a tie
+    // rounding, which is the device's, would decide whether there is contrast.
+    return (float((n ^ n >> 15) & 255) + 0.5f) / 256.0f;
 }
 
 // Blocks of several sizes, slanted edges, single pixels, and a part in which nothing happens.
@@ -56,7 +58,7 @@ struct ByHand {
         const auto bend = [](float a, float b, float c) { return std::abs(a + c - 2 * b); };
         const float rows = bend(l[0][0], w, l[2][0]) + 2 * bend(n, m, s) + bend(l[0][2], e, l[2][2]);
         const float columns = bend(l[0][0], n, l[0][2]) + 2 * bend(w, m, e) + bend(l[2][0], s, l[2][2]);
-        const bool flat = rows >= columns;
+        const bool flat = rows >= 0.99999f * columns;
         const float before = flat ? n : w, behind = flat ? s : e;
         const int towards = std::abs(before - m) >= std::abs(behind - m) ? -1 : 1;
         const glm::ivec2 side = flat ? glm::ivec2(0, towards) : glm::ivec2(towards, 0), along(flat, !flat);
