@@ -101,7 +101,9 @@ TEST_CASE_METHOD(OnSpread, "charts that touch give each other nothing", "[12.cha
             for (int x = 20; x < 48; ++x) dark = std::max(dark, double(found.at(x, y).r));
         }
         INFO(count);
-        CHECK(lit < 1e-3);  // even light stays even up to the border
+        // Even light stays even up to the border. A conversion to half floats may round towards zero: 2^-11 of values from
+        // 0.5 to 1 for each image, two of each Gaussian and their sum.
+        CHECK(lit <= (count ? 2 * count + 1 : 1) * 0x1p-11 + 1e-6);
         CHECK(dark == 0);
     }
 }
