@@ -58,6 +58,7 @@ EQUAL = [
     # docs/07: for a texture with powers of two as sides, 2x2 means; single_pass rounds to codes later than box does.
     Equal("mips.method", ("box", "polyphase")),
     Equal("mips.method", ("box", "single_pass"), codes=4),
+    Equal("mips.reduction", ("shared", "shuffle"), codes=1, sets=("mips.method=single_pass",)),
     Equal("mips.bilinear", ("on", "off"), codes=1, sets=("mips.method=single_pass",)),
     Equal("remake", ("on", "off"), frames=2),
     Equal("remake", ("on", "off")),
