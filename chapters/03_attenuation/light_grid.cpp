@@ -24,8 +24,8 @@ glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene) {
     return {std::clamp(nearest, std::max(camera.near_m, farthest / 500.0f), farthest / 1.01f), farthest};
 }
 
-void LightGrid::set_view(const Device& device, const View& seen, const Bounds& scene, Cells cells, int slices,
-                         size_t lights, float threshold) {
+void LightGrid::set_view(const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights,
+                         float threshold) {
     const Camera& camera = seen.camera;
     cells_ = cells;
     lights_ = lights;
@@ -50,9 +50,8 @@ void LightGrid::set_view(const Device& device, const View& seen, const Bounds& s
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
     const auto divide = [&] { view.tiles = (seen.size + view.tile_px - 1u) / view.tile_px; };
-    for (divide(); view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > device.properties.limits.maxStorageBufferRange;
-         divide())
-        view.tile_px *= 2;
+    constexpr VkDeviceSize most_bytes = 1u << 27;  // that every device can bind (the limit maxStorageBufferRange)
+    for (divide(); view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > most_bytes; divide()) view.tile_px *= 2;
 }
 
 // [record]

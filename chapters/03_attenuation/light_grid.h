@@ -22,9 +22,8 @@ class LightGrid {
     enum class Cells { tiles, clusters };
 
     /// Makes the cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty);
-    /// tiles have none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the device's largest buffer.
-    void set_view(const Device& device, const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights,
-                  float threshold);
+    /// tiles have none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the largest buffer that every device has.
+    void set_view(const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights, float threshold);
 
     /// Sorts the lights into the cells, for tiles by the view's `depth`. `lights` gives shaders the lights' buffer and
     /// this grid's view.

@@ -19,9 +19,8 @@ void Lights::update_objects(Frame& frame, const Scene& scene) {
 }
 
 void Lights::record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth) {
-    grid_.set_view(frame.gpu.device, view, scene.bounds,
-                   method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters, slices,
-                   buffer_.lights().size(), ends_at());
+    grid_.set_view(view, scene.bounds, method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters,
+                   slices, buffer_.lights().size(), ends_at());
     if (has_cells()) grid_.record(frame, *this, depth);
 }
 

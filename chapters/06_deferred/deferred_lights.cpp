@@ -9,7 +9,7 @@ void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient,
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
     if (volumes) volumes_.update(frame, lights);
     if (tiled)
-        tiles_.set_view(frame.gpu.device, view, scene.bounds, LightGrid::Cells::tiles, 1, 0,
+        tiles_.set_view(view, scene.bounds, LightGrid::Cells::tiles, 1, 0,
                         lights.falloff.is("inverse_square") ? lights.threshold : 0.0f);
     const ImageView color = canvas.color_overwritten();
 

@@ -67,7 +67,7 @@ class Bench {
 
         std::vector<std::string> measured;
         for (const std::string& method : methods)  // hundreds of lookups for each texel: not on a processor
-            if ((method != "kaiser" || !gpu_.device.software() || texels.size.x <= 2048) &&
+            if ((method != "kaiser" || !gpu_.device.software_paths || texels.size.x <= 2048) &&
                 (method != "bilinear" || content == Content::linear))
                 measured.push_back(method);
         std::map<std::string, std::vector<double>> times;
@@ -126,7 +126,7 @@ class Bench {
     // By a shader: an H200 copies buffers at a twentieth of its shaders' rate. On a CPU, memcpy.
     void record_copy(Frame& frame) {
         const auto count = static_cast<uint32_t>(from_.bytes / 16);
-        if (gpu_.device.software())
+        if (gpu_.device.software_paths)
             frame.transfer("copy", {.reads = {from_}, .writes = {to_}, .with = {}}, [&](VkCommandBuffer commands) {
                 const VkBufferCopy all{.size = from_.bytes};
                 vkCmdCopyBuffer(commands, from_.handle, to_.handle, 1, &all);

@@ -9,7 +9,7 @@ constexpr double enough_ms = 2;
 }  // namespace
 
 void GpuLoad::run(std::chrono::milliseconds duration) {
-    if (frame_.gpu.device.software()) return;
+    if (frame_.gpu.device.software_paths) return;
     if (!result_) result_ = Buffer(frame_.gpu.device, {.name = "load", .bytes = 16});
     const auto until = std::chrono::steady_clock::now() + duration, at_most = until + std::chrono::milliseconds(500);
     least_ms_ *= 1.01;  // a device that grows warm becomes slower for good

@@ -13,7 +13,7 @@ class GpuLoad {
     explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
 
     /// Keeps the device busy for so long, in frames of its own, and waits; up to half a second longer until they are as fast
-    /// as those of the last load. Nothing at all on a software device. 3 ms before each of an H200's short frames were not enough
+    /// as those of the last load. Nothing at all on the software path. 3 ms before each of an H200's short frames were not enough
     /// for its clock, nor 30 ms after the processor had made a table for a tenth of a second.
     void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));
 

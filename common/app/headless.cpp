@@ -83,6 +83,7 @@ std::vector<double> recording_in_a_row(Chapter& chapter, Frame& frame, const Opt
             options.size, options.time_s + static_cast<float>(options.frames + i) / 60.0f, options.seed, {}};
         picture.gathered = 0;
         render(chapter, frame, picture);
+        frame.finish();
         recording_ms.push_back(frame.recording_ms);
     }
     return recording_ms;
@@ -92,8 +93,10 @@ std::vector<double> recording_in_a_row(Chapter& chapter, Frame& frame, const Opt
 
 std::unique_ptr<Gpu> make_gpu(const Options& options) {
     if (!options.capture.empty()) load_renderdoc();
-    auto gpu = std::make_unique<Gpu>(
-        DeviceOptions{.name = options.device, .validate = options.validate, .surface_extensions = {}});
+    auto gpu = std::make_unique<Gpu>(DeviceOptions{.name = options.device,
+                                                   .validate = options.validate,
+                                                   .software_paths = options.software_paths,
+                                                   .surface_extensions = {}});
     const uint32_t most = gpu->device.properties.limits.maxImageDimension2D;
     if (std::max(options.size.x, options.size.y) > most)
         throw InputError("--size: this device renders at most {} pixels a side", most);
@@ -108,6 +111,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     const size_t said_before = gpu.device.validation_message_count();
     load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
+    frame.fly(2);  // as a window whose clock runs
     const Look look{.output = options.look};
     Image looked_at;
     look.attach(frame, looked_at, chapter.camera, chapter.scene.bounds);
@@ -127,6 +131,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         Picture picture{options.size, options.time_s + static_cast<float>(counted) / 60.0f, options.seed, {}};
         if (!options.timings.empty() && i > 0) picture.gathered = 0;  // what a frame costs in a row of them
         render(chapter, frame, picture);
+        if (!options.timings.empty() || captured) frame.finish();
         if (captured) capture->write(options.capture);
         patience.show(i + 1, options.frames + warm_up);
         if (i < warm_up) add_times(first_times, frame.times);
@@ -134,13 +139,14 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
         add_times(times.emplace_back(), frame.times);  // a pass may have been recorded more than once
         recording_ms.push_back(frame.recording_ms);
     }
+    frame.finish();
     look.check(frame);
     // First: a picture that is wrong does not take the place of one that was right.
     report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
     if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
     if (!options.timings.empty()) {
         json timings = timings_json(gpu, options, chapter, first_times, times, recording_ms);
-        if (!gpu.device.software()) recording_ms = recording_in_a_row(chapter, frame, options);
+        if (!gpu.device.software_paths) recording_ms = recording_in_a_row(chapter, frame, options);
         timings["recording_in_a_row_cpu_ms"] = median(recording_ms);
         write_file(options.timings, timings.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     }

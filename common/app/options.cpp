@@ -71,7 +71,7 @@ void read_list(const std::vector<std::string>& words, Options& o) {
 std::string opening_shot(const Options& options, const CLI::App& app, const Chapter& chapter) {
     const auto other = [](const CLI::Option* one) {
         return !one->empty() && one->get_name() != "--device" && one->get_name() != "--validate" &&
-               one->get_name() != "--size" && one->get_name() != "--use";
+               one->get_name() != "--size" && one->get_name() != "--paths" && one->get_name() != "--use";
     };
     const std::vector<const CLI::Option*> given = app.get_options();
     if (options.headless() || std::any_of(given.begin(), given.end(), other)) return {};
@@ -108,7 +108,7 @@ InputError unrecognised(const CLI::App& app) {
 
 std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     Options o;
-    std::string size, validate = "off", refine = "on", method;
+    std::string size, validate = "off", refine = "on", paths, method;
     std::vector<std::string> list;
     CLI::App app("Lightwalk, chapter " + chapter.name);
     app.add_option("--scene", o.scene, "Scene file or model file (" + chapter.default_scene() + ")")->type_name("FILE");
@@ -150,6 +150,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--validate", validate, "Vulkan core and synchronisation validation; a message is a failure (off)")
         ->check(CLI::IsMember({"on", "off"}).description(""))
         ->type_name("{on,off}");
+    app.add_option("--paths", paths, "For tests: code paths of a software or of a hardware device (the device's own)")
+        ->check(CLI::IsMember({"software", "hardware"}).description(""))
+        ->type_name("{software,hardware}");
     app.add_option("--seed", o.seed, "Seed of everything random (0)")->type_name("N");
     app.add_option("--compile-shaders", o.compile_shaders, "For the build: compile and validate every shader variant")
         ->type_name("STAMP");
@@ -191,6 +194,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
     o.validate = validate == "on";
     o.refine = refine == "on";
+    if (!paths.empty()) o.software_paths = paths == "software";
     chapter.camera_of_file = o.camera_of_file;
     read_list(list, o);
     o.frames_given = !frames->empty();

@@ -16,11 +16,12 @@ struct Options {
     std::optional<float> time_given;
     int frames = 1, camera_of_file = 0;
     bool frames_given = false, json = false, validate = false, explain = false;
-    bool default_variants = false;  ///< for compile_shaders
-    bool pictures = false;          ///< standard input says which
-    bool refine = true;             ///< a window's picture at rest gathers samples
-    std::string events;             ///< log of a window's events: "on", "layout"; default: none
-    std::string study_file;         ///< default: the chapter's own
+    std::optional<bool> software_paths;  ///< forces Device::software_paths
+    bool default_variants = false;       ///< for compile_shaders
+    bool pictures = false;               ///< standard input says which
+    bool refine = true;                  ///< a window's picture at rest gathers samples
+    std::string events;                  ///< log of a window's events: "on", "layout"; default: none
+    std::string study_file;              ///< default: the chapter's own
     std::optional<int> study_rounds;
     std::string shaders_into, shaders_from;  ///< common/gpu/sealed.h
     bool automatic = false;                  ///< --method auto: the need rule chooses

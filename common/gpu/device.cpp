@@ -41,14 +41,6 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-bool has_instance_extension(const char* name, const char* layer = nullptr) {
-    uint32_t count = 0;
-    if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return false;
-    std::vector<VkExtensionProperties> all(count);
-    vkEnumerateInstanceExtensionProperties(layer, &count, all.data());
-    return std::any_of(all.begin(), all.end(), [&](const auto& e) { return !std::strcmp(e.extensionName, name); });
-}
-
 bool has_layer(const char* name) {
     uint32_t count = 0;
     vkEnumerateInstanceLayerProperties(&count, nullptr);
@@ -57,11 +49,11 @@ bool has_layer(const char* name) {
     return std::any_of(all.begin(), all.end(), [&](const auto& l) { return !std::strcmp(l.layerName, name); });
 }
 
-VkInstance make_instance(const DeviceOptions& options, bool debug_utils) {
+VkInstance make_instance(const DeviceOptions& options) {
     const VkApplicationInfo app{
         .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pApplicationName = "Lightwalk", .apiVersion = VK_API_VERSION_1_3};
     std::vector<const char*> extensions = options.surface_extensions;
-    if (debug_utils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);  // of Vulkan's loader itself
     const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                            .enabledValidationFeatureCount = 1,
@@ -126,7 +118,7 @@ void load(VkInstance instance, F& function, const char* name) {
 }  // namespace
 
 std::vector<DeviceInfo> list_devices() {
-    const VkInstance instance = make_instance({}, false);
+    const VkInstance instance = make_instance({});
     std::vector<DeviceInfo> result;
     try {
         for (const VkPhysicalDevice physical : physical_devices(instance)) result.push_back(describe_device(physical));
@@ -140,15 +132,10 @@ std::vector<DeviceInfo> list_devices() {
 
 Device::Device(const DeviceOptions& options) : Device() {
     on_message_ = options.on_message;
-    const bool debug_utils =
-        has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) ||
-        (options.validate && has_instance_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validation_layer));
-    instance = make_instance(options, debug_utils);
-    if (debug_utils) {
-        load(instance, set_name_, "vkSetDebugUtilsObjectNameEXT");
-        load(instance, begin_label_, "vkCmdBeginDebugUtilsLabelEXT");
-        load(instance, end_label_, "vkCmdEndDebugUtilsLabelEXT");
-    }
+    instance = make_instance(options);
+    load(instance, set_name_, "vkSetDebugUtilsObjectNameEXT");
+    load(instance, begin_label_, "vkCmdBeginDebugUtilsLabelEXT");
+    load(instance, end_label_, "vkCmdEndDebugUtilsLabelEXT");
     if (options.validate) {
         const VkDebugUtilsMessengerCreateInfoEXT create{
             .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
@@ -165,6 +152,7 @@ Device::Device(const DeviceOptions& options) : Device() {
     physical = choose(physical_devices(instance), options.name);
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
+    software_paths = options.software_paths.value_or(software());
     max_buffer_bytes = limits.core13.maxBufferSize;
     info = describe_device(physical);
     queue_family = *graphics_family(physical);
@@ -175,8 +163,6 @@ Device::Device(const DeviceOptions& options) : Device() {
                                          .queueCount = 1,
                                          .pQueuePriorities = &priority};
     DeviceFeatures features(physical);
-    has = features.core.features;
-    hides_blocks = limits.driver == VK_DRIVER_ID_MESA_LLVMPIPE && has.shaderUniformBufferArrayDynamicIndexing;
     std::vector<const char*> extensions;
     if (!options.surface_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const VkDeviceCreateInfo create{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
@@ -205,7 +191,6 @@ Device::~Device() {
 }
 
 void Device::set_name(VkObjectType type, uint64_t object, const std::string& name) const {
-    if (!set_name_) return;
     const VkDebugUtilsObjectNameInfoEXT info_name{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
                                                   .objectType = type,
                                                   .objectHandle = object,
@@ -215,12 +200,10 @@ void Device::set_name(VkObjectType type, uint64_t object, const std::string& nam
 
 void Device::begin_label(VkCommandBuffer commands, const char* name) const {
     const VkDebugUtilsLabelEXT label{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pLabelName = name};
-    if (begin_label_) begin_label_(commands, &label);
+    begin_label_(commands, &label);
 }
 
-void Device::end_label(VkCommandBuffer commands) const {
-    if (end_label_) end_label_(commands);
-}
+void Device::end_label(VkCommandBuffer commands) const { end_label_(commands); }
 
 size_t Device::validation_message_count() const {
     const std::lock_guard lock(mutex_);
@@ -254,7 +237,8 @@ VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t mo
     const Turn::Aside others;
     const auto started = std::chrono::steady_clock::now();
     VkResult answer = wait(most);
-    for (int again = 1; again < 10 && answer == VK_TIMEOUT && device.software() && used_ns() - before < most; ++again)
+    for (int again = 1; again < 10 && answer == VK_TIMEOUT && device.software_paths && used_ns() - before < most;
+         ++again)
         answer = wait(most);
     gpu_work.waited_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
     return answer;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,6 +34,7 @@ std::vector<DeviceInfo> list_devices();
 struct DeviceOptions {
     std::string name;       ///< a part of the wanted device's name, or its type; empty: hardware before software
     bool validate = false;  ///< core and synchronisation validation; every message is kept
+    std::optional<bool> software_paths{};         ///< forces Device::software_paths, so that tests run both sides
     std::vector<const char*> surface_extensions;  ///< required by GLFW; empty: headless, no surface at all
 
     std::function<void(const char*)> on_message;  ///< also receives validation messages, until destruction ends
@@ -46,7 +48,7 @@ struct Doomed {
     VkDeviceMemory memory = VK_NULL_HANDLE;
 };
 
-/// Large (19 functions, 22 members): Vulkan's handles and limits.
+/// Large (19 functions, 21 members): Vulkan's handles and limits.
 class Device {
   public:
     /// Throws InputError (no driver, no such device, validation layer missing) or Failure.
@@ -61,10 +63,10 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;  ///< graphics and compute
     uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
-    VkPhysicalDeviceFeatures has{};  ///< optional features that the device has, all enabled
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
-    bool hides_blocks = false;  ///< uniform blocks are elements of arrays (hidden_blocks.h)
+    bool software_paths =
+        false;  ///< side taken of each branch by device (docs/framework.md#what-differs-between-devices)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 

@@ -8,9 +8,17 @@ namespace {
 #define FEATURE(name) \
     { #name, &VkPhysicalDeviceFeatures::name }
 constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> needed_core[] = {
-    FEATURE(samplerAnisotropy), FEATURE(fragmentStoresAndAtomics),  FEATURE(depthClamp),
-    FEATURE(depthBiasClamp),    FEATURE(independentBlend),          FEATURE(imageCubeArray),
-    FEATURE(multiDrawIndirect), FEATURE(drawIndirectFirstInstance), FEATURE(shaderStorageImageWriteWithoutFormat),
+    FEATURE(samplerAnisotropy),
+    FEATURE(fragmentStoresAndAtomics),
+    FEATURE(depthClamp),
+    FEATURE(depthBiasClamp),
+    FEATURE(independentBlend),
+    FEATURE(imageCubeArray),
+    FEATURE(geometryShader),
+    FEATURE(multiDrawIndirect),
+    FEATURE(drawIndirectFirstInstance),
+    FEATURE(shaderStorageImageWriteWithoutFormat),
+    FEATURE(shaderUniformBufferArrayDynamicIndexing),
 };
 #undef FEATURE
 
@@ -36,20 +44,14 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice physical) {
     need(has13.synchronization2, v13.synchronization2, "synchronization2");
     need(has13.maintenance4, v13.maintenance4, "maintenance4");
     for (const auto& [name, member] : needed_core) need(has.features.*member, core.features.*member, name);
-    core.features.geometryShader = has.features.geometryShader;  // chapter 06's `cull` says where it is missing
-    core.features.shaderUniformBufferArrayDynamicIndexing =      // for hidden_blocks.h
-        has.features.shaderUniformBufferArrayDynamicIndexing;
 }
 
 Limits::Limits(VkPhysicalDevice physical) {
     VkPhysicalDeviceSubgroupProperties subgroup{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
-    VkPhysicalDeviceDriverProperties made_by{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
-                                             .pNext = &subgroup};
-    core13.pNext = &made_by;
+    core13.pNext = &subgroup;
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &core13};
     vkGetPhysicalDeviceProperties2(physical, &properties);
     core13.pNext = nullptr;
-    driver = made_by.driverID;
     if ((subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
         (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT))
         shuffling_lanes = core13.minSubgroupSize;

@@ -29,7 +29,6 @@ struct DeviceFeatures {
 struct Limits {
     explicit Limits(VkPhysicalDevice physical);
     VkPhysicalDeviceVulkan13Properties core13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
-    VkDriverId driver{};
     uint32_t shuffling_lanes = 1;  ///< invocations of the smallest subgroup that compute shaders may run in and shuffle
 };
 

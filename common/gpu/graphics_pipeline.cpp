@@ -125,9 +125,6 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
                                             .pColorBlendState = &blend,
                                             .pDynamicState = &dynamic,
                                             .layout = layout};
-    // Checked here, since a driver may ignore a missing feature, or crash.
-    if (!desc.geometry.empty() && !device.has.geometryShader)
-        throw Failure("{} + {}: the device has no geometry shaders", desc.vertex, desc.fragment);
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
           fmt::format("{} + {}", desc.vertex, desc.fragment).c_str());

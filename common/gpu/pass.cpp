@@ -124,7 +124,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     point_ = point;
     if (!pipeline) return;
     vkCmdBindPipeline(commands, point, pipeline->handle);
-    if (frame.gpu.device.hides_blocks) {
+    if (frame.gpu.device.software_paths) {
         const uint32_t index = 0;
         vkCmdPushConstants(commands, pipeline->layout, hidden_index.stageFlags, 0, sizeof index, &index);
     }

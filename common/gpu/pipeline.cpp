@@ -265,13 +265,13 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                  .setLayoutCount = 1,
                                                  .pSetLayouts = &built->set_layout,
-                                                 .pushConstantRangeCount = device_.hides_blocks ? 1u : 0u,
+                                                 .pushConstantRangeCount = device_.software_paths ? 1u : 0u,
                                                  .pPushConstantRanges = &hidden_index};
     check(vkCreatePipelineLayout(device_.handle, &layout_info, nullptr, &built->layout), "pipeline layout");
 
     std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
     for (size_t i = 0; i < stages.stages.size(); ++i) {
-        if (device_.hides_blocks) hide_blocks(stages.spirv[i]);
+        if (device_.software_paths) hide_blocks(stages.spirv[i]);
         const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                             .codeSize = stages.spirv[i].size() * 4,
                                             .pCode = stages.spirv[i].data()};

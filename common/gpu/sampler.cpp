@@ -40,7 +40,7 @@ VkBorderColor vk(Border border) {
 VkSampler Samplers::operator[](const Sampler& sampler) {
     for (const auto& [known, made] : made_)
         if (known == sampler) return made;
-    const float most = device_.properties.limits.maxSamplerAnisotropy;
+    constexpr float most = 16;  // that every device with anisotropic filters has (the limit maxSamplerAnisotropy)
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = vk(sampler.filter),
                                    .minFilter = vk(sampler.filter),

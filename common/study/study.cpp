@@ -186,7 +186,7 @@ class SceneStudy {
         draw(point);
         std::vector<std::pair<std::string, double>> times;
         for (const PassTime& pass : frame_.times) times.emplace_back(pass.name, pass.gpu_ms);
-        if (frame_.gpu.device.software()) return times;
+        if (frame_.gpu.device.software_paths) return times;
         const auto is_again = [&](const auto& first) {
             return std::ranges::any_of(frame_.times, [&](const PassTime& p) { return p.name == first.first; });
         };

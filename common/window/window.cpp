@@ -10,7 +10,6 @@
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
-#include "common/study/device_choice.h"
 #include "common/study/method_choice.h"
 #include "common/window/blit.h"
 #include "common/window/event_log.h"
@@ -44,8 +43,10 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
         options.size_given ? WindowSize{panels, glm::ivec2(options.size)} : WindowSize{.scaled = default_size};
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
                     "without one: --screenshot FILE writes the picture");
-    holder = std::make_unique<Gpu>(DeviceOptions{
-        .name = options.device, .validate = options.validate, .surface_extensions = Display::surface_extensions()});
+    holder = std::make_unique<Gpu>(DeviceOptions{.name = options.device,
+                                                 .validate = options.validate,
+                                                 .software_paths = options.software_paths,
+                                                 .surface_extensions = Display::surface_extensions()});
     Gpu& gpu = *holder;
     gpu.pipelines.keep_last_good = true;
     LiveChapter live(chapter, gpu, scene);
@@ -79,8 +80,6 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
             automatic_.offered.insert(knob->path());
         else if (dynamic_cast<const Choice*>(knob) && knob->name == "method")
             automatic_.without.insert(knob->path());
-    for (const DeviceChoice& one : choose_by_device(chapter_, gpu_))
-        automatic_.chosen[one.knob] = {one.value, "the fastest on this device: " + one.line};
     if (tool_) tool_->automatic = &automatic_;
 }
 

@@ -164,13 +164,9 @@ TEST_CASE_METHOD(OnDevice, "an array of textures is one binding") {
         frame.raster("fill", {.color = {clear(images[i], glm::vec4(float(1 + i)))}}, [](Raster&) {});
     }
     const Buffer seen(gpu.device, {.name = "seen", .bytes = 32});
-    const bool dynamic = gpu.device.has.shaderSampledImageArrayDynamicIndexing;
-    const std::string look = dynamic ? "for (int i = 0; i < 5; ++i) seen[i] = texelFetch(maps[i], ivec2(0), 0).r;"
-                                     : "seen[0] = texelFetch(maps[0], ivec2(0), 0).r;"
-                                       "seen[1] = texelFetch(maps[1], ivec2(0), 0).r;"
-                                       "seen[2] = texelFetch(maps[2], ivec2(0), 0).r;"
-                                       "seen[3] = texelFetch(maps[3], ivec2(0), 0).r;"
-                                       "seen[4] = texelFetch(maps[4], ivec2(0), 0).r;";
+    std::string look;
+    for (const char i : {'0', '1', '2', '3', '4'})
+        look += std::string("seen[") + i + "] = texelFetch(maps[" + i + "], ivec2(0), 0).r;";
     const Pipeline look_up = compute_pipeline(
         "array",
         "layout(local_size_x = 1) in;\nuniform sampler2D maps[5];\nlayout(scalar) buffer SeenBuffer { float "

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <thread>
+#include <utility>
 
 #include "common/gpu/device_wait.h"
 #include "tests/common/gpu_fixture.h"
@@ -68,8 +69,10 @@ TEST_CASE_METHOD(OnDevice, "the clock is for one pass, not for a frame") {
     vkDeviceWaitIdle(gpu.device.handle);
 }
 
-TEST_CASE_METHOD(OnDevice, "a software device is waited for while this process is given no time; ten times at most") {
-    if (!gpu.device.software()) return;
+TEST_CASE_METHOD(OnDevice,
+                 "a software path waits for a device while this process is given no time, ten times at most; a "
+                 "hardware path waits once") {
+    const bool before = std::exchange(gpu.device.software_paths, true);
     setenv("LIGHTWALK_TIMEOUT_S", "0.02", 1);
     int waits = 0;
     const auto starved = [&](int done_after) {
@@ -89,5 +92,8 @@ TEST_CASE_METHOD(OnDevice, "a software device is waited for while this process i
         return VK_TIMEOUT;
     });
     CHECK((busy == VK_TIMEOUT && waits == 1));
+    gpu.device.software_paths = false;
+    CHECK((starved(4) == VK_TIMEOUT && waits == 1));
+    gpu.device.software_paths = before;
     unsetenv("LIGHTWALK_TIMEOUT_S");
 }

@@ -1,10 +1,7 @@
 // The need rule for a module of any chapter: the responsible study, its usable part, and the messages.
-#include <unistd.h>
-
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/check/check.h"
-#include "common/study/device_choice.h"
 #include "common/study/method_choice.h"
 #include "common/study/study_plan.h"
 
@@ -116,69 +113,4 @@ TEST_CASE("method choice: where nothing can be measured a line says why, and all
     says(chapter.other.method, "other.method: no study compares its methods");
     says(chapter.shadow.method,
          "shadow.method: its reference, {\"truth_samples\":32,\"visibility\":\"rays\"}, exists in chapter 05 only");
-}
-
-TEST_CASE("device choice: measured once and kept; what a person or a scene has set stays; a near tie changes nothing") {
-    struct Shaded : Module {
-        using Module::Module;
-        Choice shaded{*this, "shaded", {"raster", "visibility"}, "raster", "how"};
-    };
-    struct Both : Grey {
-        Shaded objects{*this, "objects"}, ground{*this, "ground"};
-    };
-    const std::string device = "device " + std::to_string(getpid());
-    double visibility_ms = 4;
-    int pictures = 0;
-    const auto choose = [&](Both& chapter, const std::string& on) {
-        return choose_by_device(chapter.all_knobs(), on, [&] {
-            ++pictures;
-            return chapter.objects.shaded.is("visibility") ? visibility_ms : 10.0;
-        });
-    };
-    for (int start = 0; start < 2; ++start) {  // the second one reads what the first one kept
-        Both chapter;
-        chapter.ground.shaded.pinned = true;
-        const std::vector<DeviceChoice> chosen = choose(chapter, device);
-        REQUIRE(chosen.size() == 1);
-        CHECK(chosen[0].knob == "objects.shaded");
-        CHECK(chosen[0].line == "raster 10.00 ms, visibility 4.00 ms");
-        CHECK(chapter.objects.shaded.is("visibility"));
-        CHECK_FALSE(chapter.objects.shaded.changed());  // a saved scene does not name it
-        CHECK(chapter.ground.shaded.is("raster"));
-        CHECK(pictures == 2);
-    }
-    Both set;
-    set.objects.shaded.set("visibility");
-    set.ground.shaded.pinned = true;
-    CHECK(choose(set, device).empty());
-    visibility_ms = 9.5;
-    Both near_tie;
-    near_tie.ground.shaded.pinned = true;
-    CHECK(choose(near_tie, device + " other")[0].value == "raster");
-    CHECK(choose_by_device(near_tie, check_device()).empty());  // software
-}
-
-TEST_CASE("device choice: a packed G-buffer is lit by volumes or by tiles, and no other method is tried") {
-    struct Buffer : Module {
-        using Module::Module;
-        Choice method{*this, "method", {"forward", "fat", "packed", "tiled"}, "packed", "how"};
-    };
-    struct Stored : Grey {
-        Buffer gbuffer{*this, "gbuffer"};
-    };
-    const std::string device = "buffers " + std::to_string(getpid());
-    const auto choose = [&](Stored& chapter) {
-        return choose_by_device(chapter.all_knobs(), device,
-                                [&] { return chapter.gbuffer.method.is("tiled") ? 2.0 : 12.0; });
-    };
-    Stored chapter;
-    const std::vector<DeviceChoice> chosen = choose(chapter);
-    REQUIRE(chosen.size() == 1);
-    CHECK(chosen[0].knob == "gbuffer.method");
-    CHECK(chosen[0].line == "packed 12.00 ms, tiled 2.00 ms");
-    CHECK(chapter.gbuffer.method.is("tiled"));
-    CHECK_FALSE(chapter.gbuffer.method.changed());
-    Stored forward;
-    forward.gbuffer.method.change_default("forward");
-    CHECK(choose(forward).empty());
 }
