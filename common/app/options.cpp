@@ -69,7 +69,7 @@ void read_list(const std::vector<std::string>& words, Options& o) {
 std::string opening_shot(const Options& options, const CLI::App& app, const Chapter& chapter) {
     const auto other = [](const CLI::Option* one) {
         return !one->empty() && one->get_name() != "--device" && one->get_name() != "--validate" &&
-               one->get_name() != "--size" && one->get_name() != "--paths" && one->get_name() != "--use";
+               one->get_name() != "--size" && one->get_name() != "--device-paths" && one->get_name() != "--use";
     };
     const std::vector<const CLI::Option*> given = app.get_options();
     if (options.headless() || std::any_of(given.begin(), given.end(), other)) return {};
@@ -146,7 +146,8 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     app.add_option("--validate", validate, "Vulkan core and synchronisation validation; a message is a failure (off)")
         ->check(CLI::IsMember({"on", "off"}).description(""))
         ->type_name("{on,off}");
-    app.add_option("--paths", paths, "For tests: code paths of a software or of a hardware device (the device's own)")
+    app.add_option("--device-paths", paths,
+                   "For tests: code paths of a software or of a hardware device (the device's own)")
         ->check(CLI::IsMember({"software", "hardware"}).description(""))
         ->type_name("{software,hardware}");
     app.add_option("--seed", o.seed, "Seed of everything random (0)")->type_name("N");

@@ -1,5 +1,5 @@
-// Six levels of a tile by one workgroup of 256 threads, by subgroup shuffles in groups of 32 and one barrier. Smaller
-// subgroups use shared memory and barriers instead: slow, for tests.
+// Six levels of a tile by one workgroup of 256 threads, by subgroup shuffles in groups of 32 and one barrier. Values from
+// beyond a smaller subgroup go through shared memory and barriers: slow, for tests.
 #if BY_SHUFFLES
 
 shared vec4 means[4][4];
@@ -9,6 +9,9 @@ vec4 from_lane(vec4 value, int bit) { return subgroupShuffleXor(value, 1u << bit
 #else
 shared vec4 lanes[256];
 vec4 from_lane(vec4 value, int bit) {
+#if SUBGROUP_LANES > 1
+    if (1 << bit < SUBGROUP_LANES) return subgroupShuffleXor(value, 1u << bit);
+#endif
     barrier();
     lanes[gl_LocalInvocationIndex] = value;
     barrier();

@@ -1,7 +1,7 @@
 // All levels in one dispatch. Each workgroup makes six levels of a 64×64 tile; the last to finish makes the other six
 // (AMD, FidelityFX Single Pass Downsampler, 2020).
 #ifndef SUBGROUP_LANES
-#define SUBGROUP_LANES 1  // fewer than 32: not known
+#define SUBGROUP_LANES 1  // none that shuffle
 #endif
 // Which levels a dispatch makes: all; six; or the rest, in a second dispatch of one workgroup.
 #define ALL 0
@@ -15,7 +15,7 @@
 #else
 #define BY_SHUFFLES 0
 #endif
-#if BY_SHUFFLES && SUBGROUP_LANES >= 32
+#if BY_SHUFFLES && SUBGROUP_LANES > 1
 #extension GL_KHR_shader_subgroup_shuffle : require
 #endif
 #include "07_mipmaps/source.glsl"

@@ -35,7 +35,7 @@ class BothSides(unittest.TestCase):
             for shot in shots:
                 with self.subTest(chapter=chapter, shot=shot):
                     own, *forced = [self.drawn(chapter, "--shot", shot, *side)
-                                    for side in ((), *(("--paths", side) for side in SIDES))]
+                                    for side in ((), *(("--device-paths", side) for side in SIDES))]
                     self.assertEqual(forced, [own, own])
 
     def test_timed_pictures_are_equal(self):
@@ -43,7 +43,7 @@ class BothSides(unittest.TestCase):
         for chapter in list(SHOTS)[:2]:
             with self.subTest(chapter=chapter):
                 times = self.folder / "times.json"
-                pictures = [self.drawn(chapter, "--shot", SHOTS[chapter][0], "--frames", "3", "--timings", times, "--paths", side)
+                pictures = [self.drawn(chapter, "--shot", SHOTS[chapter][0], "--frames", "3", "--timings", times, "--device-paths", side)
                             for side in SIDES]
                 self.assertEqual(*pictures)
                 self.assertGreater(json.loads(times.read_text())["recording_in_a_row_cpu_ms"], 0)
@@ -57,7 +57,7 @@ class BothSides(unittest.TestCase):
             "scenes": ["assets/scenes/checker_plain.json"], "curves": [{"method": "box"}, {"method": "single_pass"}]}))
         errors = []
         for side in SIDES:
-            self.run_program("07_mipmaps", "--study", found, "--study-file", study, "--paths", side)
+            self.run_program("07_mipmaps", "--study", found, "--study-file", study, "--device-paths", side)
             errors.append([(point["method"], point["error"]) for point in json.loads(found.read_text())["points"]])
         self.assertEqual(*errors)
 
