@@ -173,8 +173,10 @@ std::set<Key> run_chunks(const ChunkTrial& trial, const ChunkMap& map, uint32_t&
                               .format = VK_FORMAT_R32G32_SFLOAT,
                               .size = glm::uvec2(cells),
                               .mips = full_mip_count(glm::uvec2(cells))});
-    const std::vector<glm::vec2> level_ground(size_t(cells) * cells, glm::vec2(0));
-    gpu.upload(bounds, std::as_bytes(std::span(level_ground)));
+    std::vector<std::vector<std::byte>> level_ground;
+    for (uint32_t i = 0; i < bounds.desc.mips; ++i)
+        level_ground.emplace_back(sizeof(glm::vec2) * (cells >> i) * (cells >> i), std::byte{0});
+    gpu.upload(bounds, level_ground);
     const Buffer list(gpu.device, {.name = "chunk list", .bytes = sizeof(Chunk) * chunks});
     Buffer draws;
     Frame frame(gpu);
