@@ -1,12 +1,9 @@
 #include "07_mipmaps/levelled_maps.h"
 
-#include <cmath>
-#include <cstring>
-#include <glm/gtc/packing.hpp>
 #include <map>
 
 #include "07_mipmaps/exercises.h"
-#include "common/image/image.h"
+#include "common/image/mip_levels.h"
 
 namespace lightwalk {
 namespace {
@@ -17,18 +14,6 @@ bool has_holes(VkFormat format, const std::vector<std::byte>& texels) {
     for (size_t i = 3; i < texels.size(); i += 4)
         if (texels[i] != std::byte(255)) return true;
     return false;
-}
-
-// Linear halves of a colour texture as the 8-bit sRGB codes that its file has: their levels are this chapter's subject.
-std::vector<std::byte> srgb_codes(std::span<const std::byte> halves) {
-    std::vector<std::byte> codes;
-    for (size_t at = 0; at < halves.size(); at += 2) {
-        uint16_t half = 0;
-        std::memcpy(&half, &halves[at], 2);
-        const float value = glm::unpackHalf1x16(half);
-        codes.push_back(std::byte(std::lround(255.0f * (at % 8 == 6 ? value : linear_to_srgb(value)))));
-    }
-    return codes;
 }
 
 // [content]
@@ -66,7 +51,7 @@ void LevelledMaps::prepare(Gpu& gpu, Scene& scene) {
                 Image::Desc desc = image->desc;
                 desc.mips = 1;
                 if (desc.format == VK_FORMAT_R16G16B16A16_SFLOAT && !is_hdr_name(desc.name)) {
-                    texels = srgb_codes(texels);
+                    texels = srgb_codes(texels);  // of the file: its levels are this chapter's subject
                     desc.format = VK_FORMAT_R8G8B8A8_SRGB;
                 }
                 const Content content = content_of_slot(MapSlot(slot), has_holes(desc.format, texels));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/image/encode.h"
+#include "common/image/mip_levels.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -134,7 +135,8 @@ int GltfTextures::sampler(const Sampler& from) {
 Image8 picture_of(const TextureUse& use) {
     if (is_hdr_name(use.file())) return to_srgb8(read_image_linear(use.file()));
     const DecodedTexture texture = decode_texture(use);
-    const std::vector<std::byte>& texels = texture.levels.at(0);
+    std::vector<std::byte> texels = texture.levels.at(0);
+    if (texture.desc.format == VK_FORMAT_R16G16B16A16_SFLOAT) texels = srgb_codes(texels);
     Image8 picture(static_cast<int>(texture.desc.size.x), static_cast<int>(texture.desc.size.y));
     const size_t step = texels.size() / (4 * picture.pixels.size());  // of 16 bits the upper eight
     for (size_t i = 0; i < picture.pixels.size(); ++i)

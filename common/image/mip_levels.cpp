@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -98,6 +99,18 @@ std::vector<std::byte> linear_halves(std::span<const std::byte> codes) {
         halves[i] = (i % 4 == 3 ? of_alpha : of_color)[std::to_integer<size_t>(codes[i])];
     const auto bytes = std::as_bytes(std::span(halves));
     return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::byte> srgb_codes(std::span<const std::byte> halves) {
+    std::vector<std::byte> codes;
+    codes.reserve(halves.size() / 2);
+    for (size_t at = 0; at < halves.size(); at += 2) {
+        uint16_t half = 0;
+        std::memcpy(&half, &halves[at], 2);
+        const float value = glm::unpackHalf1x16(half);
+        codes.push_back(std::byte(std::lround(255.0f * (at % 8 == 6 ? value : linear_to_srgb(value)))));
+    }
+    return codes;
 }
 
 }  // namespace lightwalk

@@ -20,4 +20,7 @@ std::vector<std::vector<std::byte>> mip_levels(VkFormat format, glm::uvec2 size,
 /// decodes sRGB by a cubic polynomial that is 16% off at code 26.
 std::vector<std::byte> linear_halves(std::span<const std::byte> codes);
 
+/// Inverse of linear_halves(), exact for each code.
+std::vector<std::byte> srgb_codes(std::span<const std::byte> halves);
+
 }  // namespace lightwalk

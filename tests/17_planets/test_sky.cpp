@@ -1,6 +1,9 @@
 // Depth order: bodies before the sky and behind walls, stars on the edges of a picture.
 #include <fmt/core.h>
 
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
 #include "common/gpu/gpu_work.h"
 #include "common/gpu/unseen.h"
 #include "common/scene/image_pool.h"
@@ -79,10 +82,10 @@ TEST_CASE_METHOD(OnSky, "the middle of a pixel that looks at the middle of the M
     // A pixel as wide as a texel of that level.
     size = {9, 9};
     camera.fov_y_rad = float(2 * std::atan(0.5 * size.y * glm::pi<double>() / rows));
-    const auto code = [](std::byte value) { return double(srgb_to_linear(uint8_t(value))); };
     const auto texel = [&](uint32_t column, uint32_t row) {
-        const std::byte* at = &map.levels.at(level)[4 * (row * columns + column % columns)];
-        return glm::dvec3(code(at[0]), code(at[1]), code(at[2]));
+        uint64_t halves = 0;
+        std::memcpy(&halves, &map.levels.at(level)[8 * (row * columns + column % columns)], 8);
+        return glm::dvec3(glm::unpackHalf4x16(halves));
     };
     double off = 0, shifted = 0;
     for (uint32_t row = 3; row < rows - 3; row += 5)

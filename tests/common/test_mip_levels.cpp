@@ -82,5 +82,6 @@ TEST_CASE("linear_halves: every code is within half a step of a half of the sRGB
             const double got = number(VK_FORMAT_R16G16B16A16_SFLOAT, halves, channel);
             CHECK(std::abs(got - right) <= 0.5001 * std::max(0x1p-10 * right, 0x1p-24));
         }
+        CHECK(srgb_codes(halves) == std::vector<std::byte>(4, std::byte(code)));
     }
 }
