@@ -116,7 +116,7 @@ class Exercises(Course):
         self.assertIn("2 exercises", self.course("handout", str(folder)))
         self.assertEqual(list(folder.rglob("solution")), [])
         self.assertTrue((folder / "chapters/01_obj/exercise/one.cpp").exists())
-        self.assertIn("out of 3", self.run_program([folder / "course", "test"]).splitlines()[-1])
+        self.assertIn("out of 2", self.run_program([folder / "course", "test"]).splitlines()[-1])
         self.course("handout", str(folder), code=2)
 
     def test_a_check_must_refuse_the_starter_and_take_the_solution(self):

@@ -2,13 +2,14 @@
 
 import json
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from build.build import build
 from progress import Progress
 from shots.golden import (LIMITS, compare, distance_of, distances_path, golden_path, hardware_distances, limits_of,
                           measured_distances, recorded_distances, unfit)
-from shots.rendering import render, render_shot
+from shots.rendering import render_many
 from shots.squeeze import squeezed
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
 
@@ -42,22 +43,24 @@ def run(arguments, _rest) -> int:
     found = find_shots(arguments.shot)
     drivers = other_drivers(arguments.second_driver)
     build(sorted({chapter for chapter, _ in found} | {"compare"}))
-    pictures, distances, new, refused = {}, {}, [], 0
-    with Progress("rendering") as progress:
-        for number, (chapter, shot) in enumerate(found):
-            name = shot["name"]
-            progress.show(number, len(found), f"{chapter}.{name}")
-            try:
-                line, picture, is_new = judge(chapter, shot)
-                distances[chapter, name] = measure(chapter, name, picture, drivers, is_new)
-                line += "\n  " + farthest(distances[chapter, name])
-                pictures[chapter, name] = picture
-                new += [(chapter, name)] if is_new else []
-            except Failure as failure:
-                line = f"refused: {failure}"
-                refused += 1
-            progress.clear()
-            say(f"{chapter[:2]}.{name}: {line}")
+    pictures, distances, new, refused, seen = {}, {}, [], 0, 0
+    by_chapter = {chapter: [shot["name"] for its, shot in found if its == chapter] for chapter, _ in found}
+    with Progress("rendering") as progress, ThreadPoolExecutor(2) as pool:
+        for chapter, results in zip(by_chapter, pool.map(lambda chapter: draw(chapter, by_chapter[chapter], drivers), by_chapter)):
+            for name, result in zip(by_chapter[chapter], results):
+                seen += 1
+                progress.show(seen, len(found), f"{chapter}.{name}")
+                try:
+                    line, picture, is_new = judge(chapter, name, result.pop("golden"))
+                    distances[chapter, name] = measure(chapter, name, picture, result, is_new)
+                    line += "\n  " + farthest(distances[chapter, name])
+                    pictures[chapter, name] = picture
+                    new += [(chapter, name)] if is_new else []
+                except Failure as failure:
+                    line = f"refused: {failure}"
+                    refused += 1
+                progress.clear()
+                say(f"{chapter[:2]}.{name}: {line}")
     accepted = new if new and confirmed(new, arguments.yes) else []
     for chapter, name in accepted:
         write_atomically(golden_path(chapter, name), squeezed(pictures[chapter, name].read_bytes()))
@@ -81,11 +84,26 @@ def other_drivers(manifest: Path | None) -> dict:
     return PROCESSORS | {"second driver": {"VK_DRIVER_FILES": str(manifest.absolute())}}
 
 
-def judge(chapter: str, shot: dict) -> tuple[str, Path, bool]:
-    """Renders a shot: (novelty, the picture, whether it differs from the golden). Raises Failure."""
-    golden = golden_path(chapter, shot["name"])
-    picture = BUILD / "accept" / chapter / f"{shot['name']}.png"
-    render_shot(chapter, shot, picture)
+def drawn_by(chapter: str, name: str, driver: str = "") -> Path:
+    return BUILD / "accept" / chapter / (f"{name}.{driver.replace(' ', '_')}.png" if driver else f"{name}.png")
+
+
+def draw(chapter: str, names: list[str], drivers: dict) -> list[dict]:
+    """Draws shots with the reference, by one process for each driver. For each shot the failures by driver, "" for none; those
+    of the driver that draws goldens under "golden"."""
+    failures = {"golden": render_many(chapter, [(["--shot", name, "--use", "solution"], drawn_by(chapter, name)) for name in names])}
+    for driver, environment in drivers.items():
+        # A driver may keep its compiled shaders regardless of the processor limit.
+        failures[driver] = render_many(chapter, [(["--shot", name], drawn_by(chapter, name, driver)) for name in names],
+                                       MESA_SHADER_CACHE_DISABLE="true", **environment)
+    return [{driver: all_of[i] for driver, all_of in failures.items()} for i in range(len(names))]
+
+
+def judge(chapter: str, name: str, failure: str) -> tuple[str, Path, bool]:
+    """(novelty, the picture, whether it differs from the golden) of a shot that was drawn. Raises Failure."""
+    if failure:
+        raise Failure(failure)
+    golden, picture = golden_path(chapter, name), drawn_by(chapter, name)
     old = golden if golden.exists() else picture
     heatmap = picture.with_suffix(".flip.png")
     try:
@@ -107,14 +125,14 @@ def judge(chapter: str, shot: dict) -> tuple[str, Path, bool]:
             f"{relative(heatmap)}"), picture, True
 
 
-def measure(chapter: str, name: str, picture: Path, drivers: dict, is_new: bool) -> dict:
+def measure(chapter: str, name: str, picture: Path, failures: dict, is_new: bool) -> dict:
     """How far the others' pictures are from this one, by driver. Raises Failure."""
     # A driver that is not here now said something of the golden as it still is.
     distances = {} if is_new else dict(measured_distances(chapter).get(name, {}))
-    for driver, environment in drivers.items():
-        other = picture.with_suffix(f".{driver.replace(' ', '_')}.png")
-        # A driver may keep its compiled shaders regardless of the processor limit.
-        render(chapter, ["--shot", name], other, MESA_SHADER_CACHE_DISABLE="true", **environment)
+    for driver, failure in failures.items():
+        other = drawn_by(chapter, name, driver)
+        if failure:
+            raise Failure(f"{driver}: {failure}")
         metrics = compare(picture, other)
         if unfit(metrics):
             raise Failure(f"{driver}: " + "; ".join(unfit(metrics)))
