@@ -97,9 +97,10 @@ void Shadow::take_layers(Frame& frame, const View& view) {
 
 // Images for all layers. New ones, of another size or with more layers, hold nothing yet.
 void Shadow::reserve(Frame& frame) {
-    const Image::Desc wanted{.size = glm::uvec2(static_cast<uint32_t>(resolution.value)),
-                             .layers = std::max(static_cast<uint32_t>(held_.size()), 1u),
-                             .kept = true};
+    const auto size = glm::uvec2(static_cast<uint32_t>(resolution.value));
+    const uint32_t there = map_.desc.size == size ? map_.desc.layers : 1;
+    const Image::Desc wanted{
+        .size = size, .layers = std::max(static_cast<uint32_t>(held_.size()), there), .kept = true};
     bool is_new = false;
     const auto fit = [&](Image& image, const char* name, VkFormat of) {
         Image::Desc desc = wanted;

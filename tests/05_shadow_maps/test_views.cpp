@@ -168,7 +168,12 @@ TEST_CASE("a lamp's map is drawn for one view, and read by another whose cascade
                 {object_at(quad_file, {0, 0, 0}, glm::vec3(4.0f)), object_at(ball_file, {0, 0, 1}, glm::vec3(0.3f))},
                 {lamp, sun});
             test.set({{"method", method}, {"distance_m", "8"}});
-            if (after_another) test.record_view(1, {9, 0, 0});
+            if (after_another) {
+                test.record_view(1, {9, 0, 0});
+                test.visibility({{0, 0, 0}, {0, 0, 1}});  // the image has layers for both views
+                test.shadow.prepare(test.gpu, test.scene);
+                test.record_view(1, {9, 0, 0});
+            }
             const std::vector<float> found = test.visibility(square(500, 0.9f));
             // The other view has drawn the lamp's map, and the cascade that holds the whole scene.
             CHECK(test.shadow.drawn_views == test.shadow.views - (after_another ? 2 : 0));
