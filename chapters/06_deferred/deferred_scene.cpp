@@ -132,7 +132,7 @@ void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
     const std::vector<Batch> stored = batches_by_stored(true);
     const std::vector<Batch> batches = shading.rest ? stored : emitting(scene(), stored);
     if (batches.empty()) return;
-    const SurfacePipelines& both = shading.rest ? *shading.rest : emission_;
+    const SurfacePipelines& both = shading.rest ? *shading.rest : cull == Cull::geometry ? emission_culled_ : emission_;
     frame.raster(
         shading.rest ? "ambient and emission" : "emission",
         {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},

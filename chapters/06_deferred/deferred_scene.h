@@ -77,6 +77,12 @@ struct DeferredScene : Drawing, ItemCaster {
     Made emission_sought_;
     bool emits_ = false;
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
+    /// Depths behind a geometry shader may differ in the last bit from those without.
+    SurfacePipelines emission_culled_{{.geometry = "06_deferred/cull.geom",
+                                       .fragment = "06_deferred/emission.frag",
+                                       .cull = VK_CULL_MODE_NONE,
+                                       .depth_write = false,
+                                       .blend = Blend::add}};
 };
 
 /// The batches that contain emissive items.

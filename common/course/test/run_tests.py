@@ -36,9 +36,9 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
 
 The suites, by what they prove (tests/suites.txt lists their tests):
   first      all that a newcomer sees is right: programs, checks on the references, pictures, shaders, links
-  engine     all that draws: units, stability, equal methods, wrong answers and wrong pictures are rejected
+  engine     all that draws: units, stability, equal methods, wrong answers are rejected
   platform   what stands around the chapters: pages, live pages, grading, the command, windows
-  field      studies, need rules, figures of lessons, all knobs, other systems, drivers and browsers
+  field      studies, need rules, figures of lessons, all knobs, wrong pictures, other systems, drivers and browsers
 
 The last line counts all tests that ran; the lines before say how long each suite took, which tests were slowest, and which
 took over a minute without a reason in tests/suites.txt."""
