@@ -55,16 +55,17 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, con
                         const Draw& draw) {
     drawn_faces = 0;
     if (update.is("off")) return;
-    uint64_t newest = std::max(epoch(), light.epoch());
+    Hash knobs;
+    knobs.add(hash_of(epoch(), light.epoch()));
     bool animated = false;
     for (const Module* module : made_of) {
-        newest = std::max(newest, module->epoch());
+        knobs.add(module->epoch());
         animated |= module->any_animated();
     }
     const bool first = !made_;
     // Where the sky alone is drawn, objects may move.
-    const bool changed =
-        !made_.is_current(distant ? 0 : scene.epoch, newest, animated ? std::optional(frame.time_s) : std::nullopt);
+    const bool changed = !made_.is_current(distant ? 0 : scene.epoch, knobs.value,
+                                           animated ? std::optional(frame.time_s) : std::nullopt);
     if (update.is("moved") && !changed) {
         light.use(light.drawn);
         return;

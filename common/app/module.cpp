@@ -41,18 +41,16 @@ const KnobList& Module::all_knobs() const {
 }
 
 uint64_t Module::epoch() const {
-    std::vector<KnobBase::Numbers> numbers;
-    std::vector<size_t> variants;
-    uint64_t newest = Exercises::epoch();
+    Hash hash;
+    hash.add(Exercises::epoch());
     for (const Member& member : members_)
         if (member.module) {
-            newest = std::max(newest, member.module->epoch());
+            hash.add(member.module->epoch());
         } else {
-            numbers.push_back(member.knob->numbers());
-            variants.push_back(member.knob->variant());
+            hash.add(member.knob->numbers());
+            hash.add(member.knob->variant());
         }
-    if (!knobs_seen_.is_current(numbers, variants)) epoch_ = Epoch::next();
-    return std::max(newest, epoch_);
+    return hash.value;
 }
 
 void Module::forget_macros() {

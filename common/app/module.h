@@ -50,7 +50,8 @@ class Module : public Given {
     /// Knobs of this module and its submodules, in declaration order.
     const KnobList& all_knobs() const;
 
-    /// Epoch of the last change to a knob of this module or its submodules, an exercise, or a shader.
+    /// Number for the knobs of this module and its submodules, the exercises in use and the edits of shaders. It is the
+    /// same again when a knob or an exercise is set back.
     uint64_t epoch() const;
 
     /// Start of a frame: resizes targets and swaps histories.
@@ -123,8 +124,6 @@ class Module : public Given {
     std::vector<Member> members_;
     std::vector<TargetBase*> targets_;
     mutable std::optional<KnobList> all_;
-    mutable Made knobs_seen_;
-    mutable uint64_t epoch_ = 0;
     mutable std::optional<Macros> macros_;
     mutable std::vector<std::pair<const KnobBase*, size_t>> compiled_;  ///< variants in macros_
     struct Block {

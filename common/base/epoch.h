@@ -11,7 +11,7 @@
 
 namespace lightwalk {
 
-/// Counter of changes from outside. Modules, scenes and exercises store the epoch of their last change.
+/// Counter of changes from outside that are not undone: an edited file, a scene that was loaded, edited or moved.
 class Epoch {
   public:
     static uint64_t next() { return ++last(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "common/base/epoch.h"
 #include "common/base/error.h"
@@ -21,10 +22,11 @@ struct Table {
     std::map<std::string, State, std::less<>> exercises;
     std::string state;
     bool scanned = false;
-    uint64_t epoch = 0;
+    uint64_t edited = 0;            ///< epoch of the last edit of a shader
+    std::optional<uint64_t> epoch;  ///< of the state and the edits; none: to be computed
     void changed() {
         state.clear();
-        epoch = Epoch::next();
+        epoch.reset();
     }
 };
 
@@ -139,9 +141,16 @@ void Exercises::stand_in(std::string_view id) {
     state.told = true;
 }
 
-uint64_t Exercises::epoch() { return table().epoch; }
+uint64_t Exercises::epoch() {
+    Table& t = table();
+    if (!t.epoch) t.epoch = hash_of(state(), t.edited);
+    return *t.epoch;
+}
 
-void Exercises::shaders_were_edited() { table().epoch = Epoch::next(); }
+void Exercises::shaders_were_edited() {
+    table().edited = Epoch::next();
+    table().epoch.reset();
+}
 
 const std::string& Exercises::state() {
     Table& t = scanned_table();

@@ -35,9 +35,11 @@ class Exercises {
     /// All toggle states as text, for cache keys.
     static const std::string& state();
 
+    /// Number for the exercises in use and the edits of shaders: the same again when a toggle is set back, so that a split
+    /// view, which sets toggles in every frame, remakes nothing.
     static uint64_t epoch();
 
-    /// Raises epoch() after a GLSL edit, so that tables and maps computed by shaders are updated.
+    /// Changes epoch() after a GLSL edit, so that tables and maps computed by shaders are updated.
     static void shaders_were_edited();
 };
 
