@@ -12,7 +12,7 @@ using namespace lightwalk;
 
 struct SeenWorld : Surfaces {
     using Surfaces::Surfaces;
-    SeenSurfaces seen{*this, "objects", objects};
+    VisibleSurfaces seen{*this, "objects", objects};
     Drawings drawings() override { return {seen}; }
 };
 
@@ -39,7 +39,7 @@ struct BloomChapter : ModelChapter {
     PointSpread point;
 
     BloomChapter() {
-        bloom.method.alone = true;  // --method is about bloom here
+        bloom.method.preferred = true;  // --method is about bloom here
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
 

@@ -58,8 +58,8 @@ struct EnvironmentLight : Module {
     Pipeline draw_ = compute({.shader = "11_fractals/environment_radiance.comp"});
     Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
     Image even_;  ///< where there is no picture
-    Made even_made_;
-    Made made_;
+    Fingerprint even_made_;
+    Fingerprint made_;
     std::shared_ptr<Image> made_from_;
     const Scene* scene_ = nullptr;  ///< of the last record()
 };

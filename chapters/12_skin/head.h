@@ -25,7 +25,7 @@ struct Head : Drawing {
     Skin::Shown shown = Skin::Shown::all;
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    std::vector<const Module*> made_of() const override {
+    std::vector<const Module*> dependencies() const override {
         return {&skin, &rays, &objects_.maps, &objects_.lights, &objects_.shadow, &environment_};
     }
     void update(Frame& frame) override;

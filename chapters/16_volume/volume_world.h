@@ -14,7 +14,7 @@ struct VolumeWorld : World {
 
     Finish finish{*this, "finish"};  // before the maps' levels are made of it
     SurfaceScene objects{*this, "objects"};
-    SeenSurfaces seen{*this, "objects", objects};
+    VisibleSurfaces seen{*this, "objects", objects};
     Volume volume{*this, "volume"};
     DepthOfField dof{*this, "dof"};
 
