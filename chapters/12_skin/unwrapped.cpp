@@ -4,7 +4,6 @@
 #include <numeric>
 #include <set>
 
-#include "common/app/settings.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "common/app/settings.h"
 
 namespace lightwalk {
 namespace {

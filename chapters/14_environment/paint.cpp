@@ -1,6 +1,5 @@
 #include "14_environment/paint.h"
 
-#include "common/app/settings.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {

@@ -1,7 +1,6 @@
 #include "14_environment/probe.h"
 
 #include "01_obj/camera_view.h"
-#include "common/app/settings.h"
 
 namespace lightwalk {
 
