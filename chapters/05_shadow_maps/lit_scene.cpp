@@ -46,31 +46,30 @@ void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<vo
     const std::vector<Batch> once = surfaces.opaque_batches();
     std::vector<Batch> drawn;
     for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
-    seen_.record(frame, surfaces.scene(), maps, drawn, canvas);
+    visible.record(frame, surfaces.scene(), maps, drawn, canvas);
     sort();
-    seen_.shade(frame, surfaces.scene(), maps, once, canvas, shading.seen ? *shading.seen : shade_seen_,
-                surfaces.given(), shading.reads);
+    visible.shade(frame, surfaces.scene(), maps, once, canvas, compute_pipeline(), surfaces.given(), shading.reads);
 }
 // [/visibility]
 
 // [casters]
 // Casters with holes cut by textures are drawn with their maps; all others are solid.
-void LitScene::record_shadows(Frame& frame, const View& view) {
+Shadow::Casters LitScene::casters(const Frame& frame) const {
     const Scene& scene = surfaces.scene();
-    const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
-    const auto draw = [&](Raster& pass, const DrawList& casters) {
+    const auto draw = [this, &scene](Raster& pass, const DrawList& casters) {
+        const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
         pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
         maps.draw(pass, scene, casters.where(has_holes), caster_, caster_);
     };
-    const auto by = [&](const SurfacePipelines& both) {
-        return [&](Raster& pass, const DrawList& casters) {
+    const auto by = [this, &scene](const SurfacePipelines& both) {
+        return [this, &scene, &both](Raster& pass, const DrawList& casters) {
             maps.draw(pass, scene, casters, both.loaded, both.displaced);
         };
     };
-    Shadow::Casters casters{{maps}, draw, by(first_), by(passed_)};
-    casters.others_placed = holes_cut(maps, scene, frame.time_s);
-    if (!scene.items.empty()) casting_.add_to(casters);  // else nothing would be shaded
-    shadow.record(frame, scene, lights, view, casters);
+    Shadow::Casters all{{maps}, draw, by(first_), by(passed_)};
+    all.others_placed = holes_cut(maps, scene, frame.time_s);
+    if (!scene.items.empty()) casting_.add_to(all);  // else nothing would be shaded
+    return all;
 }
 // [/casters]
 

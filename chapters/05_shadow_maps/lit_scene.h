@@ -29,19 +29,25 @@ struct LitScene : Drawing, ItemCaster {
 
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas);
-    /// Maps of depth alone, from each light that casts a shadow.
-    void record_shadows(Frame& frame, const View& view);
+    /// Shadow maps of the view.
+    void record_shadows(Frame& frame, const View& view) {
+        shadow.record(frame, surfaces.scene(), lights, view, casters(frame));
+    }
+    /// Objects that cast shadows, with the pipelines that draw them into a map.
+    Shadow::Casters casters(const Frame& frame) const;
     // [/lit_scene]
 
     /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_visible() does. `sort` sorts the lights, when
     /// there is a depth; every surface is drawn so many times.
     bool shades_in_compute(const Canvas& canvas) const;
     void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
+    VisibilityBuffer visible;
+    /// Shades the pixels of `visible`.
+    const Pipeline& compute_pipeline() const { return shading.seen ? *shading.seen : shade_seen_; }
 
   private:
     std::optional<ShadedChoice> shaded_;
     Casting casting_;
-    VisibilityBuffer seen_;
     Pipeline shade_seen_ = compute({.shader = "05_shadow_maps/surface_seen.comp"});
     Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",
                                  .fragment = "04_surface_maps/depth.frag",

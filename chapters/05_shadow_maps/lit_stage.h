@@ -37,13 +37,17 @@ struct LitStage : World {
     }
     // [/stage]
 
+    /// The scene's lights, with their sizes scaled.
+    const LightList& lamps();
+    /// Shading for `show` and `visibility`, with rays where they are asked for.
+    void choose_shading(Frame& frame);
+
   protected:
-    void record(Frame& frame) override;
+    void record(Frame& frame) override { choose_shading(frame); }
 
   private:
-    const LightList& lamps();
     Fingerprint lamps_made_;
-    LightList own_, lamps_;  ///< the scene's lights, and these with their sizes scaled
+    LightList own_, lamps_;
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
     Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});
 };

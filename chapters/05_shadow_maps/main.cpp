@@ -37,9 +37,14 @@ void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
 
 struct ShadowMaps : ModelChapter {
     LitStage world{*this};
+    LitScene& objects = world.objects;
+    SurfaceScene& surfaces = objects.surfaces;
+    Maps& maps = objects.maps;
+    Lights& lights = objects.lights;
+    Shadow& shadow = objects.shadow;
 
     ShadowMaps() {
-        world.objects.shadow.method.preferred = true;  // --method is about shadows here
+        shadow.method.preferred = true;  // --method is about shadows here
     }
     std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 
@@ -54,12 +59,58 @@ struct ShadowMaps : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
-
-        // 1. The shadow maps, then every surface, lit by the visible part of each light (lit_stage.cpp, lit_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, world.background());
-        world.draw_light(frame, view, canvas);
+        const bool in_compute = objects.shades_in_compute(canvas);
+        const std::vector<Batch> batches = surfaces.opaque_batches();
 
-        // 2. Linear light, encoded as sRGB.
+        // 1. Chapter 03's lights in a buffer, their sizes scaled. With rays, the triangles that these may hit.
+        lights.update(frame, scene, world.lamps());
+        world.choose_shading(frame);
+
+        // 2. The camera's depth, where tiles of lights need it, or the triangle of each pixel for shading in compute.
+        if (in_compute)
+            objects.visible.record(frame, scene, maps, batches, canvas);
+        else if (lights.needs_depth())
+            frame.raster("depth", {.depth = canvas.depth_target(), .reads = surfaces.shading.reads, .with = {maps}},
+                         surfaces.by(surfaces.depth_pipelines()));
+        lights.record(frame, scene, view, canvas.single_depth());
+
+        // 3. A view from each light that casts a shadow (six for a point light, one for each cascade of a directional
+        // one), with the casters in it. Shaders get these views in a buffer.
+        const Shadow::Casters casters = objects.casters(frame);
+        shadow.find_maps(frame, scene, lights, view, casters);
+
+        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // by a changed light or caster
+            // 4. Depth of the casters, as seen from the light.
+            {
+                const ViewScope from_light(frame, map.view.view);
+                frame.raster("shadow_map", {.depth = clear(shadow.depth_of(map), 0.0f), .with = casters.with},
+                             [&](Raster& pass) { casters.draw(pass, map.casters); });
+            }
+            // 5. Light that transparent casters let through: the first one, and all.
+            if (shadow.has_passed()) shadow.draw_passed(frame, map, casters);
+
+            // 6. Moments of the depths, filtered before they are read.
+            if (shadow.has_moments()) shadow.filter(frame, map);
+        }
+
+        // 7. Every surface, lit by the visible part of each light: shadow maps are read here.
+        const std::vector<With> with = surfaces.given();  // maps, lights, shadow, rays
+        if (in_compute)
+            objects.visible.shade(frame, scene, maps, batches, canvas, objects.compute_pipeline(), with,
+                                  surfaces.shading.reads);
+        else
+            frame.raster("shade",
+                         {.color = {canvas.color_target()},
+                          .depth = canvas.depth_target(),
+                          .reads = surfaces.shading.reads,
+                          .with = with},
+                         surfaces.by(surfaces.opaque_pipelines()));
+
+        // 8. Transparent surfaces, back to front.
+        draw_transparent(frame, view, canvas, world.drawings());
+
+        // 9. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

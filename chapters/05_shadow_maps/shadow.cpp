@@ -126,14 +126,13 @@ void Shadow::reserve(Frame& frame) {
 // [draw_map]
 void Shadow::draw_map(Frame& frame, const MapView& map, const Casters& casters) {
     const ViewScope scope(frame, map.view.view);
-    frame.raster("shadow_map", {.depth = clear(map_.layer(map.view.data.layer), 0.0f), .with = casters.with},
-                 [&](Raster& pass) {
-                     if (map.casters.size() > 0 && casters.draw)
-                         casters.draw(pass, map.casters);
-                     else if (map.casters.size() > 0)
-                         pass.use(solid).draw(map.casters);
-                     if (map.others) casters.draw_others(pass, map.view.view);
-                 });
+    frame.raster("shadow_map", {.depth = clear(depth_of(map), 0.0f), .with = casters.with}, [&](Raster& pass) {
+        if (map.casters.size() > 0 && casters.draw)
+            casters.draw(pass, map.casters);
+        else if (map.casters.size() > 0)
+            pass.use(solid).draw(map.casters);
+        if (map.others) casters.draw_others(pass, map.view.view);
+    });
 }
 // [/draw_map]
 
@@ -157,8 +156,8 @@ void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& caster
 // [/draw_passed]
 
 // [record]
-void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
-                    const Casters& casters) {
+void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                       const Casters& casters) {
     const bool has_cascades = std::ranges::any_of(
         *lights, [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; });
     now_ = &by_view_[has_cascades ? view.id : 0];
@@ -183,35 +182,52 @@ void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, c
         frame.upload("shadow_lights", now_->lights, now_->shadow_lights);
         frame.upload("shadow_views", now_->views, data);
     }
+}
 
-    // 3. Maps that show something else than their layers hold.
-    drawn_views = 0;
-    for (uint32_t i = 0; i < now_->maps.size(); ++i) {
-        const MapView& map = now_->maps[i];
+Shadow::MapViews Shadow::maps_to_draw() {
+    MapViews stale;
+    for (const MapView& map : now_->maps) {
         const uint32_t layer = map.view.data.layer;
         if (layer == NO_LAYER || (keep && held_[layer] == map.shows)) continue;
+        held_[layer] = map.shows;
+        stale.emplace_back(map);
+    }
+    drawn_views = static_cast<int>(stale.size());
+    return stale;
+}
+
+void Shadow::draw_maps(Frame& frame, const Casters& casters) {
+    for (const MapView& map : maps_to_draw()) {
         draw_map(frame, map, casters);
         if (has_passed()) draw_passed(frame, map, casters);
-        if (has_moments())
-            moments_.record(frame, map_.layer(layer), now_->views, i, blur_of(blur, exponent, exponent_negative),
-                            macros());
-        held_[layer] = map.shows;
-        ++drawn_views;
+        if (has_moments()) filter(frame, map);
     }
 }
 // [/record]
 
-void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+void Shadow::filter(Frame& frame, const MapView& map) {
+    const auto number = static_cast<uint32_t>(&map - now_->maps.data());
+    moments_.record(frame, depth_of(map), now_->views, number, blur_of(blur, exponent, exponent_negative), macros());
+}
+
+void Shadow::find_maps(Frame& frame, const Scene& scene, const Lights& lights, const View& view,
+                       const Casters& casters) {
     const auto reach = [&](const Light& light) { return lights.reach_m(light); };
-    record(frame, scene, lights.buffer().list(), reach, view, casters);
+    find_maps(frame, scene, lights.buffer().list(), reach, view, casters);
+}
+
+void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+    find_maps(frame, scene, lights, view, casters);
+    draw_maps(frame, casters);
 }
 
 void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                     const Casters& casters) {
     if (!directional_ || *directional_ != directional)
         directional_ = std::make_shared<const std::vector<Light>>(directional);
-    record(
+    find_maps(
         frame, scene, directional_, [](const Light&) { return 0.0f; }, view, casters);
+    draw_maps(frame, casters);
 }
 
 Macros Shadow::macros() const {

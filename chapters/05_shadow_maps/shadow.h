@@ -126,7 +126,30 @@ struct Shadow : Module {
     };
     Pipeline solid = graphics({.vertex = "05_shadow_maps/caster.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 
-    /// Depth from every light of `lights` that casts a shadow, where it is not in the map already.
+    /// A map's view of the scene, and what it shows.
+    struct MapView {
+        LightView view;
+        DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
+        uint64_t shows = 0;        ///< hash of the light's view and of its casters
+        bool others = false;
+        bool is_needed() const { return others || casters.size() + passed.size() > 0; }
+    };
+    using MapViews = std::vector<std::reference_wrapper<const MapView>>;
+
+    /// Views of all lights that cast shadows, with their casters and a layer for each map. Uploads both lists to shaders.
+    void find_maps(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters);
+    /// Maps that show something else than their layers hold; these count as drawn.
+    MapViews maps_to_draw();
+    ImageView depth_of(const MapView& map) const { return map_.layer(map.view.data.layer); }
+    void draw_map(Frame& frame, const MapView& map, const Casters& casters);
+    /// Transmittance of transparent casters.
+    void draw_passed(Frame& frame, const MapView& map, const Casters& casters);
+    /// Moments of a map's depths, blurred, and their mip levels.
+    void filter(Frame& frame, const MapView& map);
+    bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
+    bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
+
+    /// find_maps(), then every map to draw.
     void record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters = {});
     /// The same for directional lights that no module Lights has.
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
@@ -145,28 +168,16 @@ struct Shadow : Module {
     int views = 0, drawn_views = 0;  ///< maps of the view recorded last: all, and those drawn in its frame
 
   private:
-    /// A map's view of the scene, and what it shows.
-    struct MapView {
-        LightView view;
-        DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
-        uint64_t shows = 0;        ///< hash of the light's view and of its casters
-        bool others = false;
-        bool is_needed() const { return others || casters.size() + passed.size() > 0; }
-    };
     using Reach = std::function<float(const Light&)>;  ///< metres
     void find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                     const Casters& casters);
     uint64_t hash_of(const MapView& map, const Scene& scene, const Casters& casters) const;
     void take_layers(Frame& frame, const View& view);
-    void record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
-                const Casters& casters);
+    void find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                   const Casters& casters);
+    void draw_maps(Frame& frame, const Casters& casters);
     LightViewOptions view_options() const { return {resolution, near_m, cascades, split, distance_m, snap}; }
-    void draw_map(Frame& frame, const MapView& map, const Casters& casters);
-    void draw_passed(Frame& frame, const MapView& map, const Casters& casters);
     void reserve(Frame& frame);
-
-    bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
-    bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
 
     /// Cascades follow the camera: each View::id has maps of its own if a light has cascades; else all share those of
     /// id 0.
