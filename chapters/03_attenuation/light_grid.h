@@ -21,7 +21,7 @@ class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Makes the cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty);
+    /// Cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty);
     /// tiles have none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the largest buffer that every device has.
     void set_view(const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights, float threshold);
 
@@ -29,18 +29,21 @@ class LightGrid {
     /// this grid's view.
     void record(Frame& frame, const PassInputs& lights, const ImageView& depth);
 
+    /// Room for the bits of all cells.
+    void reserve_masks(Device& device);
     Buffer masks, groups;  ///< layout in light_data.h
     GridView view;
+    uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
+    uint32_t group_count() const { return uint32_t((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP); }
+    Pipeline cull_tiles = compute({.shader = "03_attenuation/cull_tiles.comp"});
+    Pipeline cull_clusters = compute({.shader = "03_attenuation/cull_lights.comp"});
 
   private:
-    uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
     VkDeviceSize mask_words() const {
         return VkDeviceSize((lights_ + LIGHTS_PER_MASK - 1) / LIGHTS_PER_MASK) * cell_count();
     }
     Cells cells_ = Cells::tiles;
     size_t lights_ = 0;
-    Pipeline cull_tiles_ = compute({.shader = "03_attenuation/cull_tiles.comp"});
-    Pipeline cull_lights_ = compute({.shader = "03_attenuation/cull_lights.comp"});
 };
 // [/light_grid]
 

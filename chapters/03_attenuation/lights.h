@@ -42,14 +42,18 @@ struct Lights : Module {
     /// True if the culling reads the view's depth.
     bool needs_depth() const { return method.is("tiled"); }
 
-    /// Sorts the lights into the view's tiles or clusters, where those are the method. `depth`: the view's, where
-    /// needs_depth().
+    /// Tiles or clusters of the view, still without lights.
+    void set_cells(Frame& frame, const Scene& scene, const View& view);
+    bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
+
+    /// set_cells(), then the lights of each cell. `depth`: the view's, where needs_depth().
     void record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth = {});
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 
     const LightBuffer& buffer() const { return buffer_; }
+    LightGrid grid;
     std::vector<std::string> status() const override;
 
     /// How far a point or spot light is computed, in metres: beyond, it is taken for dark.
@@ -57,11 +61,9 @@ struct Lights : Module {
 
   private:
     void update_objects(Frame& frame, const Scene& scene);
-    bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
     float ends_at() const { return falloff.is("inverse_square") ? threshold : 0.0f; }
     LightBuffer buffer_;
     ObjectLights object_lights_;
-    LightGrid grid_;
 };
 
 }  // namespace lightwalk

@@ -53,10 +53,21 @@ struct Attenuation : ModelChapter {
         // 2. Depth alone, so that each pixel is lit once and tiles know their depth range.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });
 
-        // 3. Lights into cells.
-        lights.record(frame, scene, view, frame.depth);
+        // 3. Lights into cells of the screen: a bit for each pair of light and cell, for tiles by the range of depths.
+        lights.set_cells(frame, scene, view);
+        LightGrid& grid = lights.grid;
+        if (lights.method.is("tiled"))
+            frame.compute("cull_tiles", {.reads = {frame.depth}, .writes = {grid.masks, grid.groups}, .with = {lights}},
+                          [&](Compute& pass) {
+                              pass.use(grid.cull_tiles).set("depth", frame.depth, nearest_clamp);
+                              pass.dispatch({grid.view.tiles, 1});
+                          });
+        else if (lights.method.is("clustered"))
+            frame.compute("cull_lights", {.writes = {grid.masks, grid.groups}, .with = {lights}}, [&](Compute& pass) {
+                pass.use(grid.cull_clusters).dispatch_threads(glm::uvec2(grid.cell_count(), grid.group_count()));
+            });
 
-        // 4. Every surface, in linear HDR.
+        // 4. Every surface, in linear HDR, by the lights of its cell.
         frame.raster("shade",
                      {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 0.0f))},
                       .depth = keep(frame.depth),

@@ -64,7 +64,7 @@ void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<vo
 // [/draw]
 
 // [transparent]
-std::vector<Drawing::Transparent> SurfaceScene::transparent(const View& view) const {
+std::vector<TransparentSource::Transparent> SurfaceScene::transparent(const View& view) const {
     std::vector<Transparent> all;
     const DrawList list = scene_->transparent();
     for (const uint32_t i : list.items()) {
@@ -86,7 +86,7 @@ void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> i
 }
 // [/transparent]
 
-std::vector<Drawing::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
+std::vector<TransparentSource::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
     std::vector<TransparentTriangle> all;
     const DrawList list = scene_->transparent();
     for (const uint32_t i : list.items()) {

@@ -9,7 +9,7 @@ namespace lightwalk {
 // [surface_scene]
 /// Its modules are the owner's: their options and scene keys are maps.* and lights.*. As scenes of objects have few
 /// lights, lights.method is every_light unless something else is said.
-struct SurfaceScene : Drawing {
+struct SurfaceScene : Drawing, TransparentSource {
     /// `fragment`: shades them, unless `shading` says otherwise.
     SurfaceScene(Module& owner, std::string name, const char* fragment = "04_surface_maps/lit.frag");
 
@@ -28,6 +28,7 @@ struct SurfaceScene : Drawing {
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format. `sort`: view-dependent state of the
     /// lights, such as their cells; with tiles the canvas has depth by then.
     void draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort);
+    const TransparentSource* transparent_source() const override { return this; }
     std::vector<Transparent> transparent(const View& view) const override;
     std::vector<With> transparent_with() const override { return given(); }
     std::vector<Resource> transparent_reads() const override { return shading.reads; }

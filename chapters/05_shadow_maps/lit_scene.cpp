@@ -29,10 +29,11 @@ bool LitScene::shades_in_compute(const Canvas& canvas) const {
 
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!shades_in_compute(canvas)) return draw_lit(frame, view, canvas);
-    draw_visible(frame, canvas, [&] {
+    const auto sort = [&] {
         lights.record(frame, surfaces.scene(), view, canvas.single_depth());
         record_shadows(frame, view);
-    });
+    };
+    draw_visible(frame, canvas, sort, surfaces.opaque_batches());
 }
 
 void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
@@ -42,13 +43,12 @@ void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     });
 }
 
-void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times) {
-    const std::vector<Batch> once = surfaces.opaque_batches();
-    std::vector<Batch> drawn;
-    for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
+void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort,
+                            const std::vector<Batch>& drawn) {
     visible.record(frame, surfaces.scene(), maps, drawn, canvas);
     sort();
-    visible.shade(frame, surfaces.scene(), maps, once, canvas, compute_pipeline(), surfaces.given(), shading.reads);
+    visible.shade(frame, surfaces.scene(), maps, surfaces.opaque_batches(), canvas, compute_pipeline(),
+                  surfaces.given(), shading.reads);
 }
 // [/visibility]
 

@@ -24,7 +24,7 @@ struct LitScene : Drawing, ItemCaster {
     std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { surfaces.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_source() const override { return &surfaces; }
+    const TransparentSource* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
 
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
@@ -38,9 +38,9 @@ struct LitScene : Drawing, ItemCaster {
     // [/lit_scene]
 
     /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_visible() does. `sort` sorts the lights, when
-    /// there is a depth; every surface is drawn so many times.
+    /// there is a depth.
     bool shades_in_compute(const Canvas& canvas) const;
-    void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
+    void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, const std::vector<Batch>& drawn);
     VisibilityBuffer visible;
     /// Shades the pixels of `visible`.
     const Pipeline& compute_pipeline() const { return shading.seen ? *shading.seen : shade_seen_; }

@@ -16,7 +16,7 @@ struct VisibleSurfaces : Drawing {
     std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { surfaces.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_source() const override { return &surfaces; }
+    const TransparentSource* transparent_source() const override { return &surfaces; }
 
   private:
     VisibilityBuffer seen_;

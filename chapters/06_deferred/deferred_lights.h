@@ -8,7 +8,15 @@ namespace lightwalk {
 
 class DeferredLights {
   public:
-    /// From the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
+    /// Tiles of the view, or volumes of the lights.
+    void update(Frame& frame, const Scene& scene, const View& view, const GBuffer& gbuffer, const Lights& lights);
+    bool has_volumes() const { return has_volumes_; }
+    /// Every pixel once: ambient light, and the lights without a volume.
+    void light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background, bool ggx) const;
+    /// Every other light once, where it may reach.
+    void light_volumes(Raster& pass, bool ggx) const;
+
+    /// Both, from the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
     /// modules of lighting: the lights, the G-buffer, the model of surfaces, and shadow casters. `ggx`: all surfaces
     /// are microfacets.
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
@@ -21,6 +29,7 @@ class DeferredLights {
 
   private:
     LightVolumes volumes_;
+    bool is_tiled_ = false, has_volumes_ = false;
     LightGrid tiles_;  ///< for its view: a tile's workgroup finds the tile in it
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});

@@ -10,6 +10,13 @@ using namespace lightwalk;
 struct Deferred : ModelChapter {
     ManyLights world{*this};
     DeferredScene& objects = world.objects;
+    SurfaceScene& surfaces = objects.surfaces;
+    Maps& maps = objects.maps;
+    Lights& lights = objects.lights;
+    Shadow& shadow = objects.shadow;
+    GBuffer& gbuffer = objects.gbuffer;
+    Culling& culling = objects.culling;
+    DeferredLights& deferred = objects.deferred;
     Choice cull{*this,
                 "cull",
                 {"fixed", "geometry", "none", "left_out"},
@@ -26,27 +33,110 @@ struct Deferred : ModelChapter {
                         "Height above the camera from which the objects that were drawn are shown; 0: the picture",
                         "m"};
 
+    // Back faces are culled by nobody, or by a geometry shader.
+    SurfacePipelines write_all{{.fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
+    SurfacePipelines write_culled{
+        {.geometry = "06_deferred/cull.geom", .fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
+    SurfacePipelines write_left_out{{.geometry = "06_deferred/cull.geom",
+                                     .fragment = "06_deferred/write.frag",
+                                     .cull = VK_CULL_MODE_NONE,
+                                     .macros = {{"LEFT_OUT", "1"}}}};
+    // Depths behind a geometry shader may differ in the last bit from those without.
+    SurfacePipelines emission_culled{{.geometry = "06_deferred/cull.geom",
+                                      .fragment = "06_deferred/emission.frag",
+                                      .cull = VK_CULL_MODE_NONE,
+                                      .depth_write = false,
+                                      .blend = Blend::add}};
+
     Deferred() {
-        objects.gbuffer.method.preferred = true;  // --method is about G-buffers here
+        gbuffer.method.preferred = true;  // --method is about G-buffers here
     }
     std::string default_scene() const override { return "scenes/hundred_lamps.json"; }
 
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
-        objects.cull = static_cast<DeferredScene::Cull>(cull.index);
-        objects.times = overdraw;
-        objects.depth_first = prepass;
-
-        // 1. The pictures on the screens of the scene, then a G-buffer and its lighting (many_lights.h, deferred_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
-        world.draw_light(frame, view, canvas);
-        if (above_m > 0.0f) show_from_above(frame);
+        const std::vector<Batch> all = surfaces.opaque_batches(), stored = objects.batches_by_stored(true);
+        const bool forward = gbuffer.is_forward() || gbuffer.shows_loss(), ggx = maps.surface.model.is("ggx");
 
-        // 2. sRGB encoding.
+        // 1. Chapter 03's lights in a buffer, pictures for the scene's screens, and chapter 05's shadow maps.
+        world.prepare_view(frame, view);
+        objects.lit.record_shadows(frame, view);
+
+        // 2. Culling: the objects that this view may show. Their bounds hold for meshes as loaded; a geometry shader
+        // needs all instances. culling.passes() records a pass again for objects that had been hidden and no longer are.
+        const bool by_device = cull.is("fixed") || cull.is("none");
+        culling.begin(frame, scene, view, maps.mesh.is("loaded") && by_device ? all : std::vector<Batch>());
+
+        // 3. Depth alone, so that each pixel is written or lit once.
+        if (prepass)
+            culling.passes(frame, frame.depth, [&] {
+                frame.raster("depth", {.depth = canvas.depth_target(), .with = objects.with({maps})},
+                             objects.by(surfaces.depth_pipelines(), often(forward ? all : stored)));
+            });
+
+        gbuffer.begin(frame, view, frame.depth);
+        if (forward) {
+            // 4. Forward shading, for comparison: every surface, lit as it is drawn.
+            objects.draw_forward(frame, view, canvas, often(all));
+        } else {
+            // 4. Surfaces into the G-buffer, no light yet.
+            culling.passes(frame, frame.depth, [&] {
+                frame.raster("gbuffer",
+                             {.color = gbuffer.targets(culling.completes()),
+                              .depth = canvas.depth_target(),
+                              .with = objects.with({maps, gbuffer})},
+                             objects.by(writer(), often(stored)));
+            });
+            gbuffer.written();
+
+            // 5. Light, from the G-buffer: ambient light and the lights without a volume once a pixel, or the lights of
+            // the pixel's tile.
+            const std::vector<With> with{lights, shadow, gbuffer, maps.surface, maps.lamps};
+            deferred.update(frame, scene, view, gbuffer, lights);
+            const ImageView hdr = canvas.color_overwritten();
+            frame.compute(gbuffer.method.is("tiled") ? "tiles" : "full_screen",
+                          {.reads = {canvas.depth(frame)}, .writes = {hdr}, .with = with}, [&](Compute& pass) {
+                              deferred.light_pixels(pass, hdr, scene.ambient(), scene.file.background, ggx);
+                          });
+
+            // 6. Each other light, added wherever its volume covers a surface.
+            if (deferred.has_volumes())
+                frame.raster("volumes",
+                             {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
+                             [&](Raster& pass) { deferred.light_volumes(pass, ggx); });
+
+            // 7. Emission, then surfaces that the G-buffer has no room for; or a channel of the G-buffer.
+            objects.add_rest(frame, canvas, cull.is("geometry") ? emission_culled : objects.emission());
+            if (gbuffer.show.is("picture")) {
+                objects.draw_lit(frame, view, canvas, "unstored", often(objects.batches_by_stored(false)));
+                if (scene.transparent().size() > 0) lights.record(frame, scene, view, canvas.depth(frame));
+            } else {
+                deferred.show(frame, canvas, gbuffer);
+            }
+        }
+
+        // 8. Transparent surfaces, back to front, by the lights of their own cells. sRGB encoding.
+        draw_transparent(frame, view, canvas, world.drawings());
+        if (above_m > 0.0f) show_from_above(frame);
         encode_srgb(frame);
     }
     // [/frame]
+
+    const SurfacePipelines& writer() const {
+        return cull.is("fixed")      ? objects.written()
+               : cull.is("geometry") ? write_culled
+               : cull.is("none")     ? write_all
+                                     : write_left_out;
+    }
+
+    // As many times as `overdraw` says.
+    std::vector<Batch> often(const std::vector<Batch>& batches) const {
+        std::vector<Batch> drawn;
+        for (int i = 0; i < overdraw; ++i) drawn.insert(drawn.end(), batches.begin(), batches.end());
+        return drawn;
+    }
 
     // The objects that the picture drew, from behind and above its camera.
     void show_from_above(Frame& frame) {
@@ -67,13 +157,13 @@ struct Deferred : ModelChapter {
         if (world.town.objects > 0) {
             for (int again = 0; again < 2; ++again)
                 render_linear(*this, gpu, size);  // the first has no frame before it
-            error["drawn"] = objects.culling.culls() ? objects.culling.drawn() : scene.opaque().size();
-            error["host_ms"] = objects.culling.host_ms();
+            error["drawn"] = culling.culls() ? culling.drawn() : scene.opaque().size();
+            error["host_ms"] = culling.host_ms();
             return;
         }
-        objects.gbuffer.show.set("loss");
+        gbuffer.show.set("loss");
         const glm::vec2 lost = mean_loss(render_linear(*this, gpu, size));
-        error["bytes_per_pixel"] = objects.gbuffer.bytes_per_pixel();
+        error["bytes_per_pixel"] = gbuffer.bytes_per_pixel();
         error["normal_deg"] = lost.x;
         error["position_mm"] = lost.y;
     }

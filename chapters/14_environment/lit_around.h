@@ -34,7 +34,7 @@ struct LitAround : Drawing, ItemCaster {
     std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_source() const override { return &surfaces; }
+    const TransparentSource* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
     // [/lit_around]
 

@@ -46,7 +46,7 @@ constexpr glm::vec4 nothing(0.0f), everything(1.0f);
 // By drawing: a method that needs no order wants as few passes as there are drawings.
 std::vector<TransparentSurface> grouped(std::vector<TransparentSurface> surfaces) {
     std::stable_sort(surfaces.begin(), surfaces.end(), [](const TransparentSurface& a, const TransparentSurface& b) {
-        return std::less<const Drawing*>()(a.drawing, b.drawing);
+        return std::less<const TransparentSource*>()(a.source, b.source);
     });
     return surfaces;
 }
@@ -99,15 +99,15 @@ void Transparency::draw_stage(Frame& frame, const char* pass, RasterTargets targ
 void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas,
                                   const std::vector<TransparentSurface>& surfaces, Targets& t) {
     struct One {
-        const Drawing* drawing;
-        Drawing::TransparentTriangle what;
+        const TransparentSource* source;
+        TransparentSource::TransparentTriangle what;
     };
     std::vector<One> all;
-    std::set<const Drawing*> asked;
+    std::set<const TransparentSource*> asked;
     for (const TransparentSurface& surface : surfaces)
-        if (asked.insert(surface.drawing).second)
-            for (const auto& triangle : surface.drawing->transparent_triangles(view))
-                all.push_back({surface.drawing, triangle});
+        if (asked.insert(surface.source).second)
+            for (const auto& triangle : surface.source->transparent_triangles(view))
+                all.push_back({surface.source, triangle});
     if (all.empty()) return;
     std::stable_sort(all.begin(), all.end(),
                      [](const One& a, const One& b) { return a.what.distance_m > b.what.distance_m; });
@@ -115,19 +115,19 @@ void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas
     for (const One& one : all) indices.push_back(one.what.vertices);
     frame.upload("sorted triangles", t.indices, indices);
     for (size_t first = 0, last = 0; first < all.size(); first = last) {
-        const Drawing& drawing = *all[first].drawing;
-        while (last < all.size() && all[last].drawing == &drawing) ++last;
+        const TransparentSource& source = *all[first].source;
+        while (last < all.size() && all[last].source == &source) ++last;
         frame.raster("transparent",
                      {.color = {canvas.color_target()},
                       .depth = canvas.depth_read_only(),
-                      .reads = drawing.transparent_reads(),
-                      .with = drawing.transparent_with()},
+                      .reads = source.transparent_reads(),
+                      .with = source.transparent_with()},
                      [&](Raster& pass) {
                          for (size_t from = first, to = first; from < last; from = to) {  // neighbours of one item
                              while (to < last && all[to].what.item == all[from].what.item) ++to;
-                             drawing.draw_transparent_triangles(pass, all[from].what.item, t.indices,
-                                                                static_cast<uint32_t>(3 * from),
-                                                                static_cast<uint32_t>(3 * (to - from)));
+                             source.draw_transparent_triangles(pass, all[from].what.item, t.indices,
+                                                               static_cast<uint32_t>(3 * from),
+                                                               static_cast<uint32_t>(3 * (to - from)));
                          }
                      });
     }

@@ -167,7 +167,7 @@ bool Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
             gpu, document, chapter.scene, [&](const auto& file) { return chapter.load_model(file); }, &without);
         loads |= live.loads;
         shown_instances_ = chapter.scene.instances.handle;
-        return done;
+        return replaced;
     };
     std::vector<std::string> without, earlier;
     if (auto before = std::exchange(recovered_from_, std::nullopt)) {
@@ -176,9 +176,9 @@ bool Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
         keep_recovery(why);
         return show(without);
     }
-    LiveScene::Done done = show(without);
+    bool replaced = show(without);
     const bool undone = document.undo();
-    if (undone) done = show(earlier);
+    if (undone) replaced = show(earlier);
     const auto known = [&](const std::string& one) { return std::count(earlier.begin(), earlier.end(), one) > 0; };
     const auto fault = std::find_if_not(without.begin(), without.end(), known);
     if (undone && fault != without.end()) {
@@ -186,13 +186,13 @@ bool Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
     } else {
         if (undone) {
             document.redo();
-            done = show(without);
+            replaced = show(without);
         }
         if (without_ != without && !without.empty()) notice = without.front() + "; drawn without it";
         without_ = without;
     }
     selection.drop_missing(document);
-    return done;
+    return replaced;
 }
 
 bool Editor::undo(Chapter& chapter) {

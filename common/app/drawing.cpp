@@ -20,9 +20,9 @@ void draw_sorted(Frame& frame, Canvas& canvas, std::vector<TransparentSurface> a
 std::vector<TransparentSurface> transparent_surfaces(const View& view, const Drawings& drawings) {
     std::vector<TransparentSurface> all;
     for (const Drawing& drawing : drawings) {
-        const Drawing* const part = drawing.transparent_source();
+        const TransparentSource* const part = drawing.transparent_source();
         if (!part) continue;
-        for (const Drawing::Transparent& one : part->transparent(view)) all.push_back({part, one});
+        for (const TransparentSource::Transparent& one : part->transparent(view)) all.push_back({part, one});
     }
     return all;
 }
@@ -33,14 +33,14 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
     if (surfaces.empty() && std::any_of(targets.color.begin(), targets.color.end(), cleared))
         frame.raster(pass, targets, [](Raster&) {});
     for (auto first = surfaces.begin(), last = first; first != surfaces.end(); first = last) {
-        const Drawing& drawing = *first->drawing;
-        last = std::find_if(first, surfaces.end(), [&](const TransparentSurface& s) { return s.drawing != &drawing; });
-        std::vector<Drawing::Transparent> run;
+        const TransparentSource& source = *first->source;
+        last = std::find_if(first, surfaces.end(), [&](const TransparentSurface& s) { return s.source != &source; });
+        std::vector<TransparentSource::Transparent> run;
         std::transform(first, last, std::back_inserter(run), [](const TransparentSurface& s) { return s.what; });
         RasterTargets own = targets;
-        for (const Resource& read : drawing.transparent_reads()) own.reads.push_back(read);
-        for (const With& with : drawing.transparent_with()) own.with.push_back(with);
-        frame.raster(pass, own, [&](Raster& raster) { drawing.draw_transparent(raster, run); });
+        for (const Resource& read : source.transparent_reads()) own.reads.push_back(read);
+        for (const With& with : source.transparent_with()) own.with.push_back(with);
+        frame.raster(pass, own, [&](Raster& raster) { source.draw_transparent(raster, run); });
         for (Attachment& target : targets.color)
             if (cleared(target)) target.load = Attachment::Load::keep;
         if (targets.depth.view && cleared(targets.depth)) targets.depth.load = Attachment::Load::keep;

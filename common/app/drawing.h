@@ -74,6 +74,36 @@ class Canvas {
     std::string last_;
 };
 
+/// Transparent surfaces, drawn after all opaque ones, farthest first.
+class TransparentSource {
+  public:
+    virtual ~TransparentSource() = default;
+
+    struct Transparent {
+        float distance_m;  ///< from the camera to its centre
+        uint32_t item;     ///< number assigned by the source
+        glm::vec3 middle;  ///< centre in metres, world space
+    };
+    virtual std::vector<Transparent> transparent(const View&) const = 0;
+
+    /// Modules and resources of the transparent pass, and draws of surfaces in the given order. Fragment shaders end
+    /// with put_surface() (common/put_surface.glsl), through which the method receives colour and alpha.
+    virtual std::vector<With> transparent_with() const { return {}; }
+    virtual std::vector<Resource> transparent_reads() const { return {}; }
+    virtual void draw_transparent(Raster&, std::span<const Transparent>) const = 0;
+
+    /// Transparent triangle, for methods that sort triangles. An empty list: unsupported, or none.
+    struct TransparentTriangle {
+        float distance_m;
+        uint32_t item;
+        glm::uvec3 vertices;  ///< indices into the mesh of `item`
+    };
+    virtual std::vector<TransparentTriangle> transparent_triangles(const View&) const { return {}; }
+    /// Draws `count` indices of `indices`, from `first` on, with the vertices of `item`.
+    virtual void draw_transparent_triangles(Raster&, uint32_t /*item*/, const Buffer& /*indices*/, uint32_t /*first*/,
+                                            uint32_t /*count*/) const {}
+};
+
 /// Module that renders. Shared state it may read: view, the scene's sun, exposure.
 class Drawing : public Module {
   public:
@@ -99,32 +129,8 @@ class Drawing : public Module {
     /// Renders the view into the canvas. Shaders have the uniform block `view`.
     virtual void draw(Frame&, const View&, Canvas&) = 0;
 
-    /// Transparent surface, drawn after all opaque ones, farthest first.
-    struct Transparent {
-        float distance_m;  ///< from the camera to its centre
-        uint32_t item;     ///< number assigned by the drawing
-        glm::vec3 middle;  ///< centre in metres, world space
-    };
-    virtual std::vector<Transparent> transparent(const View&) const { return {}; }
-    /// Drawing that owns the transparent surfaces; null: none at present.
-    virtual const Drawing* transparent_source() const { return this; }
-
-    /// Modules and resources of the transparent pass, and draws of surfaces in the given order. Fragment shaders end
-    /// with put_surface() (common/put_surface.glsl), through which the method receives colour and alpha.
-    virtual std::vector<With> transparent_with() const { return {}; }
-    virtual std::vector<Resource> transparent_reads() const { return {}; }
-    virtual void draw_transparent(Raster&, std::span<const Transparent>) const {}
-
-    /// Transparent triangle, for methods that sort triangles. An empty list: unsupported, or none.
-    struct TransparentTriangle {
-        float distance_m;
-        uint32_t item;
-        glm::uvec3 vertices;  ///< indices into the mesh of `item`
-    };
-    virtual std::vector<TransparentTriangle> transparent_triangles(const View&) const { return {}; }
-    /// Draws `count` indices of `indices`, from `first` on, with the vertices of `item`.
-    virtual void draw_transparent_triangles(Raster&, uint32_t /*item*/, const Buffer& /*indices*/, uint32_t /*first*/,
-                                            uint32_t /*count*/) const {}
+    /// Transparent surfaces; null: none at present.
+    virtual const TransparentSource* transparent_source() const { return nullptr; }
 
     /// Calls update_sun(), update() or find_casters() unless already done in this frame.
     void update_sun_once(const Frame& frame);
@@ -136,10 +142,9 @@ class Drawing : public Module {
     uint64_t sun_updated_ = 0, casters_found_ = 0, updated_ = 0;
 };
 
-/// Transparent surface with its drawing.
 struct TransparentSurface {
-    const Drawing* drawing;
-    Drawing::Transparent what;
+    const TransparentSource* source;
+    TransparentSource::Transparent what;
 };
 
 class TransparencyMethod {
