@@ -3,7 +3,7 @@
 
 #include "01_obj/model_chapter.h"
 #include "04_surface_maps/surfaces.h"
-#include "05_shadow_maps/seen_surfaces.h"
+#include "05_shadow_maps/visible_surfaces.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"

@@ -1,8 +1,8 @@
 // Julia drawing: quaternion Julia sets rendered by ray marching.
 #pragma once
-#include "11_fractals/environment.h"
 #include "11_fractals/julia_data.h"
 #include "common/app/drawing.h"
+#include "common/app/environment.h"
 
 namespace lightwalk {
 

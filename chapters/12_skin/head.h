@@ -1,8 +1,8 @@
 // Head drawing: skin, eyes and matt parts, under lights with shadows and an environment.
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
-#include "11_fractals/environment.h"
 #include "12_skin/skin.h"
+#include "common/app/environment.h"
 
 namespace lightwalk {
 

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "07_mipmaps/mip_chain.h"
-#include "11_fractals/environment.h"
 #include "14_environment/exercises.h"
 #include "14_environment/image_light_data.h"
+#include "common/app/environment.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
 #include "common/base/epoch.h"

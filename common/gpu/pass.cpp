@@ -113,9 +113,8 @@ void Pass::check_indirect(const Buffer& buffer) const {
 
 void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
                 VkPipelineBindPoint point) {
-    const std::pair used(wanted.id, variant.hash());
-    if (pipeline_ && lists_.used == used) return;
-    lists_.used = used;
+    if (pipeline_ && lists_.used.first == wanted.id && lists_.used.second == variant) return;
+    lists_.used = {wanted.id, variant};
     lists_.scopes.back() = &variant;
     const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, lists_.scopes);
     if (pipeline && pipeline == pipeline_) return;

@@ -20,7 +20,7 @@ struct PassLists {
         uint32_t at = 0;
     };
     std::vector<const PassInputs*> given;
-    std::pair<uint64_t, uint64_t> used;  ///< Pipeline::id and hash of the variant's macros
+    std::pair<uint64_t, Macros> used;  ///< Pipeline::id and the variant
     std::vector<Resource> reads;
     std::vector<Stated> stated;
     Rendering rendering;

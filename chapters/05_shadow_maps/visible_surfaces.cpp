@@ -1,4 +1,4 @@
-#include "05_shadow_maps/seen_surfaces.h"
+#include "05_shadow_maps/visible_surfaces.h"
 
 namespace lightwalk {
 

@@ -1,4 +1,4 @@
-#include "11_fractals/environment.h"
+#include "common/app/environment.h"
 
 #include <glm/gtc/packing.hpp>
 
