@@ -4,7 +4,6 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-
 namespace lightwalk {
 namespace {
 

@@ -1,4 +1,4 @@
-// Lights every pixel by every light; with light volumes, by the lights without a volume.
+// Lighting of every pixel by all lights, or with light volumes by the lights without one.
 #include "06_deferred/read_gbuffer.glsl"
 #include "06_deferred/reflected.glsl"
 

@@ -1,10 +1,10 @@
 // The environment's cubes against sums in double precision.
 #include <glm/gtc/packing.hpp>
 
-#include "module_fixture.h"
 #include "common/app/environment.h"
 #include "common/image/image.h"
 #include "common/scene/scene_file.h"
+#include "module_fixture.h"
 
 using namespace lightwalk;
 
