@@ -50,7 +50,7 @@ void LightGrid::set_view(const View& seen, const Bounds& scene, Cells cells, int
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
     const auto divide = [&] { view.tiles = (seen.size + view.tile_px - 1u) / view.tile_px; };
-    constexpr VkDeviceSize most_bytes = 1u << 27;  // that every device can bind (the limit maxStorageBufferRange)
+    constexpr VkDeviceSize most_bytes = 1u << 27;  // guaranteed by Vulkan (maxStorageBufferRange)
     for (divide(); view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > most_bytes; divide()) view.tile_px *= 2;
 }
 

@@ -49,13 +49,13 @@ std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std:
 
 // [draw]
 void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort) {
-    // 1. Lights into the view's tiles or clusters, if one of these is the method. Tiles need the depth.
+    // 1. Light lists, if the method has cells; tiles need depth.
     if (lights.needs_depth())
         frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading.reads, .with = {maps}},
                      by(depth_pipelines()));
     sort();
 
-    // 2. All opaque surfaces.
+    // 2. Shading of opaque surfaces.
     frame.raster(
         "shade",
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading.reads, .with = given()},

@@ -10,8 +10,8 @@
 namespace lightwalk {
 namespace {
 
-constexpr size_t reported_corners = 1 << 16;  // between two reports of progress
-constexpr float nowhere_m = 1e9f;             // metres per uv where a texture has no direction
+constexpr size_t reported_corners = 1 << 16;  // corners between progress reports
+constexpr float nowhere_m = 1e9f;             // metres per uv without a texture direction
 
 struct Sum {
     glm::vec3 tangent{0.0f};

@@ -20,7 +20,7 @@ std::vector<const Module*> LitScene::dependencies() const {
     return all;
 }
 
-// A shading that somebody else gave may be a fragment shader alone.
+// Shadings from outside may lack a compute pipeline.
 // [visibility]
 bool LitScene::shades_in_compute(const Canvas& canvas) const {
     return shaded_ && shaded_->is("visibility") && (!shading.opaque || shading.seen) &&
@@ -53,7 +53,7 @@ void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<vo
 // [/visibility]
 
 // [casters]
-// Casters with holes cut by textures are drawn with their maps; all others are solid.
+// Solid casters need no maps; casters with holes are drawn with theirs.
 Shadow::Casters LitScene::casters(const Frame& frame) const {
     const Scene& scene = surfaces.scene();
     const auto draw = [this, &scene](Raster& pass, const DrawList& casters) {
@@ -68,7 +68,7 @@ Shadow::Casters LitScene::casters(const Frame& frame) const {
     };
     Shadow::Casters all{{maps}, draw, by(first_), by(passed_)};
     all.others_placed = holes_cut(maps, scene, frame.time_s);
-    if (!scene.items.empty()) casting_.add_to(all);  // else nothing would be shaded
+    if (!scene.items.empty()) casting_.add_to(all);  // an empty scene receives no shadows
     return all;
 }
 // [/casters]

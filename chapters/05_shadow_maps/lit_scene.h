@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [lit_scene]
-/// SurfaceScene with shadows: beside its modules the owner gets shadow.*, and the choice of where opaque surfaces are
-/// shaded, unless the shading is fixed and has fragment shaders alone.
+/// SurfaceScene with shadows. Adds shadow.* to the owner's options, and the choice between raster and compute shading
+/// unless a fixed shading has only fragment shaders.
 struct LitScene : Drawing, ItemCaster {
     LitScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -27,7 +27,7 @@ struct LitScene : Drawing, ItemCaster {
     const TransparentSource* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
 
-    /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
+    /// Forward shading of opaque surfaces into a canvas of any colour format.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas);
     /// Shadow maps of the view.
     void record_shadows(Frame& frame, const View& view) {
@@ -37,12 +37,12 @@ struct LitScene : Drawing, ItemCaster {
     Shadow::Casters casters(const Frame& frame) const;
     // [/lit_scene]
 
-    /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_visible() does. `sort` sorts the lights, when
-    /// there is a depth.
+    /// Whether draw_visible() shades opaque surfaces, in compute over a visibility buffer. `sort`: records light lists,
+    /// once the canvas has depth.
     bool shades_in_compute(const Canvas& canvas) const;
     void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, const std::vector<Batch>& drawn);
     VisibilityBuffer visible;
-    /// Shades the pixels of `visible`.
+    /// Pipeline that shades the pixels of `visible`.
     const Pipeline& compute_pipeline() const { return shading.seen ? *shading.seen : shade_seen_; }
 
   private:

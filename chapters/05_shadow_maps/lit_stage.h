@@ -31,7 +31,7 @@ struct LitStage : World {
                 "yellow, edges violet), the map in use, or the size of its texels"};
 
     Drawings drawings() override { return {objects}; }
-    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }  // not counted as wrong
+    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }  // alpha 0: background
     std::vector<std::pair<std::string, std::string>> look() const override {
         return {{"bloom.method", "none"}, {"post.tone", "off"}};
     }
@@ -39,7 +39,7 @@ struct LitStage : World {
 
     /// The scene's lights, with their sizes scaled.
     const LightList& lamps();
-    /// Shading for `show` and `visibility`, with rays where they are asked for.
+    /// Chooses the shading for `show` and `visibility`, and builds the hierarchy if rays are needed.
     void choose_shading(Frame& frame);
 
   protected:

@@ -13,8 +13,8 @@ using namespace lightwalk;
 
 namespace {
 
-// Adds the percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h). Alpha of `picture` (RGBA16F):
-// 1 and the kind of error, or 0 for the background.
+// Percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h). Alpha of `picture` (RGBA16F):
+// 1 + kind of error, or 0 for the background.
 void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
     const std::vector<std::byte> texels = gpu.read_back(picture);
     std::array<size_t, 6> count{};
@@ -48,7 +48,7 @@ struct ShadowMaps : ModelChapter {
     }
     std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 
-    // The share of pixels with each kind of wrong shadow, from a picture a quarter as wide: many rays for every pixel.
+    // Shares of wrong shadows, from a picture a quarter as wide, since each pixel takes many rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         world.show.set("wrong");
         Frame own(gpu);
@@ -63,11 +63,11 @@ struct ShadowMaps : ModelChapter {
         const bool in_compute = objects.shades_in_compute(canvas);
         const std::vector<Batch> batches = surfaces.opaque_batches();
 
-        // 1. Chapter 03's lights in a buffer, their sizes scaled. With rays, the triangles that these may hit.
+        // 1. Lights with scaled sizes, in a buffer (chapter 03); a hierarchy of triangles if rays are needed.
         lights.update(frame, scene, world.lamps());
         world.choose_shading(frame);
 
-        // 2. The camera's depth, where tiles of lights need it, or the triangle of each pixel for shading in compute.
+        // 2. Visibility buffer for shading in compute, or depth for tiled light lists; then light lists (chapter 03).
         if (in_compute)
             objects.visible.record(frame, scene, maps, batches, canvas);
         else if (lights.needs_depth())
@@ -75,27 +75,27 @@ struct ShadowMaps : ModelChapter {
                          surfaces.by(surfaces.depth_pipelines()));
         lights.record(frame, scene, view, canvas.single_depth());
 
-        // 3. A view from each light that casts a shadow (six for a point light, one for each cascade of a directional
-        // one), with the casters in it. Shaders get these views in a buffer.
+        // 3. Light views: one per spot light, six per point light, one per cascade of a directional light. Each lists
+        // its casters; shaders read the views from a buffer.
         const Shadow::Casters casters = objects.casters(frame);
         shadow.find_maps(frame, scene, lights, view, casters);
 
-        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // by a changed light or caster
-            // 4. Depth of the casters, as seen from the light.
+        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // light or casters have changed
+            // 4. Shadow map: depth of the casters from the light.
             {
                 const ViewScope from_light(frame, map.view.view);
                 frame.raster("shadow_map", {.depth = clear(shadow.depth_of(map), 0.0f), .with = casters.with},
                              [&](Raster& pass) { casters.draw(pass, map.casters); });
             }
-            // 5. Light that transparent casters let through: the first one, and all.
+            // 5. Transmittance of transparent casters: the first one's, and the product of all.
             if (shadow.has_passed()) shadow.draw_passed(frame, map, casters);
 
-            // 6. Moments of the depths, filtered before they are read.
+            // 6. Moments of the depths, blurred, for vsm, evsm and msm.
             if (shadow.has_moments()) shadow.filter(frame, map);
         }
 
-        // 7. Every surface, lit by the visible part of each light: shadow maps are read here.
-        const std::vector<With> with = surfaces.given();  // maps, lights, shadow, rays
+        // 7. Shading of opaque surfaces, which reads and filters the shadow maps.
+        const std::vector<With> with = surfaces.given();  // maps, lights, shadow, and rays if needed
         if (in_compute)
             objects.visible.shade(frame, scene, maps, batches, canvas, objects.compute_pipeline(), with,
                                   surfaces.shading.reads);

@@ -21,7 +21,7 @@ void for_each_triangle(const DrawItem& item, const std::vector<Vertex>& vertices
 
 const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
 
-// The scene's textures that cut holes, as numbers, each once. The first mask is one texel of 255: nothing is cut.
+// Alpha masks of textures that cut holes, each once. Mask 0 is one texel of 255, without holes.
 class Masks {
   public:
     std::vector<RayMask> masks{{0, 1, 1}};
@@ -53,7 +53,7 @@ class Masks {
     std::map<std::pair<const Image*, int>, uint32_t> known_;
 };
 
-// Notes for each triangle with holes where its masks are.
+// Cut-outs of triangles with holes.
 std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Scene& scene,
                                 std::vector<RayTriangle>& triangles) {
     std::vector<RayCutout> with_holes;
@@ -75,7 +75,7 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
 
 std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
     std::vector<RayTriangle> triangles;
-    std::map<const Mesh*, std::vector<Vertex>> moved;  // by skins and morphs
+    std::map<const Mesh*, std::vector<Vertex>> moved;  // deformed by skins and morphs
     for (const DrawItem& item : scene.items) {
         if (item.transparent) continue;
         const Mesh& mesh = mesh_of(item);
@@ -99,7 +99,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     built_ = true;
     std::vector<RayTriangle> triangles = unlocked([&] { return ray_triangles(scene, time_s); });
     Masks masks(gpu);
-    std::vector<glm::uvec2> cut_by;  // for each item: masks of its colour's alpha, and of its opacity
+    std::vector<glm::uvec2> cut_by;  // per item: masks of colour alpha and of opacity
     for (const DrawItem& item : scene.items) {
         glm::uvec2& cut = cut_by.emplace_back(0);
         if (item.transparent) continue;
@@ -139,7 +139,7 @@ void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
     frame.upload("ray triangles", triangles_, std::as_bytes(bvh_.triangles()));
 }
 
-// Holes that no triangle has are compiled out.
+// Macros that compile out unused cut-outs.
 Macros SceneRays::macros() const {
     Macros all = Module::macros();
     if (!has_cutouts_ || !through_holes) all.set("RAYS_SOLID", "1");

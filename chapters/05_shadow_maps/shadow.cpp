@@ -19,7 +19,7 @@ void Shadow::prepare(Gpu&, Scene&) {
 }
 
 // [find_views]
-// The views of all lights that cast shadows.
+// Views of all lights that cast shadows.
 void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                         const Casters& casters) {
     std::vector<MapView>& maps = now_->maps;
@@ -34,8 +34,8 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, view_options());
         for (auto one = seen.begin(); one != seen.end(); ++one) {
-            // Skips casters needed only by finer cascades; but the whole scene's map is the same from every
-            // viewpoint.
+            // Skips casters whose shadows only finer cascades show. The whole scene's map keeps all, since it does not
+            // depend on the camera.
             const auto is_needed = [&](const DrawItem& item) {
                 return one->whole || std::none_of(seen.begin(), one, [&](const LightView& finer) {
                            return holds_shadow_of(finer, item.bounds, one->data.texel);
@@ -57,7 +57,7 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     }
 }
 
-// A hash of all that a map depends on: two maps with the same hash show the same.
+// Hash of everything that a map depends on.
 uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& casters) const {
     Hash hash;
     bool deforms = false;
@@ -75,7 +75,7 @@ uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& 
 // [layers]
 void Shadow::take_layers(Frame& frame, const View& view) {
     const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
-    if (layer_of_.size() + now_->maps.size() > most) {  // of lights that have gone, too
+    if (layer_of_.size() + now_->maps.size() > most) {  // layers of removed lights included
         layer_of_.clear();
         held_.clear();
     }
@@ -95,7 +95,7 @@ void Shadow::take_layers(Frame& frame, const View& view) {
         }
 }
 
-// Images for all layers. New ones, of another size or with more layers, hold nothing yet.
+// Images for all layers; recreated ones are empty.
 void Shadow::reserve(Frame& frame) {
     const auto size = glm::uvec2(static_cast<uint32_t>(resolution.value));
     const uint32_t there = map_.desc.size == size ? map_.desc.layers : 1;
@@ -137,8 +137,8 @@ void Shadow::draw_map(Frame& frame, const MapView& map, const Casters& casters) 
 // [/draw_map]
 
 // [draw_passed]
-// Transmittance of transparent casters: the first one's, and the product of all. A point between the first and the
-// last uses the first for all before it, which is right for two.
+// Transmittance of transparent casters: the first one's, and the product of all. Points between the first and the last
+// use the first one's, which is exact for two.
 void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& casters) {
     const ViewScope scope(frame, map.view.view);
     const uint32_t layer = map.view.data.layer;
@@ -256,7 +256,7 @@ void Shadow::bind(Pass& pass) const {
         pass.set_if_present("shadow_passed", passed_.as_array(), linear_clamp);
         pass.set_if_present("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
     }
-    // A method without moments names them all the same, and reads none.
+    // Placeholder for methods without moments, whose shaders declare the texture too.
     pass.set_if_present("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
 }
 

@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Draws the surfaces of a SurfaceScene, as it would itself or over a visibility buffer. Both have the same owner and name.
+/// Surfaces of a SurfaceScene with the same owner and name, by raster or over a visibility buffer.
 struct VisibleSurfaces : Drawing {
     VisibleSurfaces(Module& owner, std::string name, SurfaceScene& scene_surfaces)
         : Drawing(owner, std::move(name)), surfaces(scene_surfaces) {}

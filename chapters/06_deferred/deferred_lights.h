@@ -8,12 +8,12 @@ namespace lightwalk {
 
 class DeferredLights {
   public:
-    /// Tiles of the view, or volumes of the lights.
+    /// Updates light volumes, or lays out the view's tiles.
     void update(Frame& frame, const Scene& scene, const View& view, const GBuffer& gbuffer, const Lights& lights);
     bool has_volumes() const { return has_volumes_; }
-    /// Every pixel once: ambient light, and the lights without a volume.
+    /// Ambient light, and lights without a volume, for every pixel.
     void light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background, bool ggx) const;
-    /// Every other light once, where it may reach.
+    /// Each other light, where its volume covers a surface.
     void light_volumes(Raster& pass, bool ggx) const;
 
     /// Both, from the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
@@ -22,7 +22,7 @@ class DeferredLights {
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
                 const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx);
 
-    /// gbuffer.show instead of the picture.
+    /// Picture of the channel gbuffer.show.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);
 
     size_t volumes() const { return volumes_.count(); }
@@ -30,12 +30,12 @@ class DeferredLights {
   private:
     LightVolumes volumes_;
     bool is_tiled_ = false, has_volumes_ = false;
-    LightGrid tiles_;  ///< for its view: a tile's workgroup finds the tile in it
+    LightGrid tiles_;  ///< layout only; workgroups list their lights themselves
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
     Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});
     // [volume]
-    // Back faces that lie behind the surface. They work with the camera inside, too, where there are no front faces.
+    // Back faces behind the surface, which also work with the camera inside, where there are no front faces.
     Pipeline volume_ = graphics({.vertex = "06_deferred/volume.vert",
                                  .fragment = "06_deferred/volume.frag",
                                  .cull = VK_CULL_MODE_FRONT_BIT,

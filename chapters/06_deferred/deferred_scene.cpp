@@ -22,7 +22,7 @@ std::vector<With> DeferredScene::with(std::vector<With> modules) const {
     return modules;
 }
 
-// Displaced meshes do without culling.
+// Displaced meshes are not culled.
 std::function<void(Raster&)> DeferredScene::by(const SurfacePipelines& both, std::vector<Batch> batches) const {
     return [this, &both, batches = std::move(batches)](Raster& pass) {
         if (!culling.culls()) return maps.draw(pass, scene(), batches, both.loaded, both.displaced);
@@ -39,7 +39,8 @@ std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
     std::vector<Batch> kept;
     for (const Batch& batch : surfaces.opaque_batches()) {
         const DrawItem& item = batch.item();
-        const bool other = maps.has_microfacets(item) != maps.surface.model.is("ggx");  // than the buffer's
+        const bool other =
+            maps.has_microfacets(item) != maps.surface.model.is("ggx");  // reflection model differs from the G-buffer's
         if (stored != (other || item.material.unlit)) kept.push_back(batch);
     }
     return kept;
@@ -49,7 +50,7 @@ std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
 void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     const bool overwrites = !gbuffer.is_forward() && canvas.has_color();
     if (!canvas.has_depth() && !overwrites) return draw_alone(frame, view, canvas);
-    // Earlier drawings have left depth or colour but no G-buffer: this scene is drawn apart, then merged by depth.
+    // Earlier drawings have filled depth or colour but no G-buffer, so this scene is drawn apart and merged by depth.
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
         image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
     };
@@ -66,11 +67,11 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
-    // 1. The shadow maps, and culling by bounds, which hold for meshes as loaded.
+    // 1. Shadow maps; culling by bounds, which are valid for meshes as loaded.
     lit.record_shadows(frame, view);
     culling.begin(frame, scene(), view, maps.mesh.is("loaded") ? surfaces.opaque_batches() : std::vector<Batch>());
 
-    // 2. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
+    // 2. Forward shading, or the G-buffer, its lighting, and what it cannot hold.
     gbuffer.begin(frame, view, canvas.single_depth());
     if (gbuffer.is_forward() || gbuffer.shows_loss())
         return draw_forward(frame, view, canvas, surfaces.opaque_batches());
@@ -88,7 +89,7 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     add_rest(frame, canvas, emission_);
     if (!gbuffer.show.is("picture")) return deferred.show(frame, canvas, gbuffer);
     draw_lit(frame, view, canvas, "unstored", batches_by_stored(false));
-    // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
+    // Light lists for transparent surfaces, shaded forward.
     if (scene().transparent().size() > 0) lights.record(frame, scene(), view, canvas.depth(frame));
 }
 

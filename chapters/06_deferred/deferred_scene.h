@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [deferred_scene]
-/// LitScene through a G-buffer, or as LitScene draws it where gbuffer.method is forward. Surfaces that a G-buffer has no
-/// room for (unlit ones, and microfacets unless all are) and transparent ones are drawn as LitScene draws them.
+/// LitScene through a G-buffer, or forward if gbuffer.method says so. Transparent surfaces, and those the G-buffer
+/// cannot hold (unlit ones, and microfacets unless all are), are shaded forward.
 struct DeferredScene : Drawing, ItemCaster {
     DeferredScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -29,41 +29,41 @@ struct DeferredScene : Drawing, ItemCaster {
     std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { lit.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    /// The opaque objects of the last draw(), after culling, from another view.
+    /// Opaque objects of the last draw(), after culling, from another view.
     void draw_kept(Frame& frame, const View& view, Canvas& canvas);
-    /// None if a channel of the G-buffer is shown.
+    /// Null if a channel of the G-buffer is shown.
     const TransparentSource* transparent_source() const override {
         return gbuffer.show.is("picture") ? &surfaces : nullptr;
     }
     const Maps& cut_by() const override { return maps; }
     // [/deferred_scene]
 
-    // For a chapter that records these passes itself.
+    // Parts for chapters that record the passes themselves.
 
-    /// These modules, the shading's, and culling.
+    /// `modules`, the shading's modules, and culling.
     std::vector<With> with(std::vector<With> modules) const;
-    /// The opaque surfaces that the G-buffer holds, or the others.
+    /// Opaque batches that the G-buffer holds, or the others.
     std::vector<Batch> batches_by_stored(bool stored) const;
     /// Draws the batches, after culling.
     std::function<void(Raster&)> by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     void draw_forward(Frame& frame, const View& view, Canvas& canvas, const std::vector<Batch>& batches);
-    /// Emissive surfaces of the G-buffer, or all of them where the shading has a `rest`, onto the light.
+    /// Adds emission, or Shading::rest, to the lit surfaces of the G-buffer.
     void add_rest(Frame& frame, Canvas& canvas, const SurfacePipelines& emission);
-    /// Lit as they are drawn, by the lights of their own cells.
+    /// Forward pass over some batches, with light lists for their own depths.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                   const std::vector<Batch>& batches);
     const SurfacePipelines& emission() const { return emission_; }
     const SurfacePipelines& written() const { return shading.stored ? *shading.stored : write_; }
 
-    /// For Shading::rest: added to the light in a pixel.
+    /// Pipelines for Shading::rest, with additive blending.
     static SurfacePipelines added(const char* fragment, Macros macros = {});
 
   private:
     void draw_alone(Frame& frame, const View& view, Canvas& canvas);
-    bool emits();  ///< any opaque item
+    bool emits();  ///< whether any opaque item is emissive
     const Scene& scene() const { return surfaces.scene(); }
 
-    Image own_color_, own_depth_;  ///< where others have drawn before
+    Image own_color_, own_depth_;  ///< used if earlier drawings have filled the canvas
     Pipeline merge_ =
         graphics({.vertex = "06_deferred/whole.vert", .fragment = "06_deferred/merge.frag", .cull = VK_CULL_MODE_NONE});
     SurfacePipelines lost_{{.fragment = "06_deferred/lost.frag"}};
@@ -73,11 +73,10 @@ struct DeferredScene : Drawing, ItemCaster {
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
 };
 
-/// The batches that contain emissive items.
+/// Batches with emissive items.
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches);
 
-/// From a picture of the G-buffer's losses: degrees of normals, millimetres of positions, on average over the drawn
-/// pixels.
+/// Mean encoding error over the drawn pixels: degrees of normals, millimetres of positions.
 glm::vec2 mean_loss(const ImageRgb& picture);
 
 }  // namespace lightwalk

@@ -18,7 +18,7 @@ void DepthPyramid::record(Frame& frame, const ImageView& depth) {
     frame.compute("depth pyramid", {.reads = {depth, all}, .writes = {all}}, [&](Compute& pass) {
         pass.use(five_levels_);
         for (uint32_t first = 0; first < levels; first += PYRAMID_STEP) {
-            if (first > 0) pass.wait();  // for the level before
+            if (first > 0) pass.wait();  // for the previous level
             const ImageView source = first > 0 ? all.mip(first - 1) : depth;
             std::vector<ImageView> made;
             for (uint32_t m = first; m < std::min(levels, first + PYRAMID_STEP); ++m) made.push_back(all.mip(m));

@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye) {
-    // In double precision: the far plane is ten thousand times as far as the near one.
+    // Double precision, since far / near may be 10,000.
     return glm::mat4(glm::inverse(glm::translate(glm::dmat4(view_projection), glm::dvec3(eye))));
 }
 

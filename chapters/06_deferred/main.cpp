@@ -33,7 +33,7 @@ struct Deferred : ModelChapter {
                         "Height above the camera from which the objects that were drawn are shown; 0: the picture",
                         "m"};
 
-    // Back faces are culled by nobody, or by a geometry shader.
+    // G-buffer pipelines without back-face culling, or with culling by a geometry shader.
     SurfacePipelines write_all{{.fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
     SurfacePipelines write_culled{
         {.geometry = "06_deferred/cull.geom", .fragment = "06_deferred/write.frag", .cull = VK_CULL_MODE_NONE}};
@@ -41,7 +41,7 @@ struct Deferred : ModelChapter {
                                      .fragment = "06_deferred/write.frag",
                                      .cull = VK_CULL_MODE_NONE,
                                      .macros = {{"LEFT_OUT", "1"}}}};
-    // Depths behind a geometry shader may differ in the last bit from those without.
+    // Emission behind the same geometry shader, since its depths may differ in the last bit.
     SurfacePipelines emission_culled{{.geometry = "06_deferred/cull.geom",
                                       .fragment = "06_deferred/emission.frag",
                                       .cull = VK_CULL_MODE_NONE,
@@ -60,16 +60,16 @@ struct Deferred : ModelChapter {
         const std::vector<Batch> all = surfaces.opaque_batches(), stored = objects.batches_by_stored(true);
         const bool forward = gbuffer.is_forward() || gbuffer.shows_loss(), ggx = maps.surface.model.is("ggx");
 
-        // 1. Chapter 03's lights in a buffer, pictures for the scene's screens, and chapter 05's shadow maps.
+        // 1. Lights in a buffer (chapter 03), pictures of the scene's screens, shadow maps (chapter 05).
         world.prepare_view(frame, view);
         objects.lit.record_shadows(frame, view);
 
-        // 2. Culling: the objects that this view may show. Their bounds hold for meshes as loaded; a geometry shader
-        // needs all instances. culling.passes() records a pass again for objects that had been hidden and no longer are.
+        // 2. Culling: objects that may be visible. Bounds are valid for meshes as loaded; a geometry shader needs all
+        // instances. culling.passes() records a pass a second time for objects that are no longer hidden.
         const bool by_device = cull.is("fixed") || cull.is("none");
         culling.begin(frame, scene, view, maps.mesh.is("loaded") && by_device ? all : std::vector<Batch>());
 
-        // 3. Depth alone, so that each pixel is written or lit once.
+        // 3. Depth prepass, so that each pixel is written or lit once.
         if (prepass)
             culling.passes(frame, frame.depth, [&] {
                 frame.raster("depth", {.depth = canvas.depth_target(), .with = objects.with({maps})},
@@ -78,10 +78,10 @@ struct Deferred : ModelChapter {
 
         gbuffer.begin(frame, view, frame.depth);
         if (forward) {
-            // 4. Forward shading, for comparison: every surface, lit as it is drawn.
+            // 4. Forward shading, for comparison.
             objects.draw_forward(frame, view, canvas, often(all));
         } else {
-            // 4. Surfaces into the G-buffer, no light yet.
+            // 4. G-buffer: surfaces without light.
             culling.passes(frame, frame.depth, [&] {
                 frame.raster("gbuffer",
                              {.color = gbuffer.targets(culling.completes()),
@@ -91,8 +91,7 @@ struct Deferred : ModelChapter {
             });
             gbuffer.written();
 
-            // 5. Light, from the G-buffer: ambient light and the lights without a volume once a pixel, or the lights of
-            // the pixel's tile.
+            // 5. Lighting of every pixel: ambient light and lights without a volume, or the lights of the pixel's tile.
             const std::vector<With> with{lights, shadow, gbuffer, maps.surface, maps.lamps};
             deferred.update(frame, scene, view, gbuffer, lights);
             const ImageView hdr = canvas.color_overwritten();
@@ -101,13 +100,13 @@ struct Deferred : ModelChapter {
                               deferred.light_pixels(pass, hdr, scene.ambient(), scene.file.background, ggx);
                           });
 
-            // 6. Each other light, added wherever its volume covers a surface.
+            // 6. Light volumes: each other light, added where its volume covers a surface.
             if (deferred.has_volumes())
                 frame.raster("volumes",
                              {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
                              [&](Raster& pass) { deferred.light_volumes(pass, ggx); });
 
-            // 7. Emission, then surfaces that the G-buffer has no room for; or a channel of the G-buffer.
+            // 7. Emission, then surfaces that the G-buffer cannot hold; or a view of one of its channels.
             objects.add_rest(frame, canvas, cull.is("geometry") ? emission_culled : objects.emission());
             if (gbuffer.show.is("picture")) {
                 objects.draw_lit(frame, view, canvas, "unstored", often(objects.batches_by_stored(false)));
@@ -117,7 +116,7 @@ struct Deferred : ModelChapter {
             }
         }
 
-        // 8. Transparent surfaces, back to front, by the lights of their own cells. sRGB encoding.
+        // 8. Transparent surfaces, back to front; sRGB encoding.
         draw_transparent(frame, view, canvas, world.drawings());
         if (above_m > 0.0f) show_from_above(frame);
         encode_srgb(frame);
@@ -131,14 +130,14 @@ struct Deferred : ModelChapter {
                                      : write_left_out;
     }
 
-    // As many times as `overdraw` says.
+    // Batches repeated `overdraw` times.
     std::vector<Batch> often(const std::vector<Batch>& batches) const {
         std::vector<Batch> drawn;
         for (int i = 0; i < overdraw; ++i) drawn.insert(drawn.end(), batches.begin(), batches.end());
         return drawn;
     }
 
-    // The objects that the picture drew, from behind and above its camera.
+    // Objects drawn by the picture, from behind and above its camera.
     void show_from_above(Frame& frame) {
         const glm::vec3 ahead = camera.target - camera.position;
         const glm::vec3 along = glm::normalize(glm::vec3(ahead.x, 0.0f, ahead.z) + glm::vec3(0.0f, 0.0f, 1e-6f));
@@ -152,11 +151,10 @@ struct Deferred : ModelChapter {
         objects.draw_kept(frame, view, canvas);
     }
 
-    // For the studies: objects drawn; or the size of the G-buffer, and its mean loss of normals and positions.
+    // Study values: number of objects drawn; or G-buffer size, and mean error of normals and positions.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         if (world.town.objects > 0) {
-            for (int again = 0; again < 2; ++again)
-                render_linear(*this, gpu, size);  // the first has no frame before it
+            for (int again = 0; again < 2; ++again) render_linear(*this, gpu, size);  // the first has no previous frame
             error["drawn"] = culling.culls() ? culling.drawn() : scene.opaque().size();
             error["host_ms"] = culling.host_ms();
             return;

@@ -20,8 +20,8 @@ vec2 in_ggx_table(Surface surface) {
 
 #if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
 // [oren_nayar]
-// EON rough diffuse BRDF (J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF", JCGT
-// 14(1), 2025): directional albedo of single scattering at this cosine.
+// EON rough diffuse BRDF (J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF",
+// JCGT 14(1), 2025): directional albedo of single scattering at this cosine.
 float single_share(float cosine, float roughness) {
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0)), angle = acos(clamp(cosine, -1.0, 1.0));
     float g = sine * (angle - sine * cosine) + 2.0 / 3.0 * (sine / max(cosine, 1e-4) * (1.0 - sine * sine * sine) - sine);

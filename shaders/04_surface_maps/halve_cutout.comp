@@ -1,5 +1,5 @@
-// Next mip of a cut-out: means of 2 × 2 texels, colours weighted by alpha. Odd sizes drop the last column or row, as blits
-// do.
+// Next mip of a cut-out: means of 2 × 2 texels, colours weighted by alpha. Odd sizes drop the last column or row, as
+// blits do.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D finer;

@@ -28,8 +28,8 @@ float first_root(float a, float b, float c, float most) {
     return root <= most ? root : -1.0;
 }
 
-// Depth t at which the ray over uv - t * shift hits the surface. Within a square the depth is bilinear in x and y, which
-// are linear in t, so the gap between ray and surface is quadratic in t.
+// Depth t at which the ray over uv - t * shift hits the surface. Within a square the depth is bilinear in x and y,
+// which are linear in t, so the gap between ray and surface is quadratic in t.
 float exact_hit(vec2 uv, vec2 shift) {
     ivec2 size = textureSize(height_map, 0);
     vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel centres are integers

@@ -43,7 +43,8 @@ bool is_above(vec3 facing, uint light, vec3 position, vec3 to_light) {
 
 #if LAMPS_METHOD == LAMPS_METHOD_REPRESENTATIVE && HAS_GGX
 // [representative]
-// Representative point: the lamp's point nearest to the mirrored ray, with a wider lobe (B. Karis, "Real Shading in Unreal Engine 4", 2013).
+// Representative point: the lamp's point nearest to the mirrored ray, with a wider lobe (B. Karis, "Real Shading in
+// Unreal Engine 4", 2013).
 Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     vec3 mirrored = reflect(-surface.to_eye, surface.normal), nearest = s.middle;
     if (s.is_tube) {

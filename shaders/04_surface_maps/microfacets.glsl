@@ -4,16 +4,16 @@
 
 const float pi = 3.14159265358979;
 
-// GGX distribution per steradian of half vectors (T. Trowbridge and K. Reitz, 1975; B. Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007, equation 33).
+// GGX distribution per steradian of half vectors (T. Trowbridge and K. Reitz, 1975; B. Walter et al., "Microfacet
+// Models for Refraction through Rough Surfaces", EGSR 2007, equation 33).
 float ggx_density(float n_dot_h, float alpha) {
     float square = alpha * alpha, c = n_dot_h * n_dot_h;
     float d = c * square + (1.0 - c);  // c (square - 1) + 1 would cancel for c near 1
     return square / max(pi * d * d, 1e-30);
 }
 
-// Masking and shadowing over 4 n·l n·v: E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
-// JCGT 3(2), 2014, equation 99. n_dot_l and n_dot_v are above 0.
+// Masking and shadowing over 4 n·l n·v: E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based
+// BRDFs", JCGT 3(2), 2014, equation 99. n_dot_l and n_dot_v are above 0.
 float ggx_visibility(float n_dot_l, float n_dot_v, float alpha) {
     float square = alpha * alpha;
     float l = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - square) + square);
@@ -47,8 +47,8 @@ Coat coat_of(vec3 f0, vec2 ab) {
 }
 // [/coat]
 
-// GGX alpha of a Blinn–Phong exponent (B. Walter et al., EGSR 2007, section 5.2). Exponents are at most 8192, so alpha is
-// at least 1/64.
+// GGX alpha of a Blinn–Phong exponent (B. Walter et al., EGSR 2007, section 5.2). Exponents are at most 8192, so alpha
+// is at least 1/64.
 float alpha_of(float shininess) { return sqrt(2.0 / (shininess + 2.0)); }
 
 // Radiance relative to a white Lambertian surface, hence the pi; coloured by Schlick's Fresnel term (1994).

@@ -16,9 +16,9 @@ float hit_error(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
 }
 
 // [swim]
-// Sliding of the texture over the surface in texels as the eye moves: change of the method's error at the point that the
-// first eye sees; -1 if the second eye does not see it. `from` and `to`: tangent-space vectors in metres from the first
-// ray's hit on the mesh.
+// Sliding of the texture over the surface in texels as the eye moves: change of the method's error at the point that
+// the first eye sees; -1 if the second eye does not see it. `from` and `to`: tangent-space vectors in metres from the
+// first ray's hit on the mesh.
 float swim(vec2 uv, vec3 from, vec3 to, vec2 deepest, float height_m, int steps) {
     vec3 to_eye = normalize(from);
     vec2 shift = shift_of(to_eye, deepest);

@@ -1,5 +1,5 @@
-// Surfaces with maps: GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the material) are compiled
-// out.
+// Surfaces with maps: GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the material) are
+// compiled out.
 #include "common/structs.h"
 #include "04_surface_maps/plain_draw.glsl"
 #include "04_surface_maps/height_field.glsl"
@@ -228,9 +228,9 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
 #if HAS_DISPLACEMENT
     // [displacement]
-    // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at
-    // (map - 1/2) * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the
-    // division by z a swell of slope s shows places twice from tan(angle) = 1/s on.
+    // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at (map - 1/2)
+    // * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the division
+    // by z a swell of slope s shows places twice from tan(angle) = 1/s on.
     at.uv += parallax_offset_limited(0.5 - read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
     // [/displacement]
 #endif

@@ -1,5 +1,5 @@
-// Separable blur of moments, one direction; the first pass computes moments from depths. BLUR_BY: each invocation reads all
-// its taps, or a workgroup shares them.
+// Separable blur of moments, one direction; the first pass computes moments from depths. BLUR_BY: each invocation reads
+// all its taps, or a workgroup shares them.
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/moments.glsl"
 #include "05_shadow_maps/blur.h"

@@ -2,7 +2,8 @@
 #include "05_shadow_maps/moments.glsl"
 
 // [from_moments]
-// Visibility from the mip whose texels are about as wide as the pixel on the surface. `texel`: width in level 0, metres.
+// Visibility from the mip whose texels are about as wide as the pixel on the surface. `texel`: width in level 0,
+// metres.
 float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #if SHADOW_MIPS
     float lod = max(log2(max(pixel, 1e-9) / texel), 0.0);
@@ -18,7 +19,7 @@ float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #else
     float visible = msm(moments, depth, shadow.moment_bias);
 #endif
-    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // reduces light bleeding, and darkens penumbrae
+    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // less bleeding, darker penumbrae
 }
 // [/from_moments]
 

@@ -8,8 +8,8 @@ vec2 disc_point(int i, int count, float turn) {
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
-// Rotation of the disc per quarter texel: noise instead of rings. Hashed from integers, since the last bits of uv differ
-// between devices.
+// Rotation of the disc per quarter texel: noise instead of rings. Hashed from integers, since the last bits of uv
+// differ between devices.
 float disc_turn(vec2 uv) {
     uvec2 cell = uvec2(max(4.0 * float(map_texels()) * uv, 0.0));
     uint hash = (cell.x * 0x9e3779b9u) ^ (cell.y * 0x85ebca6bu);

@@ -3,8 +3,8 @@
 
 // [warp]
 // Warp of exponential variance shadow maps (A. Lauritzen and M. McCool, "Layered Variance Shadow Maps", GI 2008): e^cz
-// compresses depths in front of the receiver, -e^-cz those behind. The square of e^c must fit the format: ln(3.4e38) / 2
-// is 44.3, ln(65504) / 2 is 5.54, less a margin for sums.
+// compresses depths in front of the receiver, -e^-cz those behind. The square of e^c must fit the format: ln(3.4e38) /
+// 2 is 44.3, ln(65504) / 2 is 5.54, less a margin for sums.
 float exponent_cap() {
 #if SHADOW_FORMAT == SHADOW_FORMAT_FP16
     return 5.54;

@@ -16,8 +16,8 @@ struct Lamp {
 };
 // [/lamp]
 
-// False after lavapipe has cut loops short (it ends an invocation's loops after 65,535 iterations in all, and each later
-// one after one), so that results may be wrong. The count of two is hidden from compilers.
+// False after lavapipe has cut loops short (it ends an invocation's loops after 65,535 iterations in all, and each
+// later one after one), so that results may be wrong. The count of two is hidden from compilers.
 bool loops_turn() {
     uint two = 2u * min(uint(rays.truth_samples), 1u), turned = 0u;
     for (; turned < two; ++turned) {}

@@ -29,8 +29,8 @@ uint scramble(uint digits, uint seed) {
 // [sobol]
 // First two dimensions of I. M. Sobol's sequence (1967): 2^k consecutive points from a multiple of 2^k on occupy one
 // each of 2^k equal boxes, for every division of the square. 0 <= x, y < 1. The second matrix is Pascal's triangle
-// modulo 2, whose entry (j, i) is odd if all bits of i are in j (E. Lucas, 1878), so the sum over j takes five steps, one
-// for each bit of a digit's index.
+// modulo 2, whose entry (j, i) is odd if all bits of i are in j (E. Lucas, 1878), so the sum over j takes five steps,
+// one for each bit of a digit's index.
 vec2 sobol_point(uint index, uint seed) {
     uint sum = index;
     sum ^= sum >> 1u & 0x55555555u;
@@ -49,7 +49,8 @@ vec2 on_disc(vec2 point) {
     return sqrt(point.x) * vec2(cos(angle), sin(angle));
 }
 
-// Tangent and bitangent of the unit vector `n` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).
+// Tangent and bitangent of the unit vector `n` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1),
+// 2017).
 void basis_of(vec3 n, out vec3 x, out vec3 y) {
     float s = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;
     x = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);

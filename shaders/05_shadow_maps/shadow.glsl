@@ -1,5 +1,5 @@
-// Visibility of lights: GLSL of the module Shadow, included instead of 03_attenuation/unshadowed.glsl. The method's filter
-// is compiled in.
+// Visibility of lights: GLSL of the module Shadow, included instead of 03_attenuation/unshadowed.glsl. The method's
+// filter is compiled in.
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/light_clip_position.glsl"
@@ -62,7 +62,8 @@ float linear_depth(ShadowView view, float depth) {
 }
 // [/map_distance]
 
-// Bias: offset of the point so that the surface's own depths, stored only at texel centres, are not nearer to the light.
+// Bias: offset of the point so that the surface's own depths, stored only at texel centres, are not nearer to the
+// light.
 // [plane_slope]
 // Slope of depth over the map: a plane stays a plane in clip space, after division by w too.
 vec2 plane_slope(ShadowView view, vec3 position, vec3 facing, float cosine) {

@@ -24,8 +24,8 @@ float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_
 // [shadow_truth]
 const uint rays_around = 16u;
 
-// `radius_m`: reach of the filter perpendicular to the light, half its kernel on the map plus a texel. Samples lie in the
-// surface's plane, so that a slope does not count as a neighbour's shadow; the reach grows with the surface's tilt.
+// `radius_m`: reach of the filter perpendicular to the light, half its kernel on the map plus a texel. Samples lie in
+// the surface's plane, so that a slope does not count as a neighbour's shadow; the reach grows with the surface's tilt.
 ShadowTruth shadow_truth(ShadowLight light, vec3 position, vec3 facing, vec3 to_light, float radius_m) {
     ShadowTruth truth;
     truth.visibility = visibility_by_rays(light, position, facing, to_light);

@@ -2,10 +2,10 @@
 #include "05_shadow_maps/hidden_share.glsl"
 
 // [sphere_visibility]
-// Visible share of the sun's disc beside a sphere; `sun_rad` is the disc's angular radius. The angle between the sphere's
-// edge and the sun's centre is a small difference of two angles, and GPU arc functions may err by 4,096 units in the last
-// place (Vulkan specification, Precision and Operation of SPIR-V Instructions), more than the whole sun. Hence the sine of
-// the difference, from sines and cosines that are ratios of lengths.
+// Visible share of the sun's disc beside a sphere; `sun_rad` is the disc's angular radius. The angle between the
+// sphere's edge and the sun's centre is a small difference of two angles, and GPU arc functions may err by 4,096 units
+// in the last place (Vulkan specification, Precision and Operation of SPIR-V Instructions), more than the whole sun.
+// Hence the sine of the difference, from sines and cosines that are ratios of lengths.
 float sphere_visibility(vec3 to_center, float radius, vec3 to_light, float sun_rad) {
     float away = length(to_center), along = dot(to_center, to_light), across = length(cross(to_center, to_light));
     float to_edge = sqrt(max((away - radius) * (away + radius), 1e-12 * radius * radius));  // length of the tangent

@@ -38,7 +38,7 @@ void main() {
 #ifdef LEFT_OUT
     culled = !culled;
 #endif
-    if (culled && gl_PrimitiveIDIn >= 0) return;  // always true: Mesa 22's lavapipe crashes on a shader that cannot emit
+    if (culled && gl_PrimitiveIDIn >= 0) return;  // always true: lavapipe 22 crashes on shaders that cannot emit
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         world_position = position_in[i];

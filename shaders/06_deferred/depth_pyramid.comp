@@ -22,7 +22,7 @@ void main() {
             float farthest = 1.0;
             for (int y = 2 * at.y; y <= last.y; ++y)
                 for (int x = 2 * at.x; x <= last.x; ++x) {
-                    int before = stride.x * (y - 2 * first.y) + x - 2 * first.x;  // index in the previous level's shared array
+                    int before = stride.x * (y - 2 * first.y) + x - 2 * first.x;  // index in the previous level
                     farthest = min(farthest, made == 0 ? texelFetch(source, ivec2(x, y), 0).r : texels[made & 1][before]);
                 }
             texels[1 - (made & 1)][i] = farthest;

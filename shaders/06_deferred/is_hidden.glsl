@@ -9,7 +9,8 @@ const float SLACK_PIXELS = 0.0625;    // rounding of positions
 const float SLACK_DEPTH = 1.0 + 1e-5;  // rounding of depth
 
 // [is_hidden]
-// Sizes are computed: with levels that differ between invocations, llvmpipe's textureSize() gives the first one's to all.
+// Sizes are computed: with levels that differ between invocations, llvmpipe's textureSize() gives the first one's to
+// all.
 float farthest_at(ivec2 texel, int level) {
     ivec2 last = max(ivec2(look.pyramid_pixels) >> level, ivec2(1)) - 1;
     return texelFetch(pyramid, min(texel, last), level - 1).r;

@@ -28,7 +28,8 @@ Pixel kept(Pixel p) {
 void main() {
     MappedSurface m = seen_surface();
     Pixel p = pixel_of(m), back = kept(p);
-    // Angle from half the chord, its half's sine, since acos() of a dot product is inexact for small angles. Then millimetres.
+    // Angle from half the chord, its half's sine, since acos() of a dot product is inexact for small angles. Then
+    // millimetres.
     vec2 lost = vec2(degrees(2.0 * asin(min(0.5 * distance(back.normal, p.normal), 1.0))), 1e3 * distance(back.position, p.position));
 #if GBUFFER_METHOD == GBUFFER_METHOD_FORWARD
     lost = vec2(0.0);

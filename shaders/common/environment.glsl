@@ -1,5 +1,5 @@
-// Environment light: radiance along a direction, irradiance of a surface. For passes with the module EnvironmentLight in
-// `.with`.
+// Environment light: radiance along a direction, irradiance of a surface. For passes with the module EnvironmentLight
+// in `.with`.
 uniform samplerCube environment_cube;
 uniform samplerCube environment_irradiance_cube;
 layout(scalar) uniform EnvironmentScaleBlock {  // EnvironmentScale of common/app/environment.h

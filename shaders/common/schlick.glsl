@@ -1,5 +1,5 @@
-// Schlick's Fresnel reflectance ("An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3),
-// 1994).
+// Schlick's Fresnel reflectance ("An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum
+// 13(3), 1994).
 
 // (1 - cosine)^5.
 float schlick_power(float cosine) {

@@ -88,8 +88,8 @@ struct CameraView {
 SHARED_FUNCTION vec2 image_uv(vec2 uv) { return vec2(uv.x, 1.0f - uv.y); }
 
 // [moving_uv]
-// Animated texture coordinates, for lava and water: a wave of `wobble` tiles in u and v, and a flow of `scroll` tiles per
-// second along v.
+// Animated texture coordinates, for lava and water: a wave of `wobble` tiles in u and v, and a flow of `scroll` tiles
+// per second along v.
 SHARED_FUNCTION vec2 moving_uv(vec2 uv, float wobble, float scroll, float time_s) {
     const float tau = 6.2831853f;
     return uv + wobble * sin(tau * (vec2(uv.y, uv.x) + vec2(0.31f, 0.23f) * time_s)) + vec2(0.0f, scroll * time_s);

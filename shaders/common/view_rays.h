@@ -4,7 +4,8 @@
 
 BEGIN_SHARED
 
-// Computed in double precision on the CPU: far from the origin an inverse float matrix cannot separate neighbouring pixels.
+// Computed in double precision on the CPU: far from the origin an inverse float matrix cannot separate neighbouring
+// pixels.
 struct ViewRays {
     vec3 eye;                         // metres, world space
     vec3 corner;                      // ray through the upper left corner; length 1 along the view
