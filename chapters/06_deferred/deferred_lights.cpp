@@ -4,17 +4,20 @@ namespace lightwalk {
 
 // [record]
 void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx) {
-    const Macros model{{"SURFACE_GGX", ggx ? "1" : "0"}};
+                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx,
+                            bool emits) {
+    const Macros model{{"SURFACE_GGX", ggx ? "1" : "0"}, {"EMITS", emits ? "1" : "0"}};
     const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
     if (volumes) volumes_.update(frame, lights);
     if (tiled)
         tiles_.set_view(view, scene.bounds, LightGrid::Cells::tiles, 1, 0,
                         lights.falloff.is("inverse_square") ? lights.threshold : 0.0f);
     const ImageView color = canvas.color_overwritten();
+    std::vector<Resource> reads{canvas.depth(frame)};
+    if (emits) reads.push_back(color);
 
     // 1. Every pixel once: ambient light, and the lights that it computes here.
-    frame.compute(tiled ? "tiles" : "full_screen", {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
+    frame.compute(tiled ? "tiles" : "full_screen", {.reads = reads, .writes = {color}, .with = with},
                   [&](Compute& pass) {
                       pass.use(tiled ? tiled_ : full_screen_, model).set("hdr", color);
                       pass.set("ambient", ambient).set("background", glm::vec3(canvas.background()));

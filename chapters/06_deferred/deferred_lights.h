@@ -10,9 +10,9 @@ class DeferredLights {
   public:
     /// From the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
     /// modules of lighting: the lights, the G-buffer, the model of surfaces, and shadow casters. `ggx`: all surfaces
-    /// are microfacets.
+    /// are microfacets. `emits`: the colour holds the surfaces' emission, to which light is added.
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx);
+                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx, bool emits);
 
     /// gbuffer.show instead of the picture.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);

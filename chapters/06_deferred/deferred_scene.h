@@ -43,14 +43,11 @@ struct DeferredScene : Drawing, ItemCaster {
     const Maps& cut_by() const override { return maps; }
     // [/deferred_scene]
 
-    /// For Shading::rest: added to the light in a pixel.
-    static SurfacePipelines added(const char* fragment, Macros macros = {});
-
   private:
     void draw_alone(Frame& frame, const View& view, Canvas& canvas);
     void draw_forward(Frame& frame, const View& view, Canvas& canvas);
     void write_gbuffer(Frame& frame, Canvas& canvas);
-    void add_rest(Frame& frame, Canvas& canvas);
+    bool write_emission(Frame& frame, Canvas& canvas);  ///< whether any surface emits
     void draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                   const std::vector<Batch>& batches);
     /// The opaque surfaces that the G-buffer holds, or the others.
@@ -76,13 +73,12 @@ struct DeferredScene : Drawing, ItemCaster {
                                       .macros = {{"LEFT_OUT", "1"}}}};
     Made emission_sought_;
     bool emits_ = false;
-    SurfacePipelines emission_ = added("06_deferred/emission.frag");
+    SurfacePipelines emission_{{.fragment = "06_deferred/emission.frag", .depth_write = false}};
     /// Depths behind a geometry shader may differ in the last bit from those without.
     SurfacePipelines emission_culled_{{.geometry = "06_deferred/cull.geom",
                                        .fragment = "06_deferred/emission.frag",
                                        .cull = VK_CULL_MODE_NONE,
-                                       .depth_write = false,
-                                       .blend = Blend::add}};
+                                       .depth_write = false}};
 };
 
 /// The batches that contain emissive items.

@@ -1,4 +1,4 @@
-// Emission of surfaces, added to the lights' sum.
+// Emission of surfaces, to which light is added afterwards.
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;
