@@ -14,8 +14,9 @@ void DeferredLights::update(Frame& frame, const Scene& scene, const View& view, 
 
 // [light]
 void DeferredLights::light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background,
-                                  bool ggx) const {
-    pass.use(is_tiled_ ? tiled_ : full_screen_, {{"SURFACE_GGX", ggx ? "1" : "0"}}).set("hdr", color);
+                                  bool ggx, bool emits) const {
+    const Macros variant{{"SURFACE_GGX", ggx ? "1" : "0"}, {"EMITS", emits ? "1" : "0"}};
+    pass.use(is_tiled_ ? tiled_ : full_screen_, variant).set("hdr", color);
     pass.set("ambient", ambient).set("background", background);
     if (is_tiled_) pass.set("lights_grid", tiles_.view);
     if (has_volumes_) pass.set("without_volume", volumes_.without);
@@ -28,12 +29,15 @@ void DeferredLights::light_volumes(Raster& pass, bool ggx) const {
 // [/light]
 
 void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx) {
+                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx,
+                            bool emits) {
     update(frame, scene, view, gbuffer, lights);
     const ImageView color = canvas.color_overwritten();
-    frame.compute(is_tiled_ ? "tiles" : "full_screen",
-                  {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
-                  [&](Compute& pass) { light_pixels(pass, color, ambient, glm::vec3(canvas.background()), ggx); });
+    std::vector<Resource> reads{canvas.depth(frame)};
+    if (emits) reads.emplace_back(color);
+    frame.compute(
+        is_tiled_ ? "tiles" : "full_screen", {.reads = reads, .writes = {color}, .with = with},
+        [&](Compute& pass) { light_pixels(pass, color, ambient, glm::vec3(canvas.background()), ggx, emits); });
     if (has_volumes_)
         frame.raster("volumes", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
                      [&](Raster& pass) { light_volumes(pass, ggx); });

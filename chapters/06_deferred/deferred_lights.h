@@ -11,16 +11,17 @@ class DeferredLights {
     /// Updates light volumes, or lays out the view's tiles.
     void update(Frame& frame, const Scene& scene, const View& view, const GBuffer& gbuffer, const Lights& lights);
     bool has_volumes() const { return has_volumes_; }
-    /// Ambient light, and lights without a volume, for every pixel.
-    void light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background, bool ggx) const;
+    /// Ambient light, and lights without a volume, for every pixel. `emits`: `color` holds emission, to which it is added.
+    void light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background, bool ggx,
+                      bool emits) const;
     /// Each other light, where its volume covers a surface.
     void light_volumes(Raster& pass, bool ggx) const;
 
     /// Both, from the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
     /// modules of lighting: the lights, the G-buffer, the model of surfaces, and shadow casters. `ggx`: all surfaces
-    /// are microfacets.
+    /// are microfacets. `emits`: the colour holds the surfaces' emission, to which light is added.
     void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx);
+                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx, bool emits);
 
     /// Picture of the channel gbuffer.show.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);

@@ -84,9 +84,9 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     });
     gbuffer.written();
     const glm::vec3 ambient = shading.rest ? glm::vec3(0.0f) : scene().ambient();
+    const bool emits = write_emission(frame, canvas, emission_);
     deferred.record(frame, scene(), ambient, view, canvas, gbuffer, lights,
-                    {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"));
-    add_rest(frame, canvas, emission_);
+                    {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"), emits);
     if (!gbuffer.show.is("picture")) return deferred.show(frame, canvas, gbuffer);
     draw_lit(frame, view, canvas, "unstored", batches_by_stored(false));
     // Light lists for transparent surfaces, shaded forward.
@@ -113,15 +113,18 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas,
 }
 // [/draw]
 
-void DeferredScene::add_rest(Frame& frame, Canvas& canvas, const SurfacePipelines& emission) {
-    if (!shading.rest && !emits()) return;
+// Before the lights, which are added: two surfaces at one depth must not add their emission twice.
+bool DeferredScene::write_emission(Frame& frame, Canvas& canvas, const SurfacePipelines& emission) {
+    if (!shading.rest && !emits()) return false;
     const std::vector<Batch> stored = batches_by_stored(true);
     const std::vector<Batch> batches = shading.rest ? stored : emitting(scene(), stored);
-    if (batches.empty()) return;
-    frame.raster(
-        shading.rest ? "ambient and emission" : "emission",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
-        by(shading.rest ? *shading.rest : emission, batches));
+    if (batches.empty()) return false;
+    frame.raster(shading.rest ? "ambient and emission" : "emission",
+                 {.color = {clear(canvas.color_overwritten(), glm::vec4(0.0f))},
+                  .depth = canvas.depth_read_only(),
+                  .with = with({maps, lights, shadow})},
+                 by(shading.rest ? *shading.rest : emission, batches));
+    return true;
 }
 
 bool DeferredScene::emits() {
@@ -144,11 +147,6 @@ void DeferredScene::draw_lit(Frame& frame, const View& view, Canvas& canvas, con
 void DeferredScene::draw_kept(Frame& frame, const View& view, Canvas& canvas) {
     const ViewScope from(frame, view);
     draw_lit(frame, view, canvas, "objects kept", surfaces.opaque_batches());
-}
-
-SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
-    return SurfacePipelines(
-        {.fragment = fragment, .depth_write = false, .blend = Blend::add, .macros = std::move(macros)});
 }
 
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {

@@ -47,16 +47,13 @@ struct DeferredScene : Drawing, ItemCaster {
     /// Draws the batches, after culling.
     std::function<void(Raster&)> by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     void draw_forward(Frame& frame, const View& view, Canvas& canvas, const std::vector<Batch>& batches);
-    /// Adds emission, or Shading::rest, to the lit surfaces of the G-buffer.
-    void add_rest(Frame& frame, Canvas& canvas, const SurfacePipelines& emission);
+    /// Emission, or Shading::rest, of the surfaces in the G-buffer; false if none emits.
+    bool write_emission(Frame& frame, Canvas& canvas, const SurfacePipelines& emission);
     /// Forward pass over some batches, with light lists for their own depths.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                   const std::vector<Batch>& batches);
     const SurfacePipelines& emission() const { return emission_; }
     const SurfacePipelines& written() const { return shading.stored ? *shading.stored : write_; }
-
-    /// Pipelines for Shading::rest, with additive blending.
-    static SurfacePipelines added(const char* fragment, Macros macros = {});
 
   private:
     void draw_alone(Frame& frame, const View& view, Canvas& canvas);
@@ -70,7 +67,7 @@ struct DeferredScene : Drawing, ItemCaster {
     SurfacePipelines write_{{.fragment = "06_deferred/write.frag"}};
     Fingerprint emission_sought_;
     bool emits_ = false;
-    SurfacePipelines emission_ = added("06_deferred/emission.frag");
+    SurfacePipelines emission_{{.fragment = "06_deferred/emission.frag", .depth_write = false}};
 };
 
 /// Batches with emissive items.

@@ -45,8 +45,7 @@ struct Deferred : ModelChapter {
     SurfacePipelines emission_culled{{.geometry = "06_deferred/cull.geom",
                                       .fragment = "06_deferred/emission.frag",
                                       .cull = VK_CULL_MODE_NONE,
-                                      .depth_write = false,
-                                      .blend = Blend::add}};
+                                      .depth_write = false}};
 
     Deferred() {
         gbuffer.method.preferred = true;  // --method is about G-buffers here
@@ -91,23 +90,28 @@ struct Deferred : ModelChapter {
             });
             gbuffer.written();
 
-            // 5. Lighting of every pixel: ambient light and lights without a volume, or the lights of the pixel's tile.
+            // 5. Emission, to which light is added. Two surfaces at one depth must not add their emission twice.
+            const bool emits =
+                objects.write_emission(frame, canvas, cull.is("geometry") ? emission_culled : objects.emission());
+
+            // 6. Lighting of every pixel: ambient light and lights without a volume, or the lights of the pixel's tile.
             const std::vector<With> with{lights, shadow, gbuffer, maps.surface, maps.lamps};
             deferred.update(frame, scene, view, gbuffer, lights);
             const ImageView hdr = canvas.color_overwritten();
+            std::vector<Resource> reads{canvas.depth(frame)};
+            if (emits) reads.emplace_back(hdr);
             frame.compute(gbuffer.method.is("tiled") ? "tiles" : "full_screen",
-                          {.reads = {canvas.depth(frame)}, .writes = {hdr}, .with = with}, [&](Compute& pass) {
-                              deferred.light_pixels(pass, hdr, scene.ambient(), scene.file.background, ggx);
+                          {.reads = reads, .writes = {hdr}, .with = with}, [&](Compute& pass) {
+                              deferred.light_pixels(pass, hdr, scene.ambient(), scene.file.background, ggx, emits);
                           });
 
-            // 6. Light volumes: each other light, added where its volume covers a surface.
+            // 7. Light volumes: each other light, added where its volume covers a surface.
             if (deferred.has_volumes())
                 frame.raster("volumes",
                              {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
                              [&](Raster& pass) { deferred.light_volumes(pass, ggx); });
 
-            // 7. Emission, then surfaces that the G-buffer cannot hold; or a view of one of its channels.
-            objects.add_rest(frame, canvas, cull.is("geometry") ? emission_culled : objects.emission());
+            // 8. Surfaces that the G-buffer cannot hold; or a view of one of its channels.
             if (gbuffer.show.is("picture")) {
                 objects.draw_lit(frame, view, canvas, "unstored", often(objects.batches_by_stored(false)));
                 if (scene.transparent().size() > 0) lights.record(frame, scene, view, canvas.depth(frame));
@@ -116,7 +120,7 @@ struct Deferred : ModelChapter {
             }
         }
 
-        // 8. Transparent surfaces, back to front; sRGB encoding.
+        // 9. Transparent surfaces, back to front; sRGB encoding.
         draw_transparent(frame, view, canvas, world.drawings());
         if (above_m > 0.0f) show_from_above(frame);
         encode_srgb(frame);
