@@ -6,7 +6,6 @@
 #include <glm/gtc/packing.hpp>
 
 #include "16_volume/transfer.h"
-#include "common/app/settings.h"
 #include "common/base/bytes.h"
 #include "common/base/exercise.h"
 
