@@ -60,12 +60,12 @@ struct ShadowMaps : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
         Canvas canvas(frame.hdr, frame.depth, world.background());
-        const bool in_compute = objects.shades_in_compute(canvas);
-        const std::vector<Batch> batches = surfaces.opaque_batches();
 
         // 1. Lights with scaled sizes, in a buffer (chapter 03); a hierarchy of triangles if rays are needed.
         lights.update(frame, scene, world.lamps());
         world.choose_shading(frame);
+        const bool in_compute = objects.shades_in_compute(canvas);
+        const std::vector<Batch> batches = surfaces.opaque_batches();
 
         // 2. Visibility buffer for shading in compute, or depth for tiled light lists; then light lists (chapter 03).
         if (in_compute)

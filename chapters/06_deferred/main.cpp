@@ -56,12 +56,12 @@ struct Deferred : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 0.0f));
-        const std::vector<Batch> all = surfaces.opaque_batches(), stored = objects.batches_by_stored(true);
         const bool forward = gbuffer.is_forward() || gbuffer.shows_loss(), ggx = maps.surface.model.is("ggx");
 
         // 1. Lights in a buffer (chapter 03), pictures of the scene's screens, shadow maps (chapter 05).
         world.prepare_view(frame, view);
         objects.lit.record_shadows(frame, view);
+        const std::vector<Batch> all = surfaces.opaque_batches(), stored = objects.batches_by_stored(true);
 
         // 2. Culling: objects that may be visible. Bounds are valid for meshes as loaded; a geometry shader needs all
         // instances. culling.passes() records a pass a second time for objects that are no longer hidden.
