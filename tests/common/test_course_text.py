@@ -2,6 +2,7 @@
 # Builds: nothing
 
 import json
+import shutil
 import subprocess
 import sys
 import unittest
@@ -33,6 +34,28 @@ class Text(Course):
         for bad in ("[a](nowhere.md)", "![a](01.png)", "[a](01_obj.md#no-such)", "<img src='x.png'>", "[a](../../x)", "[![a](01_obj.md)<br>b](nowhere.md)"):
             self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
             self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
+
+    def test_paragraphs_without_an_end(self):
+        for bad in ("You need not compute the angles, because", "In general, the ray\n\n```math\nt = 1\n```\n\nThe denominator is 1.",
+                    "A **word** and <!-- figure: x -->", "- A point\n  that goes"):
+            self.put("docs/02_lambert.md", f"# Two\n\n{bad}\n\nMore.\n")
+            self.assertIn("docs/02_lambert.md", self.wrong(), bad)
+            self.assertIn("the paragraph has no end", self.wrong(), bad)
+        self.put("docs/02_lambert.md", "# Two\n\nThen\n\n```math\nt = 1\n```\n\nThe window\n\n```math\nw\n```\n\nis narrow (*so*).\n\n"
+                                       "Run this\n\n    make\n\nWhat is it?\n\n| a |\n|---|\n\n<details><summary>x</summary>\n\nYes.\n</details>\n")
+        self.assertEqual(self.wrong(), "")
+
+    def test_a_page_names_the_next_one_once(self):
+        self.put("docs/02_lambert.md", "# Two\n\nNext: [one](01_obj.md).\n\nNext: [one](01_obj.md) again.\n")
+        self.assertEqual(self.wrong(), "docs/02_lambert.md:5: a second 'Next:' on this page\n")
+
+    @unittest.skipUnless(shutil.which("glslangValidator"), "no compiler of GLSL here")
+    def test_shaders_on_pages_compile(self):
+        block = "layout(location = 0) out vec4 color;\n{}uniform Light {{ vec3 radiance; }};\nvoid main() {{ color = vec4(radiance, 1.0); }}\n"
+        self.put("docs/02_lambert.md", f"# Two\n\n```glsl\n{block.format('')}```\n")
+        self.assertIn("docs/02_lambert.md:3: the shader does not compile: ERROR: 3: ", self.wrong())
+        self.put("docs/02_lambert.md", f"# Two\n\n```glsl\n{block.format('layout(binding = 0) ')}```\n\n```glsl\nfloat twice(float x) {{ return 2.0 * x; }}\n```\n")
+        self.assertEqual(self.wrong(), "")
 
     def test_commands_that_the_course_refuses(self):
         for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --turns 3"):
