@@ -117,7 +117,7 @@ def check_paragraphs(name: Path) -> list[str]:
         following = found[i + 1] if i + 1 < len(found) else (0, "text", [""])
         # A formula ends a sentence that has a verb: five words or a word such as Then.
         sentence = re.split(r"(?<=[.:?!]) ", words)[-1].split()
-        whole = len(sentence) > 4 or sentence[-1] in ("Then", "is", "are", "by", "so")
+        whole = len(sentence) > 4 or sentence[-1] in ("Then", "So", "Hence", "is", "are", "by", "so")
         goes_on = i + 2 < len(found) and re.match(r"\s*[a-z(]", found[i + 2][2][0])
         leads = following[1] == "math" and (whole or goes_on) or following[1] not in ("text", "math") or \
             following[2][0].startswith(("    ", "|", "       ")) or "<!-- table" in following[2][0] or words.endswith("`")
