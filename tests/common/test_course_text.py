@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from small_course import LESSON, SHOTS_02, Course
+from small_course import LESSON, REAL, SHOTS_02, Course
 
 
 class Text(Course):
@@ -56,6 +56,32 @@ class Text(Course):
         self.assertIn("docs/02_lambert.md:3: the shader does not compile: ERROR: 3: ", self.wrong())
         self.put("docs/02_lambert.md", f"# Two\n\n```glsl\n{block.format('layout(binding = 0) ')}```\n\n```glsl\nfloat twice(float x) {{ return 2.0 * x; }}\n```\n")
         self.assertEqual(self.wrong(), "")
+
+    def test_the_index_leads_to_what_is_there(self):
+        self.addCleanup(self.remove, "docs/index.md")
+        self.put("chapters/02_lambert/knobs.h", 'Choice method{*this, "method", {"phong"}};\n')
+        self.addCleanup(self.remove, "chapters/02_lambert/knobs.h")
+        self.put("docs/02_lambert.md", "# Two\n\nMatt and glossy\nsurfaces.\n")
+        exercises = " ".join(f"[{name}](02_lambert.md)" for name in ("01.one", "02.one"))
+
+        def index(*rows: str):
+            self.put("docs/index.md", "# Index\n\n| term | also called | section | knob | shot | exercise |\n|---|---|---|---|---|---|\n" +
+                     "".join(f"| {row} |\n" for row in rows))
+            return self.wrong()
+        right = f"glossy surfaces | shine | [02](02_lambert.md) | `method=phong` | 02.bunny | {exercises}"
+        self.assertEqual(index(right), "")
+        self.assertIn("docs/index.md:5: 02_lambert.md does not have the word 'mirror'", index(right.replace("glossy surfaces", "mirror")))
+        self.assertIn("docs/index.md:5: no knob or value is called gouraud", index(right.replace("phong", "gouraud")))
+        self.assertIn("docs/index.md:5: there is no shot 02.cow", index(right.replace("bunny", "cow")))
+        self.assertIn("docs/index.md:5: there is no exercise 02.two", index(right.replace("02.one", "02.two")))
+        self.assertIn("docs/index.md: it does not name 02.one", index(right.replace("[02.one]", "[one]")))
+        self.assertIn("not in alphabetical order: 'matt'", index(right.replace("glossy surfaces", "surfaces"), "matt | | [02](02_lambert.md) | | |"))
+
+    def test_the_index_has_the_words_of_older_courses(self):
+        text = (REAL / "docs/index.md").read_text().casefold()
+        for word in ("DOT3", "skydome", "scene graph", "greyscale", "grayscale", "Perez", "descriptor heap", "specular albedo", "backscatter",
+                     "range-based", "resource heap", "model pool", "scan lines", "dispersion", "glow", "trigger point", "sphere of music"):
+            self.assertIn(word.casefold(), text)
 
     def test_commands_that_the_course_refuses(self):
         for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --turns 3"):

@@ -222,6 +222,38 @@ def check_lesson(chapter: str) -> list[str]:
                     for other in re.findall(r"\d\d", group) if other not in there]
 
 
+def check_index() -> list[str]:
+    """docs/index.md leads from each term to a page that has it, to knobs, shots and exercises that are there, and names every exercise."""
+    page = Path("docs/index.md")
+    if not (ROOT / page).exists():
+        return []
+    wrong, named, terms = [], set(), []
+    code = "\n".join((ROOT / name).read_text() for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
+    drawn = {f"{chapter[:2]}.{shot['name']}" for chapter in chapters() for shot in shots(chapter)}
+    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
+    for number, line in enumerate((ROOT / page).read_text().splitlines(), 1):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if not line.startswith("|") or len(cells) != 6 or cells[0] in ("term", "---"):
+            continue
+        term, _, section, knobs, seen, asked = cells
+        terms.append(term.casefold())
+        target = re.search(r"\((\w+\.md)", section)
+        text = (ROOT / "docs" / target[1]).read_text() if target and (ROOT / "docs" / target[1]).exists() else ""
+        if term.casefold() not in " ".join(text.split()).casefold():
+            wrong.append(f"{page}:{number}: {target and target[1]} does not have the word '{term}'")
+        for knob in re.findall(r"`([^`]*)`", knobs):
+            for word in filter(None, [knob.partition("=")[0].split(".")[-1], knob.partition("=")[2]]):
+                if f'"{word}"' not in code:
+                    wrong.append(f"{page}:{number}: no knob or value is called {word}")
+        wrong += [f"{page}:{number}: there is no shot {shot}" for shot in filter(None, seen.split(", ")) if shot not in drawn]
+        found = set(re.findall(r"\[(\d\d\.\w+)\]", asked))
+        wrong += [f"{page}:{number}: there is no exercise {exercise}" for exercise in sorted(found - known)]
+        named |= found
+    if terms != sorted(terms):
+        wrong.append(f"{page}: its terms are not in alphabetical order: '{next(b for a, b in zip(terms, terms[1:]) if b < a)}'")
+    return wrong + [f"{page}: it does not name {exercise}" for exercise in sorted(known - named)]
+
+
 def check_figures() -> list[str]:
     """docs/images/NAME.svg is the drawing of docs/figures/NAME.py, and a lesson shows it."""
     folder, wrong = ROOT / "docs/figures", []
@@ -311,7 +343,7 @@ def check_all() -> list[str]:
         wrong += check_private_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
-    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures() + check_generated()
+    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
 
 
 if __name__ == "__main__":
