@@ -9,8 +9,8 @@ using namespace lightwalk;
 
 namespace {
 
-// The scene's directional lights in order, for shaders; lights of other kinds are chapter 03's. A buffer cannot be empty: a
-// scene without lights has a dark one.
+// Directional lights of the scene, in order (chapter 03 adds other kinds). Buffers cannot be empty, so a scene without
+// lights gets a dark one.
 Buffer upload_directional_lights(Gpu& gpu, const std::vector<Light>& lights) {
     std::vector<DirectionalLight> packed;
     for (const Light& light : lights)
@@ -20,7 +20,7 @@ Buffer upload_directional_lights(Gpu& gpu, const std::vector<Light>& lights) {
     return gpu.upload("lights", packed);
 }
 
-// The frame's uniform block `mist`: extinction per metre, and the colour of distant mist.
+// Uniform block `mist` of the frame.
 void set_mist(Frame& frame, float per_m, glm::vec3 color, const Camera& camera) {
     const Mist air{color, per_m, 0.4f * color * color, 1.0f / camera.near_m, 1.0f / camera.far_m};
     const auto bytes = std::as_bytes(std::span(&air, 1));
@@ -75,13 +75,13 @@ struct LambertPhong : ModelChapter {
     void frame(Frame& frame) override {
         set_view(frame);
 
-        // 1. Every surface, lit by every light, in linear HDR.
+        // 1. Shading by every light, in linear HDR.
         const auto draw_scene = [&](Raster& pass) {
             pass.use(shade).set("lights", lights);
             if (ambient) pass.set("ambient", scene.file.ambient);
             pass.draw(scene);
         };
-        if (mist > 0.0f) {  // a sky behind, mist in between: three passes
+        if (mist > 0.0f) {  // with sky and mist: three passes
             set_mist(frame, mist, scene.file.background, camera);
             record_mist(frame, {sky, fade, draw_scene});
         } else {

@@ -9,17 +9,17 @@ namespace lightwalk {
 LightData pack(const Light& light);
 
 // [light_buffer]
-/// Holds as many lights as there are, in their order, and is packed and uploaded again only when one has changed.
+/// Lights in the scene's order, packed and uploaded again when one has changed.
 class LightBuffer {
   public:
-    /// Adds an upload pass to the frame if the lights have changed; true in this case.
+    /// Uploads the lights if they have changed; true if so.
     bool update(Frame& frame, const LightList& lights);
     bool update(Frame& frame, const std::vector<Light>& lights);
 
     Buffer buffer;     ///< bound as `lights`; empty before update()
-    int rebuilds = 0;  ///< how often it was packed
+    int rebuilds = 0;  ///< number of times packed
     const std::vector<Light>& lights() const { return *lights_; }
-    const LightList& list() const { return lights_; }  ///< another one after each change
+    const LightList& list() const { return lights_; }  ///< replaced after each change
 
   private:
     LightList lights_ = std::make_shared<std::vector<Light>>();

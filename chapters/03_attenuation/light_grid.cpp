@@ -50,23 +50,25 @@ void LightGrid::set_view(const View& seen, const Bounds& scene, Cells cells, int
     view.slices_per_log = static_cast<float>(view.slices) / std::log(depths.y / depths.x);
 
     const auto divide = [&] { view.tiles = (seen.size + view.tile_px - 1u) / view.tile_px; };
-    constexpr VkDeviceSize most_bytes = 1u << 27;  // that every device can bind (the limit maxStorageBufferRange)
+    constexpr VkDeviceSize most_bytes = 1u << 27;  // guaranteed by Vulkan (maxStorageBufferRange)
     for (divide(); view.tiles.x * view.tiles.y > 1 && 4 * mask_words() > most_bytes; divide()) view.tile_px *= 2;
 }
 
+void LightGrid::reserve_masks(Device& device) {
+    reserve(device, masks, "light masks", mask_words());
+    reserve(device, groups, "light groups", VkDeviceSize(group_count()) * cell_count());
+}
+
 // [record]
-void LightGrid::record(Frame& frame, const Given& lights, const ImageView& depth) {
-    const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
-    reserve(frame.gpu.device, masks, "light masks", mask_words());
-    reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());
+void LightGrid::record(Frame& frame, const PassInputs& lights, const ImageView& depth) {
     if (cells_ == Cells::tiles)
         frame.compute("cull_tiles", {.reads = {depth}, .writes = {masks, groups}, .with = {lights}},
                       [&](Compute& pass) {
-                          pass.use(cull_tiles_).set("depth", depth, nearest_clamp).dispatch({view.tiles, 1});
+                          pass.use(cull_tiles).set("depth", depth, nearest_clamp).dispatch({view.tiles, 1});
                       });
     else
         frame.compute("cull_lights", {.writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {
-            pass.use(cull_lights_).dispatch_threads(glm::uvec2(cell_count(), group_count));
+            pass.use(cull_clusters).dispatch_threads(glm::uvec2(cell_count(), group_count()));
         });
 }
 // [/record]

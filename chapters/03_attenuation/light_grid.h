@@ -8,39 +8,42 @@
 
 namespace lightwalk {
 
-/// Sides of a tile and, for clusters, of a column of them, in pixels, unless that makes a buffer too large.
+/// Widths of a tile, and of a column of clusters, in pixels; larger if a buffer would exceed its limit.
 constexpr uint32_t tile_px = 16, cluster_px = 64;
 
-/// Depth range of the clusters in metres: the part of the box `scene` in front of the camera. The near depth is below
-/// the far one, and at least a 500th of it.
+/// Depth range of clusters in metres: the part of the box `scene` in front of the camera. near < far, and near >= far /
+/// 500.
 glm::vec2 cluster_depths(const Camera& camera, const Bounds& scene);
 
 // [light_grid]
-/// Which lights may reach which cell, a bit each: there is one for every pair, so that no list can overflow.
+/// Bit for each pair of light and cell, so that no list can overflow.
 class LightGrid {
   public:
     enum class Cells { tiles, clusters };
 
-    /// Makes the cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty);
-    /// tiles have none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the largest buffer that every device has.
+    /// Cells of `seen`. Clusters have `slices` over the depth range of `scene` (world space, may be empty); tiles have
+    /// none. `threshold`: see influence_radius(). Tiles grow if the bits exceed the largest buffer that every device
+    /// has.
     void set_view(const View& seen, const Bounds& scene, Cells cells, int slices, size_t lights, float threshold);
 
-    /// Sorts the lights into the cells, for tiles by the view's `depth`. `lights` gives shaders the lights' buffer and
-    /// this grid's view.
-    void record(Frame& frame, const Given& lights, const ImageView& depth);
+    /// Fills the cells' bits; tiles use the view's `depth`. `lights` binds the light buffer and this grid's view.
+    void record(Frame& frame, const PassInputs& lights, const ImageView& depth);
 
+    /// Allocates the bits of all cells.
+    void reserve_masks(Device& device);
     Buffer masks, groups;  ///< layout in light_data.h
     GridView view;
+    uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
+    uint32_t group_count() const { return uint32_t((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP); }
+    Pipeline cull_tiles = compute({.shader = "03_attenuation/cull_tiles.comp"});
+    Pipeline cull_clusters = compute({.shader = "03_attenuation/cull_lights.comp"});
 
   private:
-    uint32_t cell_count() const { return view.tiles.x * view.tiles.y * view.slices; }
     VkDeviceSize mask_words() const {
         return VkDeviceSize((lights_ + LIGHTS_PER_MASK - 1) / LIGHTS_PER_MASK) * cell_count();
     }
     Cells cells_ = Cells::tiles;
     size_t lights_ = 0;
-    Pipeline cull_tiles_ = compute({.shader = "03_attenuation/cull_tiles.comp"});
-    Pipeline cull_lights_ = compute({.shader = "03_attenuation/cull_lights.comp"});
 };
 // [/light_grid]
 

@@ -18,10 +18,15 @@ void Lights::update_objects(Frame& frame, const Scene& scene) {
     if (method.is("per_object")) object_lights_.update(frame, scene, buffer_, ends_at());
 }
 
+void Lights::set_cells(Frame& frame, const Scene& scene, const View& view) {
+    grid.set_view(view, scene.bounds, method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters, slices,
+                  buffer_.lights().size(), ends_at());
+    if (has_cells()) grid.reserve_masks(frame.gpu.device);
+}
+
 void Lights::record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth) {
-    grid_.set_view(view, scene.bounds, method.is("tiled") ? LightGrid::Cells::tiles : LightGrid::Cells::clusters,
-                   slices, buffer_.lights().size(), ends_at());
-    if (has_cells()) grid_.record(frame, *this, depth);
+    set_cells(frame, scene, view);
+    if (has_cells()) grid.record(frame, *this, depth);
 }
 
 std::vector<std::string> Lights::status() const {
@@ -31,20 +36,20 @@ std::vector<std::string> Lights::status() const {
 
 std::vector<Resource> Lights::reads() const {
     std::vector<Resource> reads{buffer_.buffer};
-    if (has_cells() && grid_.masks) reads.insert(reads.end(), {grid_.masks, grid_.groups});
+    if (has_cells() && grid.masks) reads.insert(reads.end(), {grid.masks, grid.groups});
     return reads;
 }
 
 void Lights::bind(Pass& pass) const {
-    pass.offer("lights_data", buffer_.buffer);
-    pass.offer("lights_grid", grid_.view);
+    pass.set_if_present("lights_data", buffer_.buffer);
+    pass.set_if_present("lights_grid", grid.view);
     if (method.is("per_object")) {
-        pass.offer("lights_object_ends", object_lights_.ends);
-        pass.offer("lights_of_objects", object_lights_.lights);
+        pass.set_if_present("lights_object_ends", object_lights_.ends);
+        pass.set_if_present("lights_of_objects", object_lights_.lights);
     }
     if (has_cells()) {
-        pass.offer("lights_masks", grid_.masks);
-        pass.offer("lights_groups", grid_.groups);
+        pass.set_if_present("lights_masks", grid.masks);
+        pass.set_if_present("lights_groups", grid.groups);
     }
 }
 

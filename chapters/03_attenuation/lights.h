@@ -7,8 +7,8 @@
 namespace lightwalk {
 
 // [lights]
-/// Gives shaders light_surface() of 03_attenuation/lighting.glsl. In each frame: update(), then, where needs_depth()
-/// says so, the scene's depth, then record() for a view; then passes that draw this view may state it in `.with`.
+/// GLSL: light_surface() of 03_attenuation/lighting.glsl. Per frame: update(); the scene's depth if needs_depth();
+/// record() for a view; then passes of this view with the module in `.with`.
 struct Lights : Module {
     Lights(Module& owner, std::string name) : Module(owner, std::move(name), "lights") {}
 
@@ -35,33 +35,35 @@ struct Lights : Module {
                           "Radiance below which culling treats an inverse_square light as ended"};
     Knob<int> slices{*this, "slices", 24, {1, 256}, "Number of depth slices, and so of clusters, in each tile"};
 
-    /// The lights and each object's list of them, uploaded in passes of this frame where something has changed.
+    /// Uploads the lights and each object's list if they have changed.
     void update(Frame& frame, const Scene& scene, const LightList& lights);
     void update(Frame& frame, const Scene& scene, const std::vector<Light>& lights);
 
-    /// True if the culling reads the view's depth.
+    /// Whether record() reads the view's depth.
     bool needs_depth() const { return method.is("tiled"); }
 
-    /// Sorts the lights into the view's tiles or clusters, where those are the method. `depth`: the view's, where
-    /// needs_depth().
+    /// Lays out the view's tiles or clusters, still without lights.
+    void set_cells(Frame& frame, const Scene& scene, const View& view);
+    bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
+
+    /// set_cells(), then the lights of each cell. `depth`: the view's, where needs_depth().
     void record(Frame& frame, const Scene& scene, const View& view, const ImageView& depth = {});
 
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
 
     const LightBuffer& buffer() const { return buffer_; }
+    LightGrid grid;
     std::vector<std::string> status() const override;
 
-    /// How far a point or spot light is computed, in metres: beyond, it is taken for dark.
+    /// Culling radius of a point or spot light, in metres.
     float reach_m(const Light& light) const { return influence_radius(pack(light), ends_at()); }
 
   private:
     void update_objects(Frame& frame, const Scene& scene);
-    bool has_cells() const { return method.is("tiled") || method.is("clustered"); }
     float ends_at() const { return falloff.is("inverse_square") ? threshold : 0.0f; }
     LightBuffer buffer_;
     ObjectLights object_lights_;
-    LightGrid grid_;
 };
 
 }  // namespace lightwalk

@@ -12,7 +12,7 @@ using namespace lightwalk;
 
 namespace {
 
-// The mean of `hdr`'s alpha: with the knob `show` at light_count the lights that a pixel has computed, 0 for the background.
+// Mean number of lights per pixel, from alpha of `hdr` with `show` at light_count; 0 in the background.
 // Half floats round counts above 2,048.
 double mean_light_count(Gpu& gpu, const Image& hdr) {
     const std::vector<std::byte> texels = gpu.read_back(hdr);
@@ -47,16 +47,28 @@ struct Attenuation : ModelChapter {
     void frame(Frame& frame) override {
         const View view = set_view(frame);
 
-        // 1. The scene's lights and the scattered ones, if any has changed.
+        // 1. Scene and scattered lights into a buffer, if any has changed.
         lights.update(frame, scene, scattered.all(frame.seed, moving ? std::optional(frame.time_s) : std::nullopt));
 
-        // 2. Depth alone, so that each pixel is lit once and tiles know their depth range.
+        // 2. Depth prepass, so that each pixel is lit once and tiles know their depth range.
         frame.raster("depth", {.depth = frame.depth}, [&](Raster& pass) { pass.use(depth).draw(scene); });
 
-        // 3. Lights into cells.
-        lights.record(frame, scene, view, frame.depth);
+        // 3. Light lists: a bit for each pair of light and cell. Cells are tiles of the screen, or clusters of tile and
+        // depth.
+        lights.set_cells(frame, scene, view);
+        LightGrid& grid = lights.grid;
+        if (lights.method.is("tiled"))
+            frame.compute("cull_tiles", {.reads = {frame.depth}, .writes = {grid.masks, grid.groups}, .with = {lights}},
+                          [&](Compute& pass) {
+                              pass.use(grid.cull_tiles).set("depth", frame.depth, nearest_clamp);
+                              pass.dispatch({grid.view.tiles, 1});
+                          });
+        else if (lights.method.is("clustered"))
+            frame.compute("cull_lights", {.writes = {grid.masks, grid.groups}, .with = {lights}}, [&](Compute& pass) {
+                pass.use(grid.cull_clusters).dispatch_threads(glm::uvec2(grid.cell_count(), grid.group_count()));
+            });
 
-        // 4. Every surface, in linear HDR.
+        // 4. Shading with the lights of each pixel's cell, in linear HDR.
         frame.raster("shade",
                      {.color = {clear(frame.hdr, glm::vec4(scene.file.background, 0.0f))},
                       .depth = keep(frame.depth),
@@ -68,7 +80,7 @@ struct Attenuation : ModelChapter {
     }
     // [/frame]
 
-    // For the study: how many lights a pixel has computed, on average over the picture.
+    // Study value: mean number of lights per pixel.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         show.set("light_count");
         Frame counting(gpu);

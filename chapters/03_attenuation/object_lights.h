@@ -6,18 +6,18 @@
 
 namespace lightwalk {
 
-/// Light lists of all draw calls, made on the CPU. They do not depend on the camera, and are rebuilt if the lights, the
-/// scene's parts, the threshold or the exercise's toggle change.
+/// Light lists of draw calls, built on the CPU. Independent of the camera; rebuilt if the lights, the scene's parts,
+/// the threshold or the exercise's toggle change.
 class ObjectLights {
   public:
-    /// `threshold` is influence_radius()'s. Lists that are new are uploaded in passes of the frame.
+    /// `threshold`: see influence_radius(). Uploads new lists.
     void update(Frame& frame, const Scene& scene, const LightBuffer& lights, float threshold);
 
-    Buffer ends;    ///< where each draw call's list ends in `lights`
-    Buffer lights;  ///< positions in the LightBuffer, ascending in each list
+    Buffer ends;    ///< end of each draw call's list in `lights`
+    Buffer lights;  ///< indices into the LightBuffer, ascending in each list
 
   private:
-    Made made_;
+    Fingerprint made_;
 };
 
 }  // namespace lightwalk

@@ -8,17 +8,17 @@
 
 namespace lightwalk {
 
-/// A number in [0, 1) for each seed, item and `which` of its numbers (below 16).
+/// Random number in [0, 1) by seed, item and index `which` (below 16).
 float scattered_number(unsigned seed, uint32_t item, uint32_t which);
 
-/// `count` point and spot lights (every third one) a little above the bottom of `where`, in world space. The more there
-/// are the shorter their range, so that about as many reach a point of the floor.
+/// `count` point and spot lights (every third one) just above the bottom of the world-space box `where`. Their range
+/// shrinks with their number, so that about as many reach each point of the floor.
 std::vector<Light> scatter_lights(const Bounds& where, int count, unsigned seed);
 
-/// Takes each point and spot light around a circle of up to half a metre, in 2 s to 6 s. At time 0 it has moved, too.
+/// Moves each point and spot light around a circle of up to half a metre, in 2 s to 6 s; displaced at time 0 too.
 void move_lights(std::vector<Light>& lights, float time_s);
 
-/// Lights of a scene and random ones: the same list for as long as neither changes.
+/// Lights of a scene and random ones; the list object is reused until one changes.
 class LightsWithScattered {
   public:
     /// `count` as in scatter_lights(); `moved_at_s`: moved by move_lights() to this time.
@@ -26,11 +26,11 @@ class LightsWithScattered {
                           std::optional<float> moved_at_s = {});
 
   private:
-    Made still_made_, moved_made_;
+    Fingerprint still_made_, moved_made_;
     LightList own_, still_, moved_;
 };
 
-/// The scene's lights and random ones within the scene's initial bounds. Its knob has no prefix.
+/// Module of the scene's lights and random ones within the scene's initial bounds. Its knob has no prefix.
 struct ScatteredLights : Module {
     explicit ScatteredLights(Module& owner);
     Knob<int> count;

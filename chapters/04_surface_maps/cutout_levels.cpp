@@ -35,7 +35,7 @@ std::vector<Level> cutout_levels(Gpu& gpu, const Level& colors, float cutoff) {
     frame.begin({1, 1}, 0.0f);
     frame.upload("cutout", chain.mip(0), std::as_bytes(std::span(colors.texels)));
 
-    // 1. Each level from the one below, which the dispatch before has written.
+    // 1. Each level from the previous one.
     frame.compute("halve", {.reads = {chain}, .writes = {chain}}, [&](Compute& pass) {
         pass.use(halve);
         for (uint32_t m = 1; m < mips; ++m, pass.wait())
@@ -44,7 +44,7 @@ std::vector<Level> cutout_levels(Gpu& gpu, const Level& colors, float cutoff) {
                 .dispatch_threads(chain.mip(m).size());
     });
 
-    // 2. Its alpha: the levels need not wait for each other.
+    // 2. Alpha of each level, independently.
     if (cutoff > 0.0f)
         frame.compute("keep_coverage", {.reads = {chain}, .writes = {chain}}, [&](Compute& pass) {
             pass.use(keep_coverage).set("cutout", Cutout{cutoff, static_cast<float>(coverage(colors, cutoff))});

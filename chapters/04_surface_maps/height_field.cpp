@@ -8,7 +8,7 @@ namespace {
 
 constexpr int halvings = 8;  // as in surface_maps.glsl
 
-// Real roots of a r^2 + b r + c, the smaller first; NaN where there are none.
+// Real roots of a r^2 + b r + c, ascending; NaN: none.
 std::array<double, 2> roots(double a, double b, double c) {
     const double root = std::sqrt(b * b - 4 * a * c);  // NaN below 0
     const double q = -0.5 * (b + std::copysign(root, b));
@@ -32,7 +32,7 @@ double HeightField::depth(glm::dvec2 at) const {
 }
 
 double HeightField::exact(glm::dvec2 start, glm::dvec2 along) const {
-    // Every t at which the ray crosses a line between texel middles, and in between a quadratic equation.
+    // Segments between crossings of texel-centre lines, with a quadratic equation each.
     std::vector<double> crossings{0.0, 1.0};
     for (int axis = 0; axis < 2; ++axis) {
         const double from = start[axis], to = start[axis] + along[axis];
@@ -44,7 +44,7 @@ double HeightField::exact(glm::dvec2 start, glm::dvec2 along) const {
         const double t0 = crossings[i], length = crossings[i + 1] - t0;
         if (t0 >= depth(start + t0 * along)) return t0;
         if (length < 1e-14) continue;
-        // Three values of a quadratic polynomial give its coefficients.
+        // Coefficients from three values.
         const auto gap = [&](double r) { return depth(start + (t0 + r * length) * along) - (t0 + r * length); };
         const double y0 = gap(0), y1 = gap(0.5), y2 = gap(1 - 1e-12);
         const double a = 2 * (y0 - 2 * y1 + y2), b = y2 - y0 - a;

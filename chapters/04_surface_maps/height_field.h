@@ -11,22 +11,22 @@ namespace lightwalk {
 class HeightField {
   public:
     HeightField() = default;
-    /// `heights` from 0 to 1, 1 at the mesh; size.x * size.y of them, rows from the top.
+    /// `heights`: size.x * size.y values from 0 to 1, 1 at the mesh, rows from the top.
     HeightField(glm::ivec2 size, std::vector<float> heights) : size_(size), heights_(std::move(heights)) {}
 
     glm::ivec2 size() const { return size_; }
 
-    /// Bilinear between texel middles.
+    /// Bilinear depth between texel centres.
     double depth(glm::dvec2 at) const;
 
-    /// The depth at which a ray meets the surface that is above start + t * along at depth t: surface_maps.glsl's exact_hit().
+    /// Depth t at which the ray through start + t * along hits the surface; exact_hit() of surface_maps.glsl.
     double exact(glm::dvec2 start, glm::dvec2 along) const;
 
-    /// The same as a method of the chapter sees it, for a ray with this cosine to the normal (above 0). `start` is also
-    /// where flat and normal see the surface. For offset and offset_limited the depth is that of one look; use place().
+    /// Depth by a method of the chapter, for a ray with this cosine to the normal (above 0). `start`: where flat and
+    /// normal see the surface. offset and offset_limited return one sample's depth; use place().
     double hit(const std::string& method, int steps, glm::dvec2 start, glm::dvec2 along) const;
 
-    /// Where the method sees the surface, in texels.
+    /// Hit point of the method, in texels.
     glm::dvec2 place(const std::string& method, int steps, glm::dvec2 start, glm::dvec2 along, double cosine) const;
 
   private:

@@ -6,7 +6,7 @@
 namespace lightwalk {
 namespace {
 
-// The means of two by two texels. Of an odd size the last column or row is left out, as by a blit.
+// Means of 2 × 2 texels; odd sizes drop the last column or row, as blits do.
 template <class Mean>
 Level halved(const Level& from, Mean mean) {
     Level to{glm::max(from.size / 2u, glm::uvec2(1)), {}};
@@ -25,7 +25,7 @@ bool is_last(const Level& level) { return level.size == glm::uvec2(1); }
 }  // namespace
 
 std::vector<Level> normal_levels(const Level& codes) {
-    // Means are taken of means, so that a level's length is that of all normals below it.
+    // Unnormalised means, so that a level's length is that of all normals below it.
     Level means = codes;
     for (glm::vec4& texel : means.texels) {
         const glm::vec2 xy = 2.0f * glm::vec2(texel) - 1.0f;

@@ -5,14 +5,14 @@
 
 namespace lightwalk {
 
-/// Four numbers a texel, 0 to 1, rows from the top; colours linear.
+/// Image of four floats a texel, 0 to 1, rows from the top; colours linear.
 struct Level {
     glm::uvec2 size{1};
     std::vector<glm::vec4> texels;
 };
 
-/// All levels down to 1×1, each texel from the mean of the normals below it: x, y and z of the mean made unit length,
-/// coded as 0.5 + 0.5 n, and in alpha the root of 1 - the length of the mean. Where normals cancel: (0, 0, 1).
+/// Mip levels of a normal map. Texel: mean normal at unit length, coded as 0.5 + 0.5 n; alpha: square root of 1 -
+/// length of the mean. Normals that cancel: (0, 0, 1).
 std::vector<Level> normal_levels(const Level& codes);
 
 }  // namespace lightwalk

@@ -21,7 +21,7 @@ struct SurfaceMaps : ModelChapter {
     Pipeline surface = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/surface.frag"});
     Pipeline displaced =
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/surface.frag"});
-    // As chapter 15 has it at its simplest: back to front, by object.
+    // Alpha blending, back to front by object; chapter 15 has better methods.
     SurfacePipelines see_through{{.fragment = "04_surface_maps/surface.frag",
                                   .depth_write = false,
                                   .blend = Blend::alpha,
@@ -31,7 +31,7 @@ struct SurfaceMaps : ModelChapter {
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
 
     SurfaceMaps() {
-        maps.method.alone = true;                     // --method is about maps here
+        maps.method.preferred = true;                 // --method is about maps here
         lights.method.change_default("every_light");  // these scenes have few
     }
     std::string default_scene() const override { return "scenes/courtyard.json"; }
@@ -49,14 +49,14 @@ struct SurfaceMaps : ModelChapter {
         const bool measures = show.is("hit_error") || show.is("swim");
         const glm::vec4 behind(measures ? glm::vec3(-1.0f) : scene.file.background, 1.0f);
 
-        // 1. The lights of chapter 03, into tiles or clusters if one of these is the method.
+        // 1. Lights in a buffer; depth and light lists if the method has cells (chapter 03).
         lights.update(frame, scene, scene.file.lights);
         if (lights.needs_depth())
             frame.raster("depth", {.depth = frame.depth, .with = {maps}},
                          [&](Raster& pass) { maps.draw(pass, scene, scene.opaque(), depth, displaced_depth); });
         lights.record(frame, scene, view, frame.depth);
 
-        // 2. Every surface, each with the shader variant for exactly its maps.
+        // 2. Shading, each item by the shader variant with exactly its maps.
         frame.raster("shade", {.color = {clear(frame.hdr, behind)}, .depth = frame.depth, .with = {maps, lights}},
                      [&](Raster& pass) {
                          maps.draw(pass, scene, scene.opaque(), surface, displaced);

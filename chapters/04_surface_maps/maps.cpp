@@ -8,7 +8,7 @@
 
 #include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/tangents.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double white_texels = 32.0;  // as in surface.frag
 
-// Texels as numbers and back, in the image's own format: 8 or 16 bits, or halves. sRGB codes become linear.
+// Decoding and encoding of texels in the image's format: 8 or 16 bits, or halves; sRGB becomes linear.
 class Codec {
   public:
     explicit Codec(VkFormat format) : format_(format) {}
@@ -70,24 +70,24 @@ std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, Vk
 std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
     desc.mips = static_cast<uint32_t>(levels.size());
     auto image = std::make_shared<Image>(gpu.device, desc);
-    gpu.upload(*image, aside([&] { return encoded(levels, desc.format); }));
+    gpu.upload(*image, unlocked([&] { return encoded(levels, desc.format); }));
     return image;
 }
 
-// One level, which is all that is read, in 16 bits: between texels of 8 bits some devices interpolate in steps of
-// 1/255, and a ray finds terraces where the surface is smooth.
+// Height map: one level, the only one read, in 16 bits, since some devices interpolate 8-bit texels in steps of 1/255,
+// which a ray sees as terraces.
 std::shared_ptr<Image> upload_heights(Gpu& gpu, const Image& image, const Level& level) {
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size}, {level});
 }
 
-// 16 bits for the same reason, with mip levels for the distance.
+// Displacement map: 16 bits as height maps, with mip levels.
 std::shared_ptr<Image> upload_displacement(Gpu& gpu, const Image& image, Level level) {
-    for (glm::vec4& texel : level.texels) texel.a = 1.0f;  // each counts the same
+    for (glm::vec4& texel : level.texels) texel.a = 1.0f;  // equal weights
     return upload_levels(gpu, {.name = image.desc.name, .format = VK_FORMAT_R16_UNORM, .size = level.size},
                          cutout_levels(gpu, level, -1.0f));
 }
 
-// The single channel of an opacity map, as alpha.
+// Opacity map's channel as alpha.
 std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
     for (glm::vec4& texel : level.texels) texel.a = texel.r;
     std::vector<Level> levels = cutout_levels(gpu, level, cutoff);
@@ -100,7 +100,7 @@ std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
 
 Level read_level(Gpu& gpu, const Image& image) {
     const std::vector<std::byte> bytes = gpu.read_back(image);
-    return aside([&] { return decoded(bytes, image.desc.size, image.desc.format); });
+    return unlocked([&] { return decoded(bytes, image.desc.size, image.desc.format); });
 }
 
 std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture) {
@@ -117,7 +117,7 @@ void Maps::prepare(Gpu& gpu, Scene& scene) {
     if (makes_levels) with_holes_ = make_mips(gpu, scene, coverage.is("kept") ? cutoff : -1.0f);
 }
 
-// Kept for each combination: items are many, and each is asked in every frame.
+// Cached by combination: every item asks in every frame.
 Macros Maps::variant(const DrawItem& item) const {
     const std::array<const Knob<bool>*, map_slot_count> in_order{
         &diffuse, &specular,  &emissive, &opacity,       &normal,       &height,
@@ -152,12 +152,12 @@ bool Maps::has_holes(const DrawItem& item) const {
 
 void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batches, const Pipeline& loaded,
                 const Pipeline& displaced) const {
-    // Shadow casters have one pipeline for both: they are drawn as loaded.
+    // Shadow casters pass one pipeline for both: they are drawn as loaded.
     const bool cut_finely = mesh.is("displaced") && &loaded != &displaced;
     const glm::vec3 ambient = scene.ambient();
     for (const Batch& batch : batches) {
         pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
-        pass.offer("ambient", ambient);
+        pass.set_if_present("ambient", ambient);
         if (cut_finely)
             draw_displaced(pass, batch);
         else
@@ -166,7 +166,7 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
 }
 
 std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
-    std::map<std::tuple<const Image*, MapSlot, float>, std::shared_ptr<Image>> made;  // many items share one texture
+    std::map<std::tuple<const Image*, MapSlot, float>, std::shared_ptr<Image>> made;  // shared by many items
     std::set<const Image*> with_holes;
     for (DrawItem& item : scene.items)
         for (const MapSlot slot : {MapSlot::diffuse, MapSlot::opacity, MapSlot::normal, MapSlot::height,
@@ -174,7 +174,7 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
             std::shared_ptr<Image>& image = item.maps[slot];
             if (!image) continue;
             const float own = item.material.alpha_cutoff;
-            if (slot == MapSlot::diffuse && own == 0.0f && !item.material.blend) continue;  // its alpha says nothing
+            if (slot == MapSlot::diffuse && own == 0.0f && !item.material.blend) continue;  // alpha unused
             const float least = cutoff < 0.0f || own <= 0.0f ? cutoff : own;
             std::shared_ptr<Image>& entry = made[{image.get(), slot, least}];
             if (!entry) {
@@ -186,7 +186,7 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                     std::shared_ptr<Image>& kept = scene.images(gpu).derived[{image.get(), normal_levels_name}];
                     if (!kept) {
                         const Level codes = read_level(gpu, *image);
-                        kept = upload_levels(gpu, image->desc, aside([&] { return normal_levels(codes); }));
+                        kept = upload_levels(gpu, image->desc, unlocked([&] { return normal_levels(codes); }));
                     }
                     image = entry = kept;
                     continue;

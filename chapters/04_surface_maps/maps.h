@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// How lamps that have a size are reflected by microfacets.
+/// Reflection of finite lamps by microfacets.
 struct LampShapes : Module {
     using Module::Module;
     Choice method{*this,
@@ -29,7 +29,7 @@ struct LampShapes : Module {
     }
 };
 
-/// How surfaces reflect lights that do not say it themselves.
+/// Reflection model of surfaces whose materials do not name one.
 struct SurfaceModel : Module {
     using Module::Module;
     Choice model{
@@ -48,16 +48,15 @@ struct SurfaceModel : Module {
     void prepare(Gpu& gpu, Scene&) override { table_.load(gpu); }
     std::vector<Resource> reads() const override { return {table_.albedos, table_.cosines}; }
     void bind(Pass& pass) const override {
-        pass.offer("ggx_albedos", table_.albedos, linear_clamp);
-        pass.offer("ggx_cosines", table_.cosines, linear_clamp);
+        pass.set_if_present("ggx_albedos", table_.albedos, linear_clamp);
+        pass.set_if_present("ggx_cosines", table_.cosines, linear_clamp);
     }
 
   private:
     GgxTable table_;
 };
 
-/// Gives shaders map_surface() of 04_surface_maps/surface_maps.glsl. prepare() when a scene was loaded; then draw() in
-/// passes that state it in `.with`.
+/// GLSL: map_surface() of 04_surface_maps/surface_maps.glsl. draw() in passes with the module in `.with`.
 struct Maps : Module {
     Maps(Module& owner, std::string name);
 
@@ -116,7 +115,7 @@ struct Maps : Module {
     Knob<float> scroll{
         *this, "scroll", 0.0f, {-2.0f, 2.0f}, "Speed of the texture scroll along v, in texture widths per second"};
 
-    // One switch for each texture slot. A slot that is off, or that a material has no texture for, is compiled out.
+    // Switches of texture slots; those off or without a texture are compiled out.
     Knob<bool> diffuse{*this, "diffuse", true, "Colour textures of materials"};
     Knob<bool> specular{*this, "specular", true, "Specular colour textures, which tint highlights"};
     Knob<bool> emissive{*this, "emissive", true, "Emissive textures, which glow"};
@@ -132,18 +131,18 @@ struct Maps : Module {
                                   "Textures with roughness and metalness, as glTF has"};
     Knob<bool> vertex_colors{*this, "vertex_colors", true, "Colours of vertices, which tint materials"};
 
-    /// Tangents for the scene's meshes, and the levels of its maps unless `makes_levels` is off.
+    /// Tangents of the scene's meshes, and mip levels of its maps if `makes_levels`.
     void prepare(Gpu& gpu, Scene& scene) override;
 
-    bool makes_levels = true;  ///< false: somebody else does
+    bool makes_levels = true;  ///< false: mip levels come from elsewhere
 
-    void expand(std::vector<const Given*>& into) const override {
+    void expand(std::vector<const PassInputs*>& into) const override {
         Module::expand(into);
         into.insert(into.end(), {&surface, &lamps});
     }
 
-    /// Draws the scene with 04_surface_maps' vertex shaders before `fragment`'s: `loaded` and `displaced` are pipelines
-    /// with surface.vert and displaced.vert. Each item by the variant that has just its maps.
+    /// Draws items, each by the shader variant with exactly its maps. `loaded` and `displaced`: pipelines with
+    /// surface.vert and displaced.vert.
     void draw(Raster& pass, const Scene& scene, const Pipeline& loaded, const Pipeline& displaced) const {
         draw(pass, scene, scene.all(), loaded, displaced);
     }
@@ -154,13 +153,13 @@ struct Maps : Module {
     void draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batches, const Pipeline& loaded,
               const Pipeline& displaced) const;
 
-    /// Whether textures cut holes into it. Known after prepare().
+    /// Whether textures cut holes into the item; valid after prepare().
     bool has_holes(const DrawItem& item) const;
 
-    /// Whether microfacets reflect light on it (GGX), rather than Blinn and Phong's model.
+    /// Whether the item uses GGX instead of Blinn–Phong.
     bool has_microfacets(const DrawItem& item) const { return item.material.microfacets || surface.model.is("ggx"); }
 
-    /// The macros of an item's own maps.
+    /// Macros of the item's maps.
     Macros variant(const DrawItem& item) const;
 
     bool animated() const override { return wobble > 0 || scroll != 0; }
@@ -168,25 +167,25 @@ struct Maps : Module {
     std::vector<std::string> load_exercises() const override { return {"04.tangent_frame", "04.alpha_scale"}; }
 
   private:
-    /// With each triangle cut into subdivide × subdivide.
+    /// Draws with each triangle split into subdivide × subdivide.
     void draw_displaced(Raster& pass, const Batch& batch) const;
 
     std::set<const Image*> with_holes_;
 };
 
-/// Rebuilds levels that are not plain colour means: normal maps (see normal_levels) and alpha (see cutout_levels;
-/// `cutoff` below 0: averaged; a material may have its own). Height maps keep only their first level, in 16 bits;
-/// displacement maps have 16 bits and all levels. Returns the colour and opacity maps that are incomplete.
+/// Rebuilds mip levels of normal maps (normal_levels) and of alpha (cutout_levels; `cutoff` below 0: averaged;
+/// materials may override it). Height maps keep only level 0, in 16 bits; displacement maps have 16 bits and all
+/// levels. Returns the incomplete colour and opacity maps.
 std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff);
 
-/// The first level of an image as numbers; sRGB becomes linear. Waits for the device.
+/// Level 0 of an image as floats; sRGB becomes linear. Waits for the device.
 Level read_level(Gpu& gpu, const Image& image);
 
-/// A normal map's levels as make_mips() has them; on any thread. For ImagePool::derived, as `normal_levels_name`.
+/// Mip levels of a normal map; thread-safe. For ImagePool::derived, as `normal_levels_name`.
 std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture);
 inline constexpr const char* normal_levels_name = "normal levels";
 
-/// The mean of a picture of hit errors or of swimming over the pixels where there is one, in texels of the height map.
+/// Mean hit error or swimming over the pixels that have one, in texels of the height map.
 double mean_texels(const ImageRgb& picture);
 
 }  // namespace lightwalk

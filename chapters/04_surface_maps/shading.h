@@ -6,22 +6,21 @@
 namespace lightwalk {
 
 // [shading]
-/// Pipelines of each pass that draws surfaces, and their bindings beside the drawing's own modules. Null: the drawing's
-/// own pipelines.
+/// Pipelines by pass, and their bindings beside the drawing's modules. Null: the drawing's own pipelines.
 struct Shading {
     const SurfacePipelines* opaque = nullptr;
-    const Pipeline* seen = nullptr;                 ///< opaque's light in compute, for chapter 05's visibility buffer
-    const SurfacePipelines* transparent = nullptr;  ///< the same with blending: see_through()
-    const SurfacePipelines* depth = nullptr;        ///< alone, before light is sorted into tiles
-    /// For chapter 06's G-buffer: `stored` writes the inputs of the lights, `rest` adds all other light once per pixel,
-    /// emission and ambient light included.
+    const Pipeline* seen = nullptr;                 ///< opaque surfaces in compute, for chapter 05's visibility buffer
+    const SurfacePipelines* transparent = nullptr;  ///< blended surfaces; see see_through()
+    const SurfacePipelines* depth = nullptr;        ///< depth only, before lights are sorted into tiles
+    /// Chapter 06's G-buffer: `stored` writes it, `rest` adds light other than the lights', with emission and ambient
+    /// light.
     const SurfacePipelines* stored = nullptr;
     const SurfacePipelines* rest = nullptr;
     std::vector<With> with{};
     std::vector<Resource> reads{};
 };
 
-/// For Shading::transparent: the fragment shader with TRANSPARENT, which writes alpha and cuts nothing out.
+/// Pipelines for Shading::transparent: the fragment shader with TRANSPARENT, which writes alpha and cuts no holes.
 SurfacePipelines see_through(const char* fragment, Macros macros = {});
 // [/shading]
 

@@ -32,9 +32,9 @@ std::vector<With> SurfaceScene::given() const {
     return with;
 }
 
-std::vector<const Module*> SurfaceScene::made_of() const {
+std::vector<const Module*> SurfaceScene::dependencies() const {
     std::vector<const Module*> all{this};
-    for (const Given& given : given())
+    for (const PassInputs& given : given())
         if (const auto* module = dynamic_cast<const Module*>(&given)) all.push_back(module);
     return all;
 }
@@ -49,13 +49,13 @@ std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std:
 
 // [draw]
 void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort) {
-    // 1. Lights into the view's tiles or clusters, if one of these is the method. Tiles need the depth.
+    // 1. Light lists, if the method has cells; tiles need depth.
     if (lights.needs_depth())
         frame.raster("depth", {.depth = canvas.single_depth_target(), .reads = shading.reads, .with = {maps}},
                      by(depth_pipelines()));
     sort();
 
-    // 2. All opaque surfaces.
+    // 2. Shading of opaque surfaces.
     frame.raster(
         "shade",
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading.reads, .with = given()},
@@ -64,7 +64,7 @@ void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<vo
 // [/draw]
 
 // [transparent]
-std::vector<Drawing::Transparent> SurfaceScene::transparent(const View& view) const {
+std::vector<TransparentSource::Transparent> SurfaceScene::transparent(const View& view) const {
     std::vector<Transparent> all;
     const DrawList list = scene_->transparent();
     for (const uint32_t i : list.items()) {
@@ -86,7 +86,7 @@ void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> i
 }
 // [/transparent]
 
-std::vector<Drawing::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
+std::vector<TransparentSource::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
     std::vector<TransparentTriangle> all;
     const DrawList list = scene_->transparent();
     for (const uint32_t i : list.items()) {
@@ -108,7 +108,7 @@ void SurfaceScene::draw_transparent_triangles(Raster& pass, uint32_t item, const
                                               uint32_t count) const {
     const Batch batch(*scene_, item, 1);
     pass.use(transparent_pipelines().loaded, maps.variant(batch.item()));
-    pass.offer("ambient", scene_->ambient());
+    pass.set_if_present("ambient", scene_->ambient());
     batch.bind(pass);
     pass.draw_indexed(indices, first, count, 1, item);
 }

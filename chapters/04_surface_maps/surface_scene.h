@@ -7,27 +7,28 @@
 namespace lightwalk {
 
 // [surface_scene]
-/// Its modules are the owner's: their options and scene keys are maps.* and lights.*. As scenes of objects have few
-/// lights, lights.method is every_light unless something else is said.
-struct SurfaceScene : Drawing {
-    /// `fragment`: shades them, unless `shading` says otherwise.
+/// Members have the owner's path: options and scene keys are maps.* and lights.*. lights.method defaults to
+/// every_light, since scenes of objects have few lights.
+struct SurfaceScene : Drawing, TransparentSource {
+    /// `fragment`: fragment shader, unless `shading` has another.
     SurfaceScene(Module& owner, std::string name, const char* fragment = "04_surface_maps/lit.frag");
 
     Maps maps;
     Lights lights;
     Shading shading;
-    std::function<LightList(const Frame&)> all_lights;  ///< none given: the scene file's
-    std::function<std::vector<Batch>()> drawn;          ///< none given: the scene's opaque items
+    std::function<LightList(const Frame&)> all_lights;  ///< default: the scene file's
+    std::function<std::vector<Batch>()> drawn;          ///< default: the scene's opaque items
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    std::vector<const Module*> made_of() const override;
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override {
         draw_lit(frame, canvas, [&] { lights.record(frame, *scene_, view, canvas.single_depth()); });
     }
-    /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format. `sort`: view-dependent state of the
-    /// lights, such as their cells; with tiles the canvas has depth by then.
+    /// Forward shading of opaque surfaces into a canvas of any colour format. `sort`: records view-dependent state,
+    /// such as light cells; with tiles the canvas then has depth.
     void draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort);
+    const TransparentSource* transparent_source() const override { return this; }
     std::vector<Transparent> transparent(const View& view) const override;
     std::vector<With> transparent_with() const override { return given(); }
     std::vector<Resource> transparent_reads() const override { return shading.reads; }
@@ -37,13 +38,13 @@ struct SurfaceScene : Drawing {
                                     uint32_t count) const override;
     // [/surface_scene]
 
-    // For drawings that draw these surfaces in other passes.
+    // Parts for drawings with passes of their own.
 
-    const Module* shadows = nullptr;  ///< shades them as well, if given
+    const Module* shadows = nullptr;  ///< shadow module, optional
 
-    /// The modules that shading reads.
+    /// Modules of the shading passes.
     std::vector<With> given() const;
-    /// Draws the opaque surfaces, or some of them, with the given pipelines.
+    /// Draws opaque surfaces, or some of them, with these pipelines.
     std::function<void(Raster&)> by(const SurfacePipelines& both) const { return by(both, opaque_batches()); }
     std::function<void(Raster&)> by(const SurfacePipelines& both, std::vector<Batch> batches) const;
     std::vector<Batch> opaque_batches() const;

@@ -5,13 +5,13 @@
 #include "04_surface_maps/exercises.h"
 #include "common/base/exercise.h"
 #include "common/base/progress.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
 
-constexpr size_t reported_corners = 1 << 16;  // between two reports of progress
-constexpr float nowhere_m = 1e9f;             // metres per uv where a texture has no direction
+constexpr size_t reported_corners = 1 << 16;  // corners between progress reports
+constexpr float nowhere_m = 1e9f;             // metres per uv without a texture direction
 
 struct Sum {
     glm::vec3 tangent{0.0f};
@@ -113,7 +113,7 @@ void add_tangents(Gpu& gpu, const Scene& scene) {
         tangents.clear();
         std::vector<size_t> vertices;
         for (const Mesh& mesh : meshes) vertices.push_back(mesh.vertices.size());
-        const std::vector<std::vector<TangentFrame>> frames = aside([&] { return frame_model(gpu_model.model); });
+        const std::vector<std::vector<TangentFrame>> frames = unlocked([&] { return frame_model(gpu_model.model); });
         for (size_t i = 0; i < meshes.size(); ++i) {
             const Mesh& mesh = meshes[i];
             tangents.push_back(gpu.upload(tangents_name(mesh), frames[i]));

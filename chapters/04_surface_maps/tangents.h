@@ -7,25 +7,24 @@
 
 namespace lightwalk {
 
-/// A mesh with one frame for each vertex. A vertex that triangles of both handednesses share is there twice, so that
+/// Mesh with a tangent frame per vertex. Vertices shared by triangles of both handednesses are duplicated, so that
 /// `vertices` and `indices` may differ from the mesh's.
 struct FramedMesh {
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     std::vector<TangentFrame> frames;
-    std::vector<uint32_t> copies;  ///< of the mesh's vertices; they stand at the end of `vertices`
+    std::vector<uint32_t> copies;  ///< source of each duplicate at the end of `vertices`
 };
 
-/// Triangles count by the angle they have at the vertex, as for normals (G. Thürmer and C. Wüthrich, "Computing Vertex
-/// Normals from Polygonal Facets", 1998). Where none has a direction (metres_per_uv 0), or their tangents cancel, the
-/// frame is one of theirs, and metres_per_uv so large that nothing is displaced along the surface.
+/// Frames weighted by each triangle's angle at the vertex, as for normals (G. Thürmer and C. Wüthrich, "Computing
+/// Vertex Normals from Polygonal Facets", 1998). Without a direction (metres_per_uv 0), or if tangents cancel, the
+/// frame is one triangle's, and metres_per_uv so large that nothing is displaced along the surface.
 FramedMesh frame_mesh(const Mesh& mesh);
 
-/// Frames of all meshes of a model, in order. Meshes are changed where their frames need more vertices. Work for the
-/// processor alone, on any thread.
+/// Frames of all meshes of a model, in order. Adds vertices to meshes that need duplicates. Thread-safe.
 std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 
-/// The name of a mesh's buffer of frames: it says whether the student's code or the reference has made them.
+/// Name of a mesh's buffer of frames, with the code that made it, the student's or the reference.
 std::string tangents_name(const Mesh& mesh);
 
 /// Adds tangent frames to every model as the vertex attribute `tangents`, unless the current code (student or

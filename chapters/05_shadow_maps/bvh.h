@@ -8,29 +8,27 @@
 namespace lightwalk {
 
 // [bvh]
-/// Built top down: of 16 bins along each axis, the border with the smallest surface-area cost (I. Wald, "On fast
-/// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). If no border helps, or the branch would grow
-/// deeper than BVH_STACK, the triangles are halved: so the depth is bounded for any input. All threads together split
-/// large parts; each small one grows in one thread.
+/// Top-down build: smallest surface-area cost among the borders of 16 bins along each axis (I. Wald, "On fast
+/// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). If no border helps, or the branch would exceed
+/// BVH_STACK, the triangles are halved, so depth is bounded for any input. Threads split large parts together and small
+/// ones alone.
 class Bvh {
   public:
-    /// There may be none; triangles without area are kept and never hit. Throws InputError for a corner that is not a
-    /// number, or is farther than `farthest_m` from the origin. `threads` (0: one for each core) do not affect the
-    /// result.
+    /// `triangles` may be empty; degenerate ones are never hit. Throws InputError for a corner that is not finite or
+    /// farther than `farthest_m` from the origin. The result does not depend on `threads` (0: one per core).
     explicit Bvh(const std::vector<RayTriangle>& triangles = {}, unsigned threads = 0);
 
-    /// The same triangles moved, in the constructor's order: boxes follow, tree and cut-outs stay. Triangles that
-    /// move far from their neighbours make rays slower, never wrong. Throws InputError, as the constructor, with
-    /// nothing changed.
+    /// Refits boxes to moved triangles, in the constructor's order; tree and cut-outs stay. Large motions make rays
+    /// slower, never wrong. Throws InputError as the constructor does, with nothing changed.
     void refit(const std::vector<RayTriangle>& moved);
 
-    /// The root first, and parents before their children; at least one.
+    /// Nodes, parents before children; at least the root.
     std::span<const BvhNode> nodes() const { return {nodes_.data(), nodes_.size()}; }
-    /// As leaves count them; one of no area where there is none.
+    /// Triangles in leaf order; a degenerate one if there are none.
     std::span<const RayTriangle> triangles() const { return {triangles_.data(), triangles_.size()}; }
-    /// For each of triangles() its place in the constructor's list.
+    /// Constructor's index of each of triangles().
     const std::vector<uint32_t>& order() const { return order_; }
-    /// Of the deepest leaf; the root's is 0. At most BVH_STACK.
+    /// Depth of the deepest leaf, at most BVH_STACK; the root's is 0.
     uint32_t depth() const { return depth_; }
 
     static constexpr float farthest_m = 1e12f;
@@ -39,7 +37,7 @@ class Bvh {
     void set_boxes();
     std::vector<BvhNode> nodes_;
     std::vector<RayTriangle> triangles_;
-    std::vector<uint32_t> order_;  ///< for each of triangles_ its place in the constructor's list
+    std::vector<uint32_t> order_;  ///< constructor's index of each of triangles_
     uint32_t depth_ = 0;
 };
 // [/bvh]

@@ -16,27 +16,27 @@ namespace {
 
 using Four = WideBox::Four;
 
-// All threads together split runs above this size, in jobs of this size; one thread alone each below.
+// Threshold above which all threads split a run together, in jobs of this size.
 constexpr uint32_t large = 2048;
 
 struct Grower {
-    // A node above those that grow in one thread, or the root of these.
+    // Upper node, or root of a branch that grows in one thread.
     struct Branch {
         uint32_t begin, end, depth;
         Extent extent{};
-        uint32_t child = 0;               // of two side by side; 0: it grows in one thread
-        uint32_t nodes = 0, deepest = 0;  // of what grew
-        uint32_t slot = 0, below = 0;     // final places of its node and of the nodes below
+        uint32_t child = 0;               // first of two adjacent children; 0: grows in one thread
+        uint32_t nodes = 0, deepest = 0;  // size and depth of the finished branch
+        uint32_t slot = 0, below = 0;     // final indices of the node and of the nodes below
         uint32_t count() const { return end - begin; }
     };
-    // Part of a large branch, the job of one thread.
+    // Part of a large branch, for one thread.
     struct Piece {
         size_t branch;
         uint32_t begin, end;
-        uint32_t lower = 0, upper = 0;  // where its sides go
+        uint32_t lower = 0, upper = 0;  // destinations of both sides
         Extent extents[2]{};
     };
-    // Branches of the same depth, side by side, and the pieces of those that are large.
+    // Branches of one depth, and the pieces of large ones.
     struct Level {
         size_t first, count;
         uint32_t depth;
@@ -52,8 +52,8 @@ struct Grower {
     const std::vector<RayTriangle>& source;
     unsigned threads;
     GrownBvh grown{};
-    std::vector<Boxed> boxed[2]{};  // runs at even depths, and at odd ones: each split copies from one to the other
-    std::vector<std::vector<BvhNode>> growing;  // for each thread
+    std::vector<Boxed> boxed[2]{};              // runs at even and odd depths; each split copies from one to the other
+    std::vector<std::vector<BvhNode>> growing;  // per thread
     std::vector<Branch> branches{};
     Four margin{};
 
@@ -73,7 +73,7 @@ struct Grower {
     void copy_sides(Level& level);
     void add_children(Level& level);
     void grow_below(Branch& branch, std::vector<BvhNode>& to);
-    // What has grown needs its boxes no longer: there its nodes, fewer than two for each, are kept.
+    // Finished branches store their nodes over their boxes, which need more space.
     void* kept(const Branch& branch, uint32_t node) {
         static_assert(sizeof(BvhNode) == sizeof(Boxed));
         return &boxed[node % 2][branch.begin + node / 2];
@@ -86,7 +86,7 @@ struct Grower {
     }
 };
 
-// Boxes of all triangles, and the root. Returns whether all corners are places.
+// Boxes of all triangles, and the root; false if a corner is not finite or too far.
 bool Grower::enclose() {
     for (std::vector<Boxed>& b : boxed) b.resize(total());
     std::vector<Extent> extents((total() + large - 1) / large);
@@ -140,7 +140,7 @@ void Grower::cut_in_pieces(Level& level) const {
     level.first_piece.push_back(static_cast<uint32_t>(level.pieces.size()));
 }
 
-// Pieces fill their bins; the last piece of a branch then knows all of them.
+// Fills the pieces' bins; the last piece of a branch merges them.
 void Grower::find_cuts(Level& level) {
     std::vector<Bins> bins(level.pieces.size());
     std::vector<std::atomic<size_t>> done(level.count);
@@ -196,7 +196,7 @@ void Grower::add_children(Level& level) {
     }
 }
 
-// In one thread. `to`: memory for nodes.
+// Build in one thread. `to`: memory for nodes.
 void Grower::grow_below(Branch& branch, std::vector<BvhNode>& to) {
     struct Task {
         uint32_t node, depth, begin, end;
@@ -214,7 +214,7 @@ void Grower::grow_below(Branch& branch, std::vector<BvhNode>& to) {
         const BinGrid grid(extent.centers);
         const BinCut cut = count > 1 && levels_of_halves(count) < BVH_STACK - depth ? best_cut(here, grid) : BinCut{};
         const double area = extent.box.area();
-        // Going down costs as much as one triangle.
+        // A traversal step costs as much as one triangle test.
         if (count <= BVH_LEAF && !(cut && area + cut.cost < area * count)) {
             to[at] = node(extent.box, begin, count);
             for (uint32_t i = 0; i < count; ++i) grown.order[begin + i] = here[i].place();
@@ -238,7 +238,7 @@ void Grower::grow_below(Branch& branch, std::vector<BvhNode>& to) {
     for (uint32_t i = 0; i < branch.nodes; ++i) std::memcpy(kept(branch, i), &to[i], sizeof(BvhNode));
 }
 
-// Children stand side by side, then what is below the first, then below the second.
+// Order: both children, then the first one's subtree, then the second one's.
 void Grower::place() {
     uint32_t next = 1;
     std::vector<size_t> waiting{0};

@@ -23,7 +23,7 @@ struct Place {
     int bin;
 };
 
-// The best cut along one axis, where it is cheaper than `best`. Places come in the order of their bins.
+// Best cut along one axis, if cheaper than `best`. Indices come in the order of their bins.
 void try_axis(std::span<const Place> places, int axis, BinCut& best) {
     std::array<double, BinGrid::bins> upper_cost;
     WideBox upper;
@@ -44,11 +44,11 @@ void try_axis(std::span<const Place> places, int axis, BinCut& best) {
     }
 }
 
-// Below so many boxes it is faster to sort them by their bins.
+// Number of boxes below which sorting by bins is faster.
 constexpr size_t few = 8;
 
 BinCut best_cut_of_few(std::span<const Boxed> run, const BinGrid& grid) {
-    // Each axis sorts a column of numbers: the bin, and which box.
+    // Sort keys per axis: bin and box index.
     std::array<Four, few> keys;
     for (size_t i = 0; i < run.size(); ++i) {
         keys[i] = __builtin_convertvector(bins_of(run[i], grid) * int(few) + int(i), Four);
@@ -69,7 +69,7 @@ BinCut best_cut_of_few(std::span<const Boxed> run, const BinGrid& grid) {
             places[i] = {&run[key % few], 1, int(key / few)};
         }
         try_axis({places.data(), run.size()}, axis, best);
-        if (best && run.size() == 2) break;  // the other axes cut the same
+        if (best && run.size() == 2) break;  // other axes give the same cut
     }
     return best;
 }
@@ -111,7 +111,7 @@ void Bins::add(const Bins& other) {
         }
 }
 
-// A border behind an empty bin cuts nothing else.
+// Borders behind empty bins repeat the previous cut.
 BinCut Bins::best_cut(const BinGrid& grid) const {
     BinCut best;
     std::array<Place, BinGrid::bins> places;
@@ -141,7 +141,7 @@ BinCut best_cut(std::span<const Boxed> run, const BinGrid& grid) {
     return bins.best_cut(grid);
 }
 
-// Without a branch: a processor could not guess it.
+// Branchless, since the comparison is unpredictable.
 size_t part_boxes(std::span<const Boxed> run, const BinGrid& grid, const BinCut& cut, Boxed* lower, Boxed* upper) {
     const float origin = grid.origin[cut.axis], bins_per_m = grid.bins_per_m[cut.axis];
     const auto border = static_cast<float>(cut.bin);

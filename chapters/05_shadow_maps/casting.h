@@ -7,32 +7,31 @@
 namespace lightwalk {
 
 // [casting]
-/// A drawing that casts shadows and is no item of the scene, such as a city. Owners of shadow maps find it in the list that
-/// is drawn.
+/// Shadow caster that is not an item of the scene, such as a city. Owners of shadow maps find it among the drawings.
 struct Caster {
     virtual ~Caster() = default;
-    virtual Bounds bounds() const = 0;    ///< of all that casts, world space; empty: nothing
-    virtual uint64_t placed() const = 0;  ///< another number where that has changed
-    virtual std::vector<With> casts_with() const = 0;
+    virtual Bounds bounds() const = 0;    ///< world-space bounds of all casters; empty: none
+    virtual uint64_t placed() const = 0;  ///< changes with the casters' positions
+    virtual std::vector<With> shadow_modules() const = 0;
     virtual void cast(Raster& pass, const View& light) const = 0;
 };
 
-/// A drawing of the scene's items, with maps that cut holes into them.
+/// Drawing of the scene's items, with maps that cut holes into them.
 struct ItemCaster {
     virtual ~ItemCaster() = default;
     virtual const Maps& cut_by() const = 0;
 };
 
-/// Everything that casts shadows among some drawings.
+/// Shadow casters among drawings.
 class Casting {
   public:
     Casting() = default;
     explicit Casting(const Drawings& drawings);
 
-    /// Casters beside the scene's items, for the maps of a Shadow.
+    /// Adds casters other than the scene's items.
     void add_to(Shadow::Casters& casters) const;
 
-    /// Maps that cut holes into the scene's items; null: no drawing has any.
+    /// Maps that cut holes into the scene's items; null: none.
     const Maps* maps() const { return maps_; }
 
   private:

@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-/// Another number where textures cut other holes, or the same ones elsewhere because they move.
+/// Hash of the holes that textures cut, which animated textures move.
 uint64_t holes_cut(const Maps& maps, const Scene& scene, float time_s);
 
 }  // namespace lightwalk

@@ -12,11 +12,11 @@ glm::vec3 any_across(glm::vec3 direction) {
     return std::abs(direction.y) < 0.99f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
 }
 
-// World to the light's own space: it looks along -z.
+// World to light space, looking along -z.
 glm::mat4 look_along(glm::vec3 eye, glm::vec3 direction, glm::vec3 up) { return glm::lookAt(eye, eye + direction, up); }
 
 // [projections]
-// Depth 1 at `near`, 0 at `far`; y down.
+// Perspective projection with depth 1 at `near`, 0 at `far`; y down.
 glm::mat4 perspective(float tan_half, float near, float far) {
     glm::mat4 m(0.0f);
     m[0][0] = 1.0f / tan_half;
@@ -46,13 +46,12 @@ LightView finish(LightView v) {
 
 LightView perspective_view(glm::vec3 eye, glm::vec3 direction, glm::vec3 up, float tan_half, float far,
                            const LightViewOptions& options) {
-    // The margin is around the view, so that a filter at its edge finds depths of its own.
+    // Margin around the view, so that filters at its edge read its own depths.
     const float wide = tan_half / (1.0f - 2.0f * MAP_MARGIN), near = std::min(options.near_m, 0.5f * far);
     const glm::mat4 look = look_along(eye, direction, up);
-    LightView v{
-        .view = {perspective(wide, near, far) * look, eye},
-        .casters = perspective(wide, 1e-3f * near, far) * look,  // objects before the near plane cast shadows, too
-        .data = {}};
+    LightView v{.view = {perspective(wide, near, far) * look, eye},
+                .casters = perspective(wide, 1e-3f * near, far) * look,  // casters in front of the near plane count too
+                .data = {}};
     v.data.near = near;
     v.data.far = far;
     v.data.to_distance = {1.0f / far, 1.0f / near - 1.0f / far};
@@ -80,12 +79,12 @@ struct Ball {
 Ball ball_around(const Bounds& box) { return {box.center(), 0.5f * glm::length(box.extent())}; }
 
 // [cascade_ball]
-// Around the camera's view between two depths. A ball has the same size for every rotation of the camera.
+// Bounding sphere of the camera's view between two depths; its size does not depend on the camera's rotation.
 Ball ball_around_slice(const Camera& camera, float near, float far) {
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
-    // A picture at most twice as wide as high: cascades shall not depend on the window.
+    // Aspect ratio of 2 at most, so that cascades do not depend on the window.
     const float tan_half = std::tan(0.5f * camera.fov_y_rad), slope_squared = 5.0f * tan_half * tan_half;
-    // Its centre is equally far from the corners of both ends, or is the far end's own.
+    // Centre at equal distances from the corners of both ends, or at the far end.
     const float middle = std::min(0.5f * (near + far) * (1.0f + slope_squared), far);
     const float along = far - middle, across_squared = slope_squared * far * far;
     return {camera.position + middle * forward, std::sqrt(along * along + across_squared)};
@@ -93,8 +92,8 @@ Ball ball_around_slice(const Camera& camera, float near, float far) {
 // [/cascade_ball]
 
 // [snap]
-// A view of all that a ball holds, from far enough away that nothing of the scene is behind the light. `snap`: its
-// middle moves by whole texels, in the light's own axes, so that the edges of texels stay where they are in the world.
+// View of a sphere, from outside the scene. `snap`: its centre moves by whole texels along the light's axes, so that
+// texel edges stay fixed in the world.
 LightView parallel_view(glm::vec3 direction, Ball ball, const Bounds& scene, const LightViewOptions& options) {
     const float half_width = ball.radius / (1.0f - 2.0f * MAP_MARGIN);
     const float texel = 2.0f * half_width / static_cast<float>(options.resolution);
@@ -132,7 +131,7 @@ std::vector<LightView> cascades(const Light& light, const Bounds& scene, const C
         const float to = cascade_split(camera.near_m, far, i + 1, options.cascades, options.split);
         Ball ball = ball_around_slice(camera, from, to);
         from = to;
-        // A scene that is smaller than its slice needs no more than itself.
+        // Scenes smaller than their slice are covered as a whole.
         const bool whole = ball.radius >= all.radius;
         if (whole) ball = all;
         views.push_back(parallel_view(glm::normalize(light.direction), ball, scene, options));
@@ -149,8 +148,8 @@ float farthest_corner(const Bounds& box, glm::vec3 from) {
 }
 
 // [holds_shadow_of]
-// Along a directional light a shadow is as wide as its caster. Points with filters reaching the coarser map's shadow
-// lie in the part of this one chosen by view_of() of 05_shadow_maps/shadow.glsl.
+// A directional light's shadow is as wide as its caster. Points whose filters reach the coarser map's shadow lie in the
+// part of this map that view_of() of 05_shadow_maps/shadow.glsl selects.
 bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel) {
     if (box.empty() || cascade.data.perspective == 1) return false;
     const glm::mat4& to_clip = cascade.data.to_clip;

@@ -8,38 +8,38 @@
 
 namespace lightwalk {
 
-/// A light's view, and the shader's part of it, still without its layer.
+/// View from a light, with its shader data, whose layer is set later.
 struct LightView {
     View view;
     glm::mat4 casters;  ///< world to a clip space that contains all possible casters
     ShadowView data;
-    bool whole = false;  ///< a cascade that holds the whole scene, wherever the camera is
+    bool whole = false;  ///< cascade of the whole scene, independent of the camera
 };
 
-/// Settings common to a frame's views.
+/// Settings of light views.
 struct LightViewOptions {
-    int resolution = 1024;     ///< texels of a map's side
-    float near_m = 0.05f;      ///< of a point's or a spot's view
-    int cascades = 3;          ///< of a directional light, 1 to 4
+    int resolution = 1024;     ///< width of a map, texels
+    float near_m = 0.05f;      ///< near plane of point and spot lights, metres
+    int cascades = 3;          ///< cascades per directional light, 1 to 4
     float split = 0.5f;        ///< cascade_split()'s lambda
-    float distance_m = 30.0f;  ///< from the eye to which cascades reach
-    bool snap = true;          ///< a cascade moves by whole texels
+    float distance_m = 30.0f;  ///< range of the cascades from the eye, metres
+    bool snap = true;          ///< moves cascades by whole texels
     bool operator==(const LightViewOptions&) const = default;
 };
 
-/// How far the farthest corner of the box is from a point, in metres.
+/// Distance from a point to the farthest corner of the box, metres.
 float farthest_corner(const Bounds& box, glm::vec3 from);
 
-/// Whether all that the box (world space) casts a shadow on is asked for in this cascade or a finer one. Then a coarser one,
-/// which has texels of `texel` metres, does well without the box.
+/// Whether all receivers of the world-space box's shadow use this cascade or a finer one, so that a coarser one, with
+/// texels of `texel` metres, can skip the box.
 bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel);
 
-/// A spot wider than this (half angle) is seen in six views, as a point light is.
+/// Half angle above which a spot light uses six views, like a point light.
 constexpr float widest_view_rad = 1.1f;
 
-/// The views of a light that reaches `reach_m` (point and spot) over a scene within `scene` (world space, not empty).
-/// A directional light has a view for each cascade of the camera's view, the nearest first; a cascade that would hold
-/// the whole scene is the last.
+/// Views of a light over the world-space box `scene` (not empty); `reach_m`: range of point and spot lights.
+/// Directional lights have one view per cascade, nearest first, up to the first cascade that would contain the whole
+/// scene.
 std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
                                    const LightViewOptions& options);
 

@@ -14,25 +14,26 @@ LitScene::LitScene(Module& owner, std::string name, std::optional<Shading> fixed
     if (fixed) shading = std::move(*fixed);
 }
 
-std::vector<const Module*> LitScene::made_of() const {
-    std::vector<const Module*> all = surfaces.made_of();
+std::vector<const Module*> LitScene::dependencies() const {
+    std::vector<const Module*> all = surfaces.dependencies();
     all.push_back(this);
     return all;
 }
 
-// A shading that somebody else gave may be a fragment shader alone.
+// Shadings from outside may lack a compute pipeline.
 // [visibility]
-bool LitScene::shades_seen(const Canvas& canvas) const {
+bool LitScene::shades_in_compute(const Canvas& canvas) const {
     return shaded_ && shaded_->is("visibility") && (!shading.opaque || shading.seen) &&
            VisibilityBuffer::suits(maps, canvas);
 }
 
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
-    if (!shades_seen(canvas)) return draw_lit(frame, view, canvas);
-    draw_seen(frame, canvas, [&] {
+    if (!shades_in_compute(canvas)) return draw_lit(frame, view, canvas);
+    const auto sort = [&] {
         lights.record(frame, surfaces.scene(), view, canvas.single_depth());
         record_shadows(frame, view);
-    });
+    };
+    draw_visible(frame, canvas, sort, surfaces.opaque_batches());
 }
 
 void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
@@ -42,35 +43,33 @@ void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     });
 }
 
-void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times) {
-    const std::vector<Batch> once = surfaces.opaque_batches();
-    std::vector<Batch> drawn;
-    for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());
-    seen_.record(frame, surfaces.scene(), maps, drawn, canvas);
+void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort,
+                            const std::vector<Batch>& drawn) {
+    visible.record(frame, surfaces.scene(), maps, drawn, canvas);
     sort();
-    seen_.shade(frame, surfaces.scene(), maps, once, canvas, shading.seen ? *shading.seen : shade_seen_,
-                surfaces.given(), shading.reads);
+    visible.shade(frame, surfaces.scene(), maps, surfaces.opaque_batches(), canvas, compute_pipeline(),
+                  surfaces.given(), shading.reads);
 }
 // [/visibility]
 
 // [casters]
-// Casters with holes cut by textures are drawn with their maps; all others are solid.
-void LitScene::record_shadows(Frame& frame, const View& view) {
+// Solid casters need no maps; casters with holes are drawn with theirs.
+Shadow::Casters LitScene::casters(const Frame& frame) const {
     const Scene& scene = surfaces.scene();
-    const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
-    const auto draw = [&](Raster& pass, const DrawList& casters) {
+    const auto draw = [this, &scene](Raster& pass, const DrawList& casters) {
+        const auto has_holes = [&](const DrawItem& item) { return maps.has_holes(item); };
         pass.use(shadow.solid).draw(casters.where(std::not_fn(has_holes)));
         maps.draw(pass, scene, casters.where(has_holes), caster_, caster_);
     };
-    const auto by = [&](const SurfacePipelines& both) {
-        return [&](Raster& pass, const DrawList& casters) {
+    const auto by = [this, &scene](const SurfacePipelines& both) {
+        return [this, &scene, &both](Raster& pass, const DrawList& casters) {
             maps.draw(pass, scene, casters, both.loaded, both.displaced);
         };
     };
-    Shadow::Casters casters{{maps}, draw, by(first_), by(passed_)};
-    casters.others_placed = holes_cut(maps, scene, frame.time_s);
-    if (!scene.items.empty()) casting_.add_to(casters);  // else nothing would be shaded
-    shadow.record(frame, scene, lights, view, casters);
+    Shadow::Casters all{{maps}, draw, by(first_), by(passed_)};
+    all.others_placed = holes_cut(maps, scene, frame.time_s);
+    if (!scene.items.empty()) casting_.add_to(all);  // an empty scene receives no shadows
+    return all;
 }
 // [/casters]
 

@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [lit_scene]
-/// SurfaceScene with shadows: beside its modules the owner gets shadow.*, and the choice of where opaque surfaces are
-/// shaded, unless the shading is fixed and has fragment shaders alone.
+/// SurfaceScene with shadows. Adds shadow.* to the owner's options, and the choice between raster and compute shading
+/// unless a fixed shading has only fragment shaders.
 struct LitScene : Drawing, ItemCaster {
     LitScene(Module& owner, std::string name, std::optional<Shading> fixed = std::nullopt);
 
@@ -20,28 +20,34 @@ struct LitScene : Drawing, ItemCaster {
     Shading& shading = surfaces.shading;
     Shadow shadow;
 
-    void meet(const Drawings& drawings) override { casting_ = Casting(drawings); }
-    std::vector<const Module*> made_of() const override;
+    void find_casters(const Drawings& drawings) override { casting_ = Casting(drawings); }
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { surfaces.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_part() const override { return &surfaces; }
+    const TransparentSource* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
 
-    /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
+    /// Forward shading of opaque surfaces into a canvas of any colour format.
     void draw_lit(Frame& frame, const View& view, Canvas& canvas);
-    /// Maps of depth alone, from each light that casts a shadow.
-    void record_shadows(Frame& frame, const View& view);
+    /// Shadow maps of the view.
+    void record_shadows(Frame& frame, const View& view) {
+        shadow.record(frame, surfaces.scene(), lights, view, casters(frame));
+    }
+    /// Objects that cast shadows, with the pipelines that draw them into a map.
+    Shadow::Casters casters(const Frame& frame) const;
     // [/lit_scene]
 
-    /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_seen() does. `sort` sorts the lights, when
-    /// there is a depth; every surface is drawn so many times.
-    bool shades_seen(const Canvas& canvas) const;
-    void draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
+    /// Whether draw_visible() shades opaque surfaces, in compute over a visibility buffer. `sort`: records light lists,
+    /// once the canvas has depth.
+    bool shades_in_compute(const Canvas& canvas) const;
+    void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, const std::vector<Batch>& drawn);
+    VisibilityBuffer visible;
+    /// Pipeline that shades the pixels of `visible`.
+    const Pipeline& compute_pipeline() const { return shading.seen ? *shading.seen : shade_seen_; }
 
   private:
     std::optional<ShadedChoice> shaded_;
     Casting casting_;
-    VisibilityBuffer seen_;
     Pipeline shade_seen_ = compute({.shader = "05_shadow_maps/surface_seen.comp"});
     Pipeline caster_ = graphics({.vertex = "04_surface_maps/surface.vert",
                                  .fragment = "04_surface_maps/depth.frag",

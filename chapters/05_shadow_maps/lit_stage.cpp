@@ -19,8 +19,8 @@ const LightList& LitStage::lamps() {
 }
 
 // [shading]
-// Rays only where they are asked; a planet and its ring need no map.
-void LitStage::record(Frame& frame) {
+// Rays only if needed; planets with rings have analytic shadows.
+void LitStage::choose_shading(Frame& frame) {
     const bool asks_rays = visibility.is("rays") || show.is("wrong"), plain = show.is("picture") && !asks_rays;
     sphere_shadow.update(scene());
     Shading shading;

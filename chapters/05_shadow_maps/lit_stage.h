@@ -31,19 +31,23 @@ struct LitStage : World {
                 "yellow, edges violet), the map in use, or the size of its texels"};
 
     Drawings drawings() override { return {objects}; }
-    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }  // not counted as wrong
+    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }  // alpha 0: background
     std::vector<std::pair<std::string, std::string>> look() const override {
         return {{"bloom.method", "none"}, {"post.tone", "off"}};
     }
     // [/stage]
 
+    /// The scene's lights, with their sizes scaled.
+    const LightList& lamps();
+    /// Chooses the shading for `show` and `visibility`, and builds the hierarchy if rays are needed.
+    void choose_shading(Frame& frame);
+
   protected:
-    void record(Frame& frame) override;
+    void record(Frame& frame) override { choose_shading(frame); }
 
   private:
-    const LightList& lamps();
-    Made lamps_made_;
-    LightList own_, lamps_;  ///< the scene's lights, and these with their sizes scaled
+    Fingerprint lamps_made_;
+    LightList own_, lamps_;
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
     Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});
 };

@@ -13,8 +13,8 @@ using namespace lightwalk;
 
 namespace {
 
-// Adds the percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h). Alpha of `picture` (RGBA16F):
-// 1 and the kind of error, or 0 for the background.
+// Percentages of surface pixels with acne, peter_panning, leak and edge (shadow_error.h). Alpha of `picture` (RGBA16F):
+// 1 + kind of error, or 0 for the background.
 void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
     const std::vector<std::byte> texels = gpu.read_back(picture);
     std::array<size_t, 6> count{};
@@ -37,13 +37,18 @@ void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
 
 struct ShadowMaps : ModelChapter {
     LitStage world{*this};
+    LitScene& objects = world.objects;
+    SurfaceScene& surfaces = objects.surfaces;
+    Maps& maps = objects.maps;
+    Lights& lights = objects.lights;
+    Shadow& shadow = objects.shadow;
 
     ShadowMaps() {
-        world.objects.shadow.method.alone = true;  // --method is about shadows here
+        shadow.method.preferred = true;  // --method is about shadows here
     }
     std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 
-    // The share of pixels with each kind of wrong shadow, from a picture a quarter as wide: many rays for every pixel.
+    // Shares of wrong shadows, from a picture a quarter as wide, since each pixel takes many rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
         world.show.set("wrong");
         Frame own(gpu);
@@ -54,12 +59,58 @@ struct ShadowMaps : ModelChapter {
     // [frame]
     void frame(Frame& frame) override {
         const View view = set_view(frame, world);
-
-        // 1. The shadow maps, then every surface, lit by the visible part of each light (lit_stage.cpp, lit_scene.cpp).
         Canvas canvas(frame.hdr, frame.depth, world.background());
-        world.draw_light(frame, view, canvas);
+        const bool in_compute = objects.shades_in_compute(canvas);
+        const std::vector<Batch> batches = surfaces.opaque_batches();
 
-        // 2. Linear light, encoded as sRGB.
+        // 1. Lights with scaled sizes, in a buffer (chapter 03); a hierarchy of triangles if rays are needed.
+        lights.update(frame, scene, world.lamps());
+        world.choose_shading(frame);
+
+        // 2. Visibility buffer for shading in compute, or depth for tiled light lists; then light lists (chapter 03).
+        if (in_compute)
+            objects.visible.record(frame, scene, maps, batches, canvas);
+        else if (lights.needs_depth())
+            frame.raster("depth", {.depth = canvas.depth_target(), .reads = surfaces.shading.reads, .with = {maps}},
+                         surfaces.by(surfaces.depth_pipelines()));
+        lights.record(frame, scene, view, canvas.single_depth());
+
+        // 3. Light views: one per spot light, six per point light, one per cascade of a directional light. Each lists
+        // its casters; shaders read the views from a buffer.
+        const Shadow::Casters casters = objects.casters(frame);
+        shadow.find_maps(frame, scene, lights, view, casters);
+
+        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // light or casters have changed
+            // 4. Shadow map: depth of the casters from the light.
+            {
+                const ViewScope from_light(frame, map.view.view);
+                frame.raster("shadow_map", {.depth = clear(shadow.depth_of(map), 0.0f), .with = casters.with},
+                             [&](Raster& pass) { casters.draw(pass, map.casters); });
+            }
+            // 5. Transmittance of transparent casters: the first one's, and the product of all.
+            if (shadow.has_passed()) shadow.draw_passed(frame, map, casters);
+
+            // 6. Moments of the depths, blurred, for vsm, evsm and msm.
+            if (shadow.has_moments()) shadow.filter(frame, map);
+        }
+
+        // 7. Shading of opaque surfaces, which reads and filters the shadow maps.
+        const std::vector<With> with = surfaces.given();  // maps, lights, shadow, and rays if needed
+        if (in_compute)
+            objects.visible.shade(frame, scene, maps, batches, canvas, objects.compute_pipeline(), with,
+                                  surfaces.shading.reads);
+        else
+            frame.raster("shade",
+                         {.color = {canvas.color_target()},
+                          .depth = canvas.depth_target(),
+                          .reads = surfaces.shading.reads,
+                          .with = with},
+                         surfaces.by(surfaces.opaque_pipelines()));
+
+        // 8. Transparent surfaces, back to front.
+        draw_transparent(frame, view, canvas, world.drawings());
+
+        // 9. Linear light, encoded as sRGB.
         encode_srgb(frame);
     }
     // [/frame]

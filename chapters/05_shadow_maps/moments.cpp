@@ -17,25 +17,25 @@ Blur blur_of(int radius, float exponent, float exponent_negative) {
     for (int i = 1; i <= radius; ++i) {
         blur.weights[i] /= sum;
         blur.weights[0] -=
-            2.0f * blur.weights[i];  // the remainder: the sum must be 1, since the moments' noise depends on it
+            2.0f * blur.weights[i];  // remainder, so that weights sum to exactly 1: moments amplify any error
     }
     return blur;
 }
 
-bool MomentMaps::fit(Gpu& gpu, const Image& map, VkFormat format) {
+bool MomentMaps::ensure(Gpu& gpu, const Image& map, VkFormat format) {
     const Image::Desc wanted{.name = map.desc.name + " moments",
                              .format = format,
                              .size = map.desc.size,
                              .mips = full_mip_count(map.desc.size),
                              .layers = map.desc.layers,
                              .kept = true};
-    if (!moments.fit(gpu.device, wanted)) return false;
+    if (!moments.ensure(gpu.device, wanted)) return false;
     between_ = Image(gpu.device, {.name = wanted.name + " between", .format = format, .size = wanted.size});
     return true;
 }
 
 // [blur]
-// Along u, then along v, then halved to the last mip; each step waits for the one before.
+// Blur along u, then along v, then mips; each step waits for the previous one.
 void MomentMaps::record(Frame& frame, const ImageView& layer, const Buffer& views, uint32_t view, Blur blur,
                         const Macros& macros) {
     const ImageView into = ImageView(moments).layer(layer.first_layer);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -21,7 +21,7 @@ void for_each_triangle(const DrawItem& item, const std::vector<Vertex>& vertices
 
 const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
 
-// The scene's textures that cut holes, as numbers, each once. The first mask is one texel of 255: nothing is cut.
+// Alpha masks of textures that cut holes, each once. Mask 0 is one texel of 255, without holes.
 class Masks {
   public:
     std::vector<RayMask> masks{{0, 1, 1}};
@@ -33,7 +33,7 @@ class Masks {
         const auto [place, added] = known_.try_emplace({image.get(), channel}, 0);
         if (!added) return place->second;
         const Level level = read_level(gpu_, *image);
-        place->second = aside([&] { return add(level, channel); });
+        place->second = unlocked([&] { return add(level, channel); });
         return place->second;
     }
 
@@ -53,7 +53,7 @@ class Masks {
     std::map<std::pair<const Image*, int>, uint32_t> known_;
 };
 
-// Notes for each triangle with holes where its masks are.
+// Cut-outs of triangles with holes.
 std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Scene& scene,
                                 std::vector<RayTriangle>& triangles) {
     std::vector<RayCutout> with_holes;
@@ -75,7 +75,7 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
 
 std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
     std::vector<RayTriangle> triangles;
-    std::map<const Mesh*, std::vector<Vertex>> moved;  // by skins and morphs
+    std::map<const Mesh*, std::vector<Vertex>> moved;  // deformed by skins and morphs
     for (const DrawItem& item : scene.items) {
         if (item.transparent) continue;
         const Mesh& mesh = mesh_of(item);
@@ -97,9 +97,9 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
 
 void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
     built_ = true;
-    std::vector<RayTriangle> triangles = aside([&] { return ray_triangles(scene, time_s); });
+    std::vector<RayTriangle> triangles = unlocked([&] { return ray_triangles(scene, time_s); });
     Masks masks(gpu);
-    std::vector<glm::uvec2> cut_by;  // for each item: masks of its colour's alpha, and of its opacity
+    std::vector<glm::uvec2> cut_by;  // per item: masks of colour alpha and of opacity
     for (const DrawItem& item : scene.items) {
         glm::uvec2& cut = cut_by.emplace_back(0);
         if (item.transparent) continue;
@@ -108,8 +108,8 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
         if (!is_solid) cut.x = masks.of(item.maps[MapSlot::diffuse], 3);
         cut.y = masks.of(item.maps[MapSlot::opacity], 0);
     }
-    std::vector<RayCutout> with_holes = aside([&] { return cut_with(cut_by, scene, triangles); });
-    bvh_ = aside([&] { return Bvh(triangles); });
+    std::vector<RayCutout> with_holes = unlocked([&] { return cut_with(cut_by, scene, triangles); });
+    bvh_ = unlocked([&] { return Bvh(triangles); });
     placed_ = scene.epoch;
     set_offset();
     nodes_ = gpu.upload("ray nodes", std::as_bytes(bvh_.nodes()));
@@ -139,7 +139,7 @@ void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
     frame.upload("ray triangles", triangles_, std::as_bytes(bvh_.triangles()));
 }
 
-// Holes that no triangle has are compiled out.
+// Macros that compile out unused cut-outs.
 Macros SceneRays::macros() const {
     Macros all = Module::macros();
     if (!has_cutouts_ || !through_holes) all.set("RAYS_SOLID", "1");
@@ -165,12 +165,12 @@ std::string Rays::why_not_finite() const {
 }
 
 void SceneRays::bind(Pass& pass) const {
-    pass.offer("rays_nodes", nodes_);
-    pass.offer("rays_triangles", triangles_);
-    pass.offer("rays_cutouts", cutouts_);
-    pass.offer("rays_masks", masks_);
-    pass.offer("rays_texels", texels_);
-    pass.offer("rays_state", state_);
+    pass.set_if_present("rays_nodes", nodes_);
+    pass.set_if_present("rays_triangles", triangles_);
+    pass.set_if_present("rays_cutouts", cutouts_);
+    pass.set_if_present("rays_masks", masks_);
+    pass.set_if_present("rays_texels", texels_);
+    pass.set_if_present("rays_state", state_);
 }
 
 void SceneRays::set_offset() {

@@ -8,20 +8,20 @@
 namespace lightwalk {
 
 // [rays]
-/// Gives shaders any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame that needs it, which
-/// builds the hierarchy for a new scene; then passes may state it in `.with`. Every opaque surface stops a ray, from
-/// both sides, except in its cut-outs.
+/// GLSL: any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame with rays, which builds the
+/// hierarchy for a new scene; then passes with the module in `.with`. Opaque surfaces stop rays from both sides, except
+/// in their cut-outs.
 struct SceneRays : Module {
     SceneRays(Module& owner, std::string name) : Module(owner, std::move(name), "rays") {}
 
     bool through_holes = true;  ///< alpha-tested holes let rays through; false: every triangle is solid
 
-    /// Builds the hierarchy and uploads it. Throws InputError where a vertex is no place.
+    /// Builds and uploads the hierarchy. Throws InputError for a vertex that is not finite.
     void build(Gpu& gpu, const Scene& scene, float time_s = 0);
     void prepare(Gpu&, Scene&) override { built_ = false; }
 
-    /// Builds it after a scene was loaded; if the scene has moved since, the boxes follow. `maps`: maps that cut
-    /// holes, with their motion; null: alpha below 0.5, at rest.
+    /// Builds the hierarchy of a new scene, or refits it to a moved one. `maps`: maps that cut holes, with their
+    /// motion; null: alpha below 0.5, at rest.
     void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
 
     Macros macros() const override;
@@ -29,13 +29,12 @@ struct SceneRays : Module {
     void bind(Pass& pass) const override;
 
     const Bvh& bvh() const { return bvh_; }
-    /// Distance from a surface at which its rays begin, in metres: nearer objects cast no shadow on it.
+    /// Offset of ray origins from the surface, metres; nearer objects cast no shadow on it.
     float offset_m() const { return state_.offset_m; }
     // [/rays]
 
-    /// The offset as a fraction of the scene's farthest coordinate. Positions come from the rasteriser, which
-    /// interpolates between vertices that may be as far: test_ray_offset.cpp measures the need, and this is four
-    /// times that.
+    /// Offset as a fraction of the scene's farthest coordinate: the rasteriser interpolates positions between vertices
+    /// that may be as far. Four times the need measured by test_ray_offset.cpp.
     static constexpr float offset_share = 0x1p-17f;
 
   protected:
@@ -49,7 +48,7 @@ struct SceneRays : Module {
     Buffer nodes_, triangles_, cutouts_, masks_, texels_;
 };
 
-/// Gives shaders lamp_visibility() of 05_shadow_maps/rays.glsl as well: the reference of shadows.
+/// SceneRays with lamp_visibility() of 05_shadow_maps/rays.glsl, the reference for shadows.
 struct Rays : SceneRays {
     using SceneRays::SceneRays;
 
@@ -63,12 +62,11 @@ struct Rays : SceneRays {
     void record(Frame& frame, const Scene& scene, const Maps* maps = nullptr);
     Macros macros() const override;
 
-    /// For a picture with visibility by rays: the meaning of a non-finite pixel.
+    /// Cause of a non-finite pixel in a picture with rays.
     std::string why_not_finite() const;
 };
 
-/// The triangles of a scene's opaque items in world space, in the items' order, nothing cut out of them. `time_s`: of
-/// morph targets.
+/// World-space triangles of opaque items, in the items' order, without cut-outs. `time_s`: time of morph targets.
 std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s = 0);
 
 }  // namespace lightwalk

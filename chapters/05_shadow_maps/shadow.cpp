@@ -19,7 +19,7 @@ void Shadow::prepare(Gpu&, Scene&) {
 }
 
 // [find_views]
-// The views of all lights that cast shadows.
+// Views of all lights that cast shadows.
 void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                         const Casters& casters) {
     std::vector<MapView>& maps = now_->maps;
@@ -34,8 +34,8 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, view_options());
         for (auto one = seen.begin(); one != seen.end(); ++one) {
-            // Skips casters needed only by finer cascades; but the whole scene's map is the same from every
-            // viewpoint.
+            // Skips casters whose shadows only finer cascades show. The whole scene's map keeps all, since it does not
+            // depend on the camera.
             const auto is_needed = [&](const DrawItem& item) {
                 return one->whole || std::none_of(seen.begin(), one, [&](const LightView& finer) {
                            return holds_shadow_of(finer, item.bounds, one->data.texel);
@@ -57,7 +57,7 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     }
 }
 
-// A hash of all that a map depends on: two maps with the same hash show the same.
+// Hash of everything that a map depends on.
 uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& casters) const {
     Hash hash;
     bool deforms = false;
@@ -75,7 +75,7 @@ uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& 
 // [layers]
 void Shadow::take_layers(Frame& frame, const View& view) {
     const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
-    if (layer_of_.size() + now_->maps.size() > most) {  // of lights that have gone, too
+    if (layer_of_.size() + now_->maps.size() > most) {  // layers of removed lights included
         layer_of_.clear();
         held_.clear();
     }
@@ -95,7 +95,7 @@ void Shadow::take_layers(Frame& frame, const View& view) {
         }
 }
 
-// Images for all layers. New ones, of another size or with more layers, hold nothing yet.
+// Images for all layers; recreated ones are empty.
 void Shadow::reserve(Frame& frame) {
     const auto size = glm::uvec2(static_cast<uint32_t>(resolution.value));
     const uint32_t there = map_.desc.size == size ? map_.desc.layers : 1;
@@ -106,7 +106,7 @@ void Shadow::reserve(Frame& frame) {
         Image::Desc desc = wanted;
         desc.name = path() + name;
         desc.format = of;
-        is_new |= image.fit(frame.gpu.device, desc);
+        is_new |= image.ensure(frame.gpu.device, desc);
     };
     fit(map_, ".map", VK_FORMAT_D32_SFLOAT);
     if (has_passed()) {
@@ -117,8 +117,8 @@ void Shadow::reserve(Frame& frame) {
         fit(last_depth_, ".last_depth", VK_FORMAT_R32_SFLOAT);
     }
     if (has_moments())
-        is_new |= moments_.fit(frame.gpu, map_,
-                               format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
+        is_new |= moments_.ensure(frame.gpu, map_,
+                                  format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
     if (is_new) held_.assign(held_.size(), 0);
 }
 // [/layers]
@@ -126,20 +126,19 @@ void Shadow::reserve(Frame& frame) {
 // [draw_map]
 void Shadow::draw_map(Frame& frame, const MapView& map, const Casters& casters) {
     const ViewScope scope(frame, map.view.view);
-    frame.raster("shadow_map", {.depth = clear(map_.layer(map.view.data.layer), 0.0f), .with = casters.with},
-                 [&](Raster& pass) {
-                     if (map.casters.size() > 0 && casters.draw)
-                         casters.draw(pass, map.casters);
-                     else if (map.casters.size() > 0)
-                         pass.use(solid).draw(map.casters);
-                     if (map.others) casters.draw_others(pass, map.view.view);
-                 });
+    frame.raster("shadow_map", {.depth = clear(depth_of(map), 0.0f), .with = casters.with}, [&](Raster& pass) {
+        if (map.casters.size() > 0 && casters.draw)
+            casters.draw(pass, map.casters);
+        else if (map.casters.size() > 0)
+            pass.use(solid).draw(map.casters);
+        if (map.others) casters.draw_others(pass, map.view.view);
+    });
 }
 // [/draw_map]
 
 // [draw_passed]
-// Transmittance of transparent casters: the first one's, and the product of all. A point between the first and the
-// last uses the first for all before it, which is right for two.
+// Transmittance of transparent casters: the first one's, and the product of all. Points between the first and the last
+// use the first one's, which is exact for two.
 void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& casters) {
     const ViewScope scope(frame, map.view.view);
     const uint32_t layer = map.view.data.layer;
@@ -157,8 +156,8 @@ void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& caster
 // [/draw_passed]
 
 // [record]
-void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
-                    const Casters& casters) {
+void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                       const Casters& casters) {
     const bool has_cascades = std::ranges::any_of(
         *lights, [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; });
     now_ = &by_view_[has_cascades ? view.id : 0];
@@ -183,35 +182,52 @@ void Shadow::record(Frame& frame, const Scene& scene, const LightList& lights, c
         frame.upload("shadow_lights", now_->lights, now_->shadow_lights);
         frame.upload("shadow_views", now_->views, data);
     }
+}
 
-    // 3. Maps that show something else than their layers hold.
-    drawn_views = 0;
-    for (uint32_t i = 0; i < now_->maps.size(); ++i) {
-        const MapView& map = now_->maps[i];
+Shadow::MapViews Shadow::maps_to_draw() {
+    MapViews stale;
+    for (const MapView& map : now_->maps) {
         const uint32_t layer = map.view.data.layer;
         if (layer == NO_LAYER || (keep && held_[layer] == map.shows)) continue;
+        held_[layer] = map.shows;
+        stale.emplace_back(map);
+    }
+    drawn_views = static_cast<int>(stale.size());
+    return stale;
+}
+
+void Shadow::draw_maps(Frame& frame, const Casters& casters) {
+    for (const MapView& map : maps_to_draw()) {
         draw_map(frame, map, casters);
         if (has_passed()) draw_passed(frame, map, casters);
-        if (has_moments())
-            moments_.record(frame, map_.layer(layer), now_->views, i, blur_of(blur, exponent, exponent_negative),
-                            macros());
-        held_[layer] = map.shows;
-        ++drawn_views;
+        if (has_moments()) filter(frame, map);
     }
 }
 // [/record]
 
-void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+void Shadow::filter(Frame& frame, const MapView& map) {
+    const auto number = static_cast<uint32_t>(&map - now_->maps.data());
+    moments_.record(frame, depth_of(map), now_->views, number, blur_of(blur, exponent, exponent_negative), macros());
+}
+
+void Shadow::find_maps(Frame& frame, const Scene& scene, const Lights& lights, const View& view,
+                       const Casters& casters) {
     const auto reach = [&](const Light& light) { return lights.reach_m(light); };
-    record(frame, scene, lights.buffer().list(), reach, view, casters);
+    find_maps(frame, scene, lights.buffer().list(), reach, view, casters);
+}
+
+void Shadow::record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters) {
+    find_maps(frame, scene, lights, view, casters);
+    draw_maps(frame, casters);
 }
 
 void Shadow::record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                     const Casters& casters) {
     if (!directional_ || *directional_ != directional)
         directional_ = std::make_shared<const std::vector<Light>>(directional);
-    record(
+    find_maps(
         frame, scene, directional_, [](const Light&) { return 0.0f; }, view, casters);
+    draw_maps(frame, casters);
 }
 
 Macros Shadow::macros() const {
@@ -230,18 +246,18 @@ std::vector<Resource> Shadow::reads() const {
 
 void Shadow::bind(Pass& pass) const {
     constexpr Sampler of_depth{.filter = Filter::nearest, .mip_filter = Filter::nearest, .wrap = Wrap::border};
-    pass.offer("shadow_lights", now_->lights);
-    pass.offer("shadow_views", now_->views);
-    pass.offer("shadow_eye", now_->eye);
-    pass.offer("shadow_map", map_.as_array(), of_depth);
+    pass.set_if_present("shadow_lights", now_->lights);
+    pass.set_if_present("shadow_views", now_->views);
+    pass.set_if_present("shadow_eye", now_->eye);
+    pass.set_if_present("shadow_map", map_.as_array(), of_depth);
     if (has_passed()) {
-        pass.offer("shadow_first", first_.as_array(), linear_clamp);
-        pass.offer("shadow_first_depth", first_depth_.as_array(), nearest_clamp);
-        pass.offer("shadow_passed", passed_.as_array(), linear_clamp);
-        pass.offer("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
+        pass.set_if_present("shadow_first", first_.as_array(), linear_clamp);
+        pass.set_if_present("shadow_first_depth", first_depth_.as_array(), nearest_clamp);
+        pass.set_if_present("shadow_passed", passed_.as_array(), linear_clamp);
+        pass.set_if_present("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
     }
-    // A method without moments names them all the same, and reads none.
-    pass.offer("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
+    // Placeholder for methods without moments, whose shaders declare the texture too.
+    pass.set_if_present("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
 }
 
 std::vector<std::string> Shadow::status() const {

@@ -14,10 +14,9 @@
 namespace lightwalk {
 
 // [shadow]
-/// Gives shaders light_visibility() of 05_shadow_maps/shadow.glsl, by which 03_attenuation/lighting.glsl weighs every
-/// light: include it where a chapter without shadows includes 03_attenuation/unshadowed.glsl. A light casts a shadow
-/// where the scene says "shadow": true. After Lights::update(), record() for a view; then passes that draw this view may
-/// state it in `.with`, beside the lights.
+/// GLSL: light_visibility() of 05_shadow_maps/shadow.glsl, included instead of 03_attenuation/unshadowed.glsl. Lights
+/// with "shadow": true in the scene cast shadows. Per view, after Lights::update(): record(); then passes of this view
+/// with the module in `.with`, beside the lights.
 struct Shadow : Module {
     Shadow(Module& owner, std::string name);
 
@@ -52,7 +51,7 @@ struct Shadow : Module {
                        "Shadow of transparent surfaces: none, or coloured by the light that they let through"};
     Knob<bool> keep{*this, "keep", true, "Caching: a map is redrawn only if its light or a caster in it has moved"};
 
-    // Bias: each alone, or together.
+    // Biases, which can be combined.
     Knob<float> bias_m{*this, "bias_m", 0.002f, {0.0f, 1.0f}, "Constant bias towards the light, in metres", "m"};
     Knob<float> slope{*this, "slope", 0.0f, {0.0f, 4.0f}, "Scale factor for the slope bias, towards the light"};
     Knob<float> normal_offset{
@@ -110,29 +109,51 @@ struct Shadow : Module {
         "Light-bleeding reduction: visibility up to this value becomes 0, the rest is rescaled to 0 to 1"};
     // [/shadow]
 
-    /// How casters are drawn into a map, for chapters that cut holes into surfaces: a pass with these modules, which
-    /// has the light's `view`. Otherwise all of them are solid.
+    /// Draws of casters into a map, in a pass with these modules and the light's `view`. Default: all are solid.
     struct Casters {
         using Draw = std::function<void(Raster& pass, const DrawList& casters)>;
         std::vector<With> with;
         Draw draw;
-        /// Of transparent casters by 05_shadow_maps/passed.frag: the first that the light meets, or the product of all.
+        /// Transparent casters, by 05_shadow_maps/passed.frag: the one nearest to the light, or the product of all.
         Draw draw_first, draw_passed;
-        /// Casters outside of the scene's items: within `others` (world space), drawn into each view after the items.
-        /// A map is drawn again when `others_placed` changes.
+        /// Casters other than scene items, within the world-space box `others`, drawn after the items. A change of
+        /// `others_placed` redraws the maps.
         std::function<void(Raster& pass, const View& light)> draw_others;
         Bounds others;
         uint64_t others_placed;
     };
     Pipeline solid = graphics({.vertex = "05_shadow_maps/caster.vert", .cull = VK_CULL_MODE_NONE, .depth_clamp = true});
 
-    /// Depth from every light of `lights` that casts a shadow, where it is not in the map already.
+    /// View of a shadow map, with its casters.
+    struct MapView {
+        LightView view;
+        DrawList casters, passed;  ///< opaque casters, and transparent ones that cast shadows
+        uint64_t shows = 0;        ///< hash of the light's view and of its casters
+        bool others = false;
+        bool is_needed() const { return others || casters.size() + passed.size() > 0; }
+    };
+    using MapViews = std::vector<std::reference_wrapper<const MapView>>;
+
+    /// Finds the views of all lights that cast shadows, their casters, and a layer for each; uploads lights and views.
+    void find_maps(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters);
+    /// Maps whose layers are out of date; they count as drawn.
+    MapViews maps_to_draw();
+    ImageView depth_of(const MapView& map) const { return map_.layer(map.view.data.layer); }
+    void draw_map(Frame& frame, const MapView& map, const Casters& casters);
+    /// Transmittance of transparent casters.
+    void draw_passed(Frame& frame, const MapView& map, const Casters& casters);
+    /// Moments of a map's depths, blurred, and their mip levels.
+    void filter(Frame& frame, const MapView& map);
+    bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
+    bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
+
+    /// find_maps(), then every map to draw.
     void record(Frame& frame, const Scene& scene, const Lights& lights, const View& view, const Casters& casters = {});
-    /// The same for directional lights that no module Lights has.
+    /// record() for directional lights without a module Lights.
     void record(Frame& frame, const Scene& scene, const std::vector<Light>& directional, const View& view,
                 const Casters& casters = {});
 
-    /// With the file that holds the method's filter.
+    /// Replaces the filter file with the method's.
     Macros macros() const override;
     std::vector<Resource> reads() const override;
     void bind(Pass& pass) const override;
@@ -142,52 +163,38 @@ struct Shadow : Module {
 
     const Image& moments() const { return moments_.moments; }
 
-    int views = 0, drawn_views = 0;  ///< maps of the view recorded last: all, and those drawn in its frame
+    int views = 0, drawn_views = 0;  ///< maps of the last view: all, and those drawn
 
   private:
-    /// A map's view of the scene, and what it shows.
-    struct MapView {
-        LightView view;
-        DrawList casters, passed;  ///< opaque, and transparent ones where these have shadows
-        uint64_t shows = 0;        ///< hash of the light's view and of its casters
-        bool others = false;
-        bool is_needed() const { return others || casters.size() + passed.size() > 0; }
-    };
-    using Reach = std::function<float(const Light&)>;  ///< metres
+    using Reach = std::function<float(const Light&)>;  ///< range of a light, metres
     void find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                     const Casters& casters);
     uint64_t hash_of(const MapView& map, const Scene& scene, const Casters& casters) const;
     void take_layers(Frame& frame, const View& view);
-    void record(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
-                const Casters& casters);
+    void find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
+                   const Casters& casters);
+    void draw_maps(Frame& frame, const Casters& casters);
     LightViewOptions view_options() const { return {resolution, near_m, cascades, split, distance_m, snap}; }
-    void draw_map(Frame& frame, const MapView& map, const Casters& casters);
-    void draw_passed(Frame& frame, const MapView& map, const Casters& casters);
     void reserve(Frame& frame);
 
-    bool has_passed() const { return transparent.is("colored") && !method.is("none"); }
-    bool has_moments() const { return method.is("vsm") || method.is("evsm") || method.is("msm"); }
-
-    /// Cascades follow the camera: each View::id has maps of its own if a light has cascades; else all share those of
-    /// id 0.
+    /// Maps by View::id if a light has cascades, which follow the camera; else all views share those of id 0.
     struct OfView {
         Buffer lights, views;  ///< ShadowLight, ShadowView
         ShadowEye eye{};
-        Made found_made, uploaded;
+        Fingerprint found_made, uploaded;
         LightList found_for;
         std::vector<MapView> maps;
         std::vector<ShadowLight> shadow_lights;
     };
     std::map<uint32_t, OfView> by_view_;
-    LightList directional_;       ///< the last ones given without a module Lights
-    OfView* now_ = &by_view_[0];  ///< of the view recorded last
+    LightList directional_;       ///< last argument of record() without a module Lights
+    OfView* now_ = &by_view_[0];  ///< state of the last view
 
-    /// Where a map lies in the images, by its view (0 where the camera does not matter), light and number of the light's
-    /// views. A map is drawn again if what it shows differs from what its layer holds.
+    /// Layer of a map by View::id (0 if independent of the camera), light, and index of the light's view.
     std::map<std::array<uint32_t, 3>, uint32_t> layer_of_;
-    std::vector<uint64_t> held_;  ///< MapView::shows of each layer; 0: nothing
+    std::vector<uint64_t> held_;  ///< MapView::shows of each layer's content; 0: empty
     Image map_;
-    /// Transmittance of the first transparent caster, and of all; depths of the first and the last.
+    /// Transmittance of the first transparent caster and of all; depths of the first and last.
     Image first_, first_depth_, passed_, last_depth_;
     MomentMaps moments_;
 };

@@ -13,7 +13,7 @@ const DrawItem* item_of(const Scene& scene, Role role) {
     return found == scene.items.end() ? nullptr : &*found;
 }
 
-// Nearest and farthest vertex from the origin of the mesh, in metres of the world.
+// Distances of the nearest and farthest vertex from the mesh's origin, world metres.
 std::pair<float, float> radii(const DrawItem& item) {
     float nearest = INFINITY, farthest = 0;
     for (const Vertex& vertex : item.model->model.meshes[item.mesh].vertices) {
@@ -32,7 +32,7 @@ void SphereShadow::update(const Scene& scene) {
     if (const DrawItem* sphere = item_of(scene, Role::planet)) {
         planet.center = glm::vec3(sphere->transform[3]);
         planet.radius = radii(*sphere).second;
-        ring = &scene.texture(*sphere, MapSlot::diffuse);  // bound, and not read where there is no ring
+        ring = &scene.texture(*sphere, MapSlot::diffuse);  // placeholder without a ring
     }
     if (const DrawItem* disc = item_of(scene, Role::ring)) {
         planet.center = glm::vec3(disc->transform[3]);
@@ -43,8 +43,8 @@ void SphereShadow::update(const Scene& scene) {
 }
 
 void SphereShadow::bind(Pass& pass) const {
-    pass.offer("sphere_shadow_planet", planet);
-    if (ring) pass.offer("sphere_shadow_ring", *ring, linear_clamp);
+    pass.set_if_present("sphere_shadow_planet", planet);
+    if (ring) pass.set_if_present("sphere_shadow_ring", *ring, linear_clamp);
 }
 
 }  // namespace lightwalk

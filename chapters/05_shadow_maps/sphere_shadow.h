@@ -8,8 +8,8 @@
 namespace lightwalk {
 
 // [sphere_shadow]
-/// Gives shaders planet_visibility() of 05_shadow_maps/planet_shadow.glsl. update() in each frame; then passes may
-/// state it in `.with`.
+/// GLSL: planet_visibility() of 05_shadow_maps/planet_shadow.glsl. update() per frame; then passes with the module in
+/// `.with`.
 struct SphereShadow : Module {
     SphereShadow(Module& owner, std::string name) : Module(owner, std::move(name), "sphere_shadow") {}
 
@@ -24,20 +24,20 @@ struct SphereShadow : Module {
     Knob<float> sun_deg{
         *this, "sun_deg", 0.53f, {1e-3f, 60.0f}, "Angular diameter of the sun for method exact, in degrees", "degrees"};
 
-    /// Takes the scene's planet and ring, the objects with these roles: a ball and a flat ring around its middle. Either
-    /// may be missing.
+    /// Finds the objects with the roles planet and ring: a sphere and a flat ring around its centre. Either may be
+    /// missing.
     void update(const Scene& scene);
 
     /// Whether update() found a planet.
     explicit operator bool() const { return planet.radius > 0.0f; }
 
-    RingedPlanet planet{};  ///< update()'s, or set otherwise
-    /// Its colours from the inner to the outer edge, and opacity in alpha; any image without a ring.
+    RingedPlanet planet{};  ///< set by update() or by the owner
+    /// Ring colours from the inner to the outer edge, opacity in alpha; any image without a ring.
     const Image* ring = nullptr;
 
     void bind(Pass& pass) const override;
 
-    /// Surfaces that shade a planet and its ring so.
+    /// Pipelines of a planet and its ring.
     const SurfacePipelines ringed{{.fragment = "05_shadow_maps/ringed.frag"}};
     const SurfacePipelines ringed_transparent{{.fragment = "05_shadow_maps/ringed.frag",
                                                .depth_write = false,

@@ -6,18 +6,18 @@
 namespace lightwalk {
 
 // [visibility_buffer]
-/// Eight bytes a pixel: an item of the scene, counted from 1, and a triangle of its part. For surfaces of chapter 04 with
-/// the mesh as loaded. (C. Burns and W. Hunt, JCGT 2(2), 2013.)
+/// Eight bytes a pixel: scene item, counted from 1, and triangle of its part, for meshes as loaded (C. Burns and W.
+/// Hunt, JCGT 2(2), 2013).
 class VisibilityBuffer {
   public:
-    /// Whether it can stand in for drawing: not where vertex shaders make triangles, nor for several samples a pixel.
+    /// Whether it can replace raster shading: not for displaced meshes or several samples a pixel.
     static bool suits(const Maps& maps, const Canvas& canvas);
 
-    /// Draws the buffer, and depth into the canvas.
+    /// Draws the buffer, and the canvas's depth.
     void record(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas);
 
-    /// Colour into the canvas, wherever one of these batches is visible: a dispatch for each, by a pipeline with
-    /// 05_shadow_maps/shade_seen.glsl in its shader.
+    /// Shades the canvas where these batches are visible, one dispatch each, by a pipeline with
+    /// 05_shadow_maps/shade_seen.glsl.
     void shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches, Canvas& canvas,
                const Pipeline& pipeline, const std::vector<With>& with, const std::vector<Resource>& reads = {}) const;
 
@@ -30,12 +30,12 @@ class VisibilityBuffer {
 };
 // [/visibility_buffer]
 
-/// Where opaque surfaces are shaded.
+/// Choice between raster and compute shading of opaque surfaces.
 struct ShadedChoice : Choice {
     explicit ShadedChoice(Module& module);
 };
 
-/// `image` as a visibility buffer of the canvas's size, cleared to item 0 (none).
+/// Target for a visibility buffer of the canvas's size, cleared to item 0 (none).
 Attachment visibility_target(Frame& frame, Image& image, const Canvas& canvas);
 
 }  // namespace lightwalk

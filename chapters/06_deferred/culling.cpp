@@ -12,7 +12,7 @@ void reserve(Device& device, Buffer& buffer, const char* name, size_t bytes) {
     if (!buffer || buffer.bytes < bytes) buffer = Buffer(device, {.name = name, .bytes = bytes});
 }
 
-// Rounding of positions in float: a few units in the last place of the largest number involved.
+// Rounding error of float positions: a few units in the last place of the largest coordinate.
 float margin_m(const Bounds& all, glm::vec3 eye) {
     const glm::vec3 farthest = all.empty() ? glm::abs(eye) : glm::max(glm::max(-all.lower, all.upper), glm::abs(eye));
     return 2e-6f * (farthest.x + farthest.y + farthest.z);
@@ -75,7 +75,7 @@ void Culling::group(Frame& frame, const std::vector<Batch>& batches) {
 }
 
 // [host]
-// On the processor: neighbours that are visible stay one draw call.
+// CPU culling; adjacent visible objects stay one draw call.
 void Culling::find() {
     const bool by_box = bounds.is("box");
     const auto is_outside = [&](const CulledObject& object) {
@@ -107,14 +107,14 @@ void Culling::passes(Frame& frame, const ImageView& depth, const std::function<v
     listed_ = true;
     const bool hidden_too = method.is("occlusion") && depth.image->desc.samples == 1;
 
-    // 1. Objects within the view that an earlier frame, if there was one, did not hide.
+    // 1. Objects in the view that the previous frame did not hide.
     list(frame, hidden_too && view_seen().pyramid.levels() > 0 ? seen_before_ : all_, 0);
     list_count_ = 1;
     record();
     if (!hidden_too) return;
 
-    // 2. The depth pyramid, then all other objects that it does not hide. None is lost: each object is in the first
-    // list or tested here, against depths of this frame.
+    // 2. Depth pyramid, then the remaining objects that it does not hide. None is lost: each object is in the first
+    // list or tested here against this frame's depths.
     view_seen().pyramid.record(frame, depth);
     view_seen().to_clip = to_clip_;
     list_count_ = 0;
@@ -156,7 +156,7 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     if (into > 0) access.reads.emplace_back(lists_[0].ranks);
     frame.compute(into > 0 ? "list the objects left" : "list objects", access, [&](Compute& pass) {
         pass.use(which).set("objects", object_data_).set("ranks", list.ranks).set("sums", list.sums).set("look", look);
-        if (pyramid.levels() > 0) pass.offer("pyramid", pyramid.image(), nearest_clamp);
+        if (pyramid.levels() > 0) pass.set_if_present("pyramid", pyramid.image(), nearest_clamp);
         if (into > 0) pass.set("earlier", lists_[0].ranks);
         pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
         pass.use(sum_).set("sums", list.sums).set("total", list.total).set("look", look);

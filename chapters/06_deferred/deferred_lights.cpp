@@ -2,33 +2,46 @@
 
 namespace lightwalk {
 
-// [record]
-void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx) {
-    const Macros model{{"SURFACE_GGX", ggx ? "1" : "0"}};
-    const bool tiled = gbuffer.method.is("tiled"), volumes = gbuffer.volumes && !tiled;
-    if (volumes) volumes_.update(frame, lights);
-    if (tiled)
+void DeferredLights::update(Frame& frame, const Scene& scene, const View& view, const GBuffer& gbuffer,
+                            const Lights& lights) {
+    is_tiled_ = gbuffer.method.is("tiled");
+    has_volumes_ = gbuffer.volumes && !is_tiled_;
+    if (has_volumes_) volumes_.update(frame, lights);
+    if (is_tiled_)
         tiles_.set_view(view, scene.bounds, LightGrid::Cells::tiles, 1, 0,
                         lights.falloff.is("inverse_square") ? lights.threshold : 0.0f);
-    const ImageView color = canvas.color_overwritten();
-
-    // 1. Every pixel once: ambient light, and the lights that it computes here.
-    frame.compute(tiled ? "tiles" : "full_screen", {.reads = {canvas.depth(frame)}, .writes = {color}, .with = with},
-                  [&](Compute& pass) {
-                      pass.use(tiled ? tiled_ : full_screen_, model).set("hdr", color);
-                      pass.set("ambient", ambient).set("background", glm::vec3(canvas.background()));
-                      if (tiled) pass.set("lights_grid", tiles_.view);
-                      if (volumes) pass.set("without_volume", volumes_.without);
-                      pass.dispatch_threads(view.size);
-                  });
-
-    // 2. The other lights, one by one, where they may reach.
-    if (volumes)
-        frame.raster("volumes", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
-                     [&](Raster& pass) { volumes_.draw(pass.use(volume_, model)); });
 }
-// [/record]
+
+// [light]
+void DeferredLights::light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background,
+                                  bool ggx, bool emits) const {
+    const Macros variant{{"SURFACE_GGX", ggx ? "1" : "0"}, {"EMITS", emits ? "1" : "0"}};
+    pass.use(is_tiled_ ? tiled_ : full_screen_, variant).set("hdr", color);
+    pass.set("ambient", ambient).set("background", background);
+    if (is_tiled_) pass.set("lights_grid", tiles_.view);
+    if (has_volumes_) pass.set("without_volume", volumes_.without);
+    pass.dispatch_threads(color.size());
+}
+
+void DeferredLights::light_volumes(Raster& pass, bool ggx) const {
+    volumes_.draw(pass.use(volume_, {{"SURFACE_GGX", ggx ? "1" : "0"}}));
+}
+// [/light]
+
+void DeferredLights::record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
+                            const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx,
+                            bool emits) {
+    update(frame, scene, view, gbuffer, lights);
+    const ImageView color = canvas.color_overwritten();
+    std::vector<Resource> reads{canvas.depth(frame)};
+    if (emits) reads.emplace_back(color);
+    frame.compute(
+        is_tiled_ ? "tiles" : "full_screen", {.reads = reads, .writes = {color}, .with = with},
+        [&](Compute& pass) { light_pixels(pass, color, ambient, glm::vec3(canvas.background()), ggx, emits); });
+    if (has_volumes_)
+        frame.raster("volumes", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with},
+                     [&](Raster& pass) { light_volumes(pass, ggx); });
+}
 
 void DeferredLights::show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer) {
     const ImageView color = canvas.color(frame);

@@ -8,25 +8,35 @@ namespace lightwalk {
 
 class DeferredLights {
   public:
-    /// From the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
-    /// modules of lighting: the lights, the G-buffer, the model of surfaces, and shadow casters. `ggx`: all surfaces
-    /// are microfacets.
-    void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
-                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx);
+    /// Updates light volumes, or lays out the view's tiles.
+    void update(Frame& frame, const Scene& scene, const View& view, const GBuffer& gbuffer, const Lights& lights);
+    bool has_volumes() const { return has_volumes_; }
+    /// Ambient light, and lights without a volume, for every pixel. `emits`: `color` holds emission, to which it is added.
+    void light_pixels(Compute& pass, const ImageView& color, glm::vec3 ambient, glm::vec3 background, bool ggx,
+                      bool emits) const;
+    /// Each other light, where its volume covers a surface.
+    void light_volumes(Raster& pass, bool ggx) const;
 
-    /// gbuffer.show instead of the picture.
+    /// Both, from the G-buffer and the canvas's depth into its colour, every pixel with a surface. `with` are further
+    /// modules of lighting: the lights, the G-buffer, the model of surfaces, and shadow casters. `ggx`: all surfaces
+    /// are microfacets. `emits`: the colour holds the surfaces' emission, to which light is added.
+    void record(Frame& frame, const Scene& scene, glm::vec3 ambient, const View& view, Canvas& canvas,
+                const GBuffer& gbuffer, const Lights& lights, const std::vector<With>& with, bool ggx, bool emits);
+
+    /// Picture of the channel gbuffer.show.
     void show(Frame& frame, Canvas& canvas, const GBuffer& gbuffer);
 
     size_t volumes() const { return volumes_.count(); }
 
   private:
     LightVolumes volumes_;
-    LightGrid tiles_;  ///< for its view: a tile's workgroup finds the tile in it
+    bool is_tiled_ = false, has_volumes_ = false;
+    LightGrid tiles_;  ///< layout only; workgroups list their lights themselves
     const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
     Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});
     // [volume]
-    // Back faces that lie behind the surface. They work with the camera inside, too, where there are no front faces.
+    // Back faces behind the surface, which also work with the camera inside, where there are no front faces.
     Pipeline volume_ = graphics({.vertex = "06_deferred/volume.vert",
                                  .fragment = "06_deferred/volume.frag",
                                  .cull = VK_CULL_MODE_FRONT_BIT,

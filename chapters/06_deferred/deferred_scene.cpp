@@ -9,8 +9,8 @@ DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shad
     lights.method.change_default("clustered");
 }
 
-std::vector<const Module*> DeferredScene::made_of() const {
-    std::vector<const Module*> all = lit.made_of();
+std::vector<const Module*> DeferredScene::dependencies() const {
+    std::vector<const Module*> all = lit.dependencies();
     all.push_back(&gbuffer);
     all.push_back(&culling);
     return all;
@@ -22,28 +22,25 @@ std::vector<With> DeferredScene::with(std::vector<With> modules) const {
     return modules;
 }
 
-std::function<void(Raster&)> DeferredScene::often_by(const SurfacePipelines& both, std::vector<Batch> batches) const {
+// Displaced meshes are not culled.
+std::function<void(Raster&)> DeferredScene::by(const SurfacePipelines& both, std::vector<Batch> batches) const {
     return [this, &both, batches = std::move(batches)](Raster& pass) {
-        for (int i = 0; i < times; ++i) draw_kept(pass, both, batches);
+        if (!culling.culls()) return maps.draw(pass, scene(), batches, both.loaded, both.displaced);
+        const glm::vec3 ambient = scene().ambient();
+        for (const Batch& batch : batches) {
+            pass.use(both.loaded, maps.variant(batch.item()));
+            pass.set_if_present("ambient", ambient);
+            culling.draw(pass, batch);
+        }
     };
-}
-
-// After culling, which displaced meshes do without.
-void DeferredScene::draw_kept(Raster& pass, const SurfacePipelines& both, const std::vector<Batch>& batches) const {
-    if (!culling.culls()) return maps.draw(pass, scene(), batches, both.loaded, both.displaced);
-    const glm::vec3 ambient = scene().ambient();
-    for (const Batch& batch : batches) {
-        pass.use(both.loaded, maps.variant(batch.item()));
-        pass.offer("ambient", ambient);
-        culling.draw(pass, batch);
-    }
 }
 
 std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
     std::vector<Batch> kept;
     for (const Batch& batch : surfaces.opaque_batches()) {
         const DrawItem& item = batch.item();
-        const bool other = maps.has_microfacets(item) != maps.surface.model.is("ggx");  // than the buffer's
+        const bool other =
+            maps.has_microfacets(item) != maps.surface.model.is("ggx");  // reflection model differs from the G-buffer's
         if (stored != (other || item.material.unlit)) kept.push_back(batch);
     }
     return kept;
@@ -53,9 +50,9 @@ std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
 void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     const bool overwrites = !gbuffer.is_forward() && canvas.has_color();
     if (!canvas.has_depth() && !overwrites) return draw_alone(frame, view, canvas);
-    // Earlier drawings have left depth or colour but no G-buffer: this scene is drawn apart, then merged by depth.
+    // Earlier drawings have filled depth or colour but no G-buffer, so this scene is drawn apart and merged by depth.
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
-        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
+        image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
     };
     fit(own_color_, " color", VK_FORMAT_R16G16B16A16_SFLOAT);
     fit(own_depth_, " depth", VK_FORMAT_D32_SFLOAT);
@@ -70,73 +67,64 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
 }
 
 void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
-    // 1. The shadow maps.
+    // 1. Shadow maps; culling by bounds, which are valid for meshes as loaded.
     lit.record_shadows(frame, view);
+    culling.begin(frame, scene(), view, maps.mesh.is("loaded") ? surfaces.opaque_batches() : std::vector<Batch>());
 
-    // 2. Depth alone, if requested. Bounds hold for meshes as loaded; a geometry shader needs all instances.
-    const bool culls = maps.mesh.is("loaded") && (cull == Cull::fixed || cull == Cull::nothing);
-    culling.begin(frame, scene(), view, culls ? surfaces.opaque_batches() : std::vector<Batch>());
-    const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
-    const bool in_compute = !gbuffer.shows_loss() && lit.shades_seen(canvas);  // a visibility buffer has depth itself
-    if (depth_first || (forwards && !in_compute && lights.needs_depth()))
-        culling.passes(frame, canvas.depth_read_only().view, [&] {
-            frame.raster(
-                "depth", {.depth = canvas.depth_target(), .with = with({maps})},
-                often_by(surfaces.depth_pipelines(), forwards ? surfaces.opaque_batches() : batches_by_stored(true)));
-        });
-
-    // 3. Either every surface, lit as it is drawn, or the G-buffer, then light on the visible surfaces, then the rest.
+    // 2. Forward shading, or the G-buffer, its lighting, and what it cannot hold.
     gbuffer.begin(frame, view, canvas.single_depth());
-    if (forwards) return draw_forward(frame, view, canvas);
-    write_gbuffer(frame, canvas);
+    if (gbuffer.is_forward() || gbuffer.shows_loss())
+        return draw_forward(frame, view, canvas, surfaces.opaque_batches());
+    culling.passes(frame, canvas.depth_read_only().view, [&] {
+        frame.raster("gbuffer",
+                     {.color = gbuffer.targets(culling.completes()),
+                      .depth = canvas.depth_target(),
+                      .with = with({maps, gbuffer})},
+                     by(written(), batches_by_stored(true)));
+    });
+    gbuffer.written();
     const glm::vec3 ambient = shading.rest ? glm::vec3(0.0f) : scene().ambient();
-    deferred_lights_.record(frame, scene(), ambient, view, canvas, gbuffer, lights,
-                            {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"));
-    add_rest(frame, canvas);
-    if (!gbuffer.show.is("picture")) return deferred_lights_.show(frame, canvas, gbuffer);
+    const bool emits = write_emission(frame, canvas, emission_);
+    deferred.record(frame, scene(), ambient, view, canvas, gbuffer, lights,
+                    {lights, shadow, gbuffer, maps.surface, maps.lamps}, maps.surface.model.is("ggx"), emits);
+    if (!gbuffer.show.is("picture")) return deferred.show(frame, canvas, gbuffer);
     draw_lit(frame, view, canvas, "unstored", batches_by_stored(false));
-    // Transparent surfaces are lit as they are drawn, by the lights of their own cells.
+    // Light lists for transparent surfaces, shaded forward.
     if (scene().transparent().size() > 0) lights.record(frame, scene(), view, canvas.depth(frame));
 }
 
-void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
+void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas, const std::vector<Batch>& batches) {
     const auto sort_lights = [&] { lights.record(frame, scene(), view, canvas.single_depth()); };
     const bool loss = gbuffer.shows_loss();
-    if (!loss && lit.shades_seen(canvas)) return lit.draw_seen(frame, canvas, sort_lights, times);
+    if (!loss && lit.shades_in_compute(canvas)) return lit.draw_visible(frame, canvas, sort_lights, batches);
+    if (lights.needs_depth() && !canvas.has_depth())
+        culling.passes(frame, canvas.depth_read_only().view, [&] {
+            frame.raster("depth", {.depth = canvas.depth_target(), .with = with({maps})},
+                         by(surfaces.depth_pipelines(), batches));
+        });
     sort_lights();
     culling.passes(frame, canvas.depth_read_only().view, [&] {
         const bool clears = loss && !culling.completes();
         const Attachment target = clears ? clear(canvas.color_overwritten(), glm::vec4(-1.0f)) : canvas.color_target();
         frame.raster("forward",
                      {.color = {target}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow, gbuffer})},
-                     often_by(loss ? lost_ : surfaces.opaque_pipelines(), surfaces.opaque_batches()));
+                     by(loss ? lost_ : surfaces.opaque_pipelines(), batches));
     });
-}
-
-void DeferredScene::write_gbuffer(Frame& frame, Canvas& canvas) {
-    const SurfacePipelines* const pipelines[] = {&write_, &write_culled_, &write_all_, &write_left_out_};
-    culling.passes(frame, canvas.depth_read_only().view, [&] {
-        frame.raster("gbuffer",
-                     {.color = gbuffer.targets(culling.completes()),
-                      .depth = canvas.depth_target(),
-                      .with = with({maps, gbuffer})},
-                     often_by(shading.stored ? *shading.stored : *pipelines[static_cast<size_t>(cull)],
-                              batches_by_stored(true)));
-    });
-    gbuffer.written();
 }
 // [/draw]
 
-void DeferredScene::add_rest(Frame& frame, Canvas& canvas) {
-    if (!shading.rest && !emits()) return;
+// Before the lights, which are added: two surfaces at one depth must not add their emission twice.
+bool DeferredScene::write_emission(Frame& frame, Canvas& canvas, const SurfacePipelines& emission) {
+    if (!shading.rest && !emits()) return false;
     const std::vector<Batch> stored = batches_by_stored(true);
     const std::vector<Batch> batches = shading.rest ? stored : emitting(scene(), stored);
-    if (batches.empty()) return;
-    const SurfacePipelines& both = shading.rest ? *shading.rest : cull == Cull::geometry ? emission_culled_ : emission_;
-    frame.raster(
-        shading.rest ? "ambient and emission" : "emission",
-        {.color = {canvas.color_target()}, .depth = canvas.depth_read_only(), .with = with({maps, lights, shadow})},
-        [&](Raster& pass) { draw_kept(pass, both, batches); });
+    if (batches.empty()) return false;
+    frame.raster(shading.rest ? "ambient and emission" : "emission",
+                 {.color = {clear(canvas.color_overwritten(), glm::vec4(0.0f))},
+                  .depth = canvas.depth_read_only(),
+                  .with = with({maps, lights, shadow})},
+                 by(shading.rest ? *shading.rest : emission, batches));
+    return true;
 }
 
 bool DeferredScene::emits() {
@@ -144,27 +132,21 @@ bool DeferredScene::emits() {
     return emits_;
 }
 
-// Lit as they are drawn, by the lights of their own cells.
 void DeferredScene::draw_lit(Frame& frame, const View& view, Canvas& canvas, const std::string& name,
                              const std::vector<Batch>& batches) {
     if (batches.empty()) return;
     if (lights.needs_depth())
         frame.raster("depth of " + name, {.depth = canvas.depth_target(), .with = with({maps})},
-                     often_by(surfaces.depth_pipelines(), batches));
+                     by(surfaces.depth_pipelines(), batches));
     lights.record(frame, scene(), view, canvas.depth(frame));
     frame.raster(
         name, {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with({maps, lights, shadow})},
-        often_by(surfaces.opaque_pipelines(), batches));
+        by(surfaces.opaque_pipelines(), batches));
 }
 
 void DeferredScene::draw_kept(Frame& frame, const View& view, Canvas& canvas) {
     const ViewScope from(frame, view);
     draw_lit(frame, view, canvas, "objects kept", surfaces.opaque_batches());
-}
-
-SurfacePipelines DeferredScene::added(const char* fragment, Macros macros) {
-    return SurfacePipelines(
-        {.fragment = fragment, .depth_write = false, .blend = Blend::add, .macros = std::move(macros)});
 }
 
 std::vector<Batch> emitting(const Scene& scene, const std::vector<Batch>& batches) {

@@ -5,17 +5,17 @@
 namespace lightwalk {
 
 // [depth_pyramid]
-/// A texel of mip m holds the farthest (smallest) depth of 2^(m+1) times as many pixels in each direction; the last ones of a
-/// level also of what is left over. Five levels take one dispatch.
+/// Texels of mip m hold the farthest (smallest) depth of 2^(m+1) pixels in each direction; the last ones also cover odd
+/// remainders. Five levels take one dispatch.
 class DepthPyramid {
   public:
     explicit DepthPyramid(std::string name) : name_(std::move(name)) {}
 
-    /// `depth`: reversed, of any size. Later frames may read the result.
+    /// `depth`: reversed, any size. The result is valid in later frames.
     void record(Frame& frame, const ImageView& depth);
 
     const Image& image() const { return image_; }  ///< R32F; its first mip has half of the depth's size
-    /// Of the depth's picture in pixels; 0 before the first record().
+    /// Size of the depth image in pixels; 0 before the first record().
     glm::uvec2 pixels() const { return pixels_; }
     int levels() const { return image_ ? static_cast<int>(image_.desc.mips) : 0; }
     // [/depth_pyramid]

@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye) {
-    // In double precision: the far plane is ten thousand times as far as the near one.
+    // Double precision, since far / near may be 10,000.
     return glm::mat4(glm::inverse(glm::translate(glm::dmat4(view_projection), glm::dvec3(eye))));
 }
 
@@ -29,7 +29,7 @@ void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     images_.clear();
     for (const Texture& t : textures()) {
         Image& image = made_[{view.id, t.name}];
-        image.fit(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
+        image.ensure(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
         images_.emplace_back("gbuffer_" + t.name, &image);
     }
 }
@@ -59,10 +59,10 @@ std::vector<Resource> GBuffer::reads() const {
 }
 
 void GBuffer::bind(Pass& pass) const {
-    pass.offer("clip_to_offset", clip_to_offset_);
+    pass.set_if_present("clip_to_offset", clip_to_offset_);
     if (!written_) return;
-    pass.offer("gbuffer_depth", depth_, nearest_clamp);
-    for (const auto& [name, image] : images_) pass.offer(name, *image, nearest_clamp);
+    pass.set_if_present("gbuffer_depth", depth_, nearest_clamp);
+    for (const auto& [name, image] : images_) pass.set_if_present(name, *image, nearest_clamp);
 }
 
 }  // namespace lightwalk

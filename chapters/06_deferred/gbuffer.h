@@ -9,8 +9,8 @@
 namespace lightwalk {
 
 // [gbuffer]
-/// Gives shaders read_pixel() of 06_deferred/read_gbuffer.glsl. For a view: begin(), a pass that draws into targets()
-/// and states the module in `.with`, then written(); then passes that read it state it, too, and the view's depth.
+/// GLSL: read_pixel() of 06_deferred/read_gbuffer.glsl. Per view: begin(), a pass into targets() with the module in
+/// `.with`, written(); then passes that read it with the module in `.with` and the view's depth in `.reads`.
 struct GBuffer : Module {
     GBuffer(Module& owner, std::string name) : Module(owner, std::move(name), "gbuffer") {}
 
@@ -36,14 +36,14 @@ struct GBuffer : Module {
                 "View: the picture, one decoded channel of the G-buffer, the number of lights (127 is white), or the "
                 "encoding error (loss: degrees of normals in red, millimetres of positions in green)"};
 
-    /// Images of the view's size for the method in use, one set for each View::id. `depth`: the view's.
+    /// Images of the view's size for the method, one set per View::id. `depth`: the view's.
     void begin(Frame& frame, const View& view, const ImageView& depth);
 
-    /// To draw into. Nothing is cleared: where depth is 0 nobody reads them. `again`: over what is there.
+    /// Render targets, not cleared: pixels with depth 0 are never read. `again`: keeps their contents.
     std::vector<Attachment> targets(bool again = false) const;
     void written() { written_ = true; }
 
-    /// Beside depth; 0 for forward.
+    /// Bytes a pixel beside depth; 0 for forward.
     uint32_t bytes_per_pixel() const;
 
     bool is_forward() const { return method.is("forward"); }
@@ -55,18 +55,18 @@ struct GBuffer : Module {
 
   private:
     struct Texture {
-        std::string name;  ///< in shaders: gbuffer_<name>
+        std::string name;  ///< gbuffer_<name> in shaders
         VkFormat format;
     };
     std::vector<Texture> textures() const;
     std::map<std::pair<uint32_t, std::string>, Image> made_;    ///< by view and name
-    std::vector<std::pair<std::string, const Image*>> images_;  ///< of this view, by their names in shaders
+    std::vector<std::pair<std::string, const Image*>> images_;  ///< images of this view, by their names in shaders
     ImageView depth_;
     glm::mat4 clip_to_offset_{1.0f};
     bool written_ = false;
 };
 
-/// From clip space to vectors from the eye: the inverse of the view's matrix, with the eye as the origin.
+/// Clip space to vectors from the eye: inverse of the view's matrix with the eye as the origin.
 glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye);
 
 }  // namespace lightwalk

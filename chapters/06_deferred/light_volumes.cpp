@@ -8,7 +8,7 @@ namespace lightwalk {
 namespace {
 
 constexpr uint32_t sides = 16;
-constexpr float slack = 1.005f;  // rounding must not cut into the lit region
+constexpr float slack = 1.005f;  // margin against rounding into the lit region
 
 glm::vec2 on_circle(uint32_t i, uint32_t count) {
     const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(count);
@@ -29,7 +29,7 @@ std::vector<glm::vec3> sphere_mesh() {
             if (row + 1 < rows) corners.insert(corners.end(), {a, b, c});
             if (row > 0) corners.insert(corners.end(), {a, c, d});
         }
-    // Its corners are on the sphere, its faces inside: widened until the nearest face touches.
+    // Enlarged until the nearest face touches the sphere, since a mesh with corners on the sphere lies inside it.
     float nearest = 1.0f;
     for (size_t i = 0; i < corners.size(); i += 3)
         nearest = std::min(

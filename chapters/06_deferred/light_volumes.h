@@ -7,25 +7,25 @@
 
 namespace lightwalk {
 
-/// Corners of triangles, counter-clockwise from outside, three by three. The unit shape lies wholly within.
+/// Triangle corners, counter-clockwise from outside; the mesh encloses the unit shape.
 std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape);
 
 // [light_volumes]
 class LightVolumes {
   public:
-    /// Transfers of this frame where the lights, how far they reach, or the exercise's toggle have changed.
+    /// Uploads volumes if the lights, their reach or the exercise's toggle have changed.
     void update(Frame& frame, const Lights& lights);
 
-    /// Draws each light's volume: the pipeline in use reads `corners` and `volumes`.
+    /// Draws each light's volume; the current pipeline reads `corners` and `volumes`.
     void draw(Raster& pass) const;
 
-    Buffer without;  ///< how many lights reach everywhere, then which, ascending
+    Buffer without;  ///< number of lights without a volume, then their indices, ascending
     size_t count() const { return spheres_ + cones_; }
 
   private:
     Buffer sphere_, cone_, volumes_;  ///< spheres first, then cones
     uint32_t sphere_corners_ = 0, cone_corners_ = 0, spheres_ = 0, cones_ = 0;
-    Made made_;
+    Fingerprint made_;
 };
 // [/light_volumes]
 

@@ -15,7 +15,7 @@ struct ManyLights : World {
         objects.surfaces.drawn = [this] { return screens.batches(scene()); };
         objects.shading.with = {screens};
     }
-    Town town{*this, "town"};  // before all that is prepared for its objects
+    Town town{*this, "town"};  // declared first: other modules prepare its objects
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
     ScatteredLights scattered{*this};
@@ -28,7 +28,7 @@ struct ManyLights : World {
     }
 
   protected:
-    // Pictures from other cameras, for the screens of the scene: the same objects, drawn forward.
+    // Pictures of the scene's screens, from other cameras, shaded forward.
     void record(Frame& frame) override {
         screens.record(frame, scene(),
                        [&](const View& from, Canvas& into) { objects.lit.draw_lit(frame, from, into); });

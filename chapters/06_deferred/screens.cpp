@@ -30,7 +30,7 @@ Camera camera_of(const SceneFile& file, size_t object, float time_s, float fov_d
 }  // namespace
 
 Screens::Screen::Screen(Module& owner, const std::string& name, glm::uvec2 size)
-    // 8 bits make it a screen: white is the maximum, and a picture of itself cannot grow brighter.
+    // 8 bits clamp to white, so that a screen showing itself cannot grow brighter.
     : picture(owner, {.name = name, .format = VK_FORMAT_R8G8B8A8_SRGB, .size = size}),
       depth(owner, {.name = name + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size}) {}
 
@@ -62,7 +62,7 @@ void Screens::record(Frame& frame, Scene& scene, const Draw& draw) {
         const Image& picture = screen->picture.now();
         View view = view_of(camera_of(scene.file, screen->camera, frame.time_s, fov_deg), picture.desc.size);
         view.id = views_.of(0, id++);
-        light_.fit(frame.gpu.device, {.name = path() + " light", .size = view.size});
+        light_.ensure(frame.gpu.device, {.name = path() + " light", .size = view.size});
         Canvas canvas(light_, screen->depth, glm::vec4(scene.file.background, 1.0f));
         const ViewScope scope(frame, view);
         draw(view, canvas);
@@ -81,7 +81,7 @@ void Screens::show(Scene& scene, bool before) {
         screen->shown = !before                   ? &screen->picture.now()
                         : screen->picture.valid() ? &screen->picture.before()
                                                   : &black_;
-        // The scene binds its items' images; ownership of the image stays here.
+        // Non-owning: the scene binds this image for its items.
         const std::shared_ptr<Image> image(std::shared_ptr<Image>(), const_cast<Image*>(screen->shown));
         for (DrawItem& item : scene.items)
             if (item.object == screen->object) item.maps[MapSlot::diffuse] = item.maps[MapSlot::emissive] = image;

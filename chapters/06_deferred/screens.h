@@ -7,9 +7,9 @@
 namespace lightwalk {
 
 // [screens]
-/// An object with the role of a screen shows the view along -z of the object named by its `shows`; that one needs no
-/// model. The picture replaces the screen's colour and emissive textures. In each frame: record(); then passes that
-/// draw screens state the module in `.with`.
+/// Objects with the role screen show the view along -z of the object named by `shows`, which needs no model. The
+/// picture replaces the screen's colour and emissive textures. Per frame: record(); then passes that draw screens, with
+/// the module in `.with`.
 struct Screens : Module {
     Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
 
@@ -22,17 +22,17 @@ struct Screens : Module {
     /// Draws a screen's picture.
     using Draw = std::function<void(const View& view, Canvas& canvas)>;
 
-    /// Finds the scene's screens. Throws InputError where one has no camera.
+    /// Finds the scene's screens. Throws InputError for one without a camera.
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return width.text(); }
     bool animated() const override { return !screens_.empty(); }
 
-    /// Draws each screen's view. Screens within these pictures show the previous frame, or black: a picture cannot be
-    /// read while it is drawn.
+    /// Draws each screen's view. Screens within it show the previous frame, or black, since a picture cannot be read
+    /// while it is drawn.
     void record(Frame& frame, Scene& scene, const Draw& draw);
     // [/screens]
 
-    /// The scene's opaque batches; each screen is one of its own, even if alike.
+    /// Opaque batches of the scene, with each screen in a batch of its own.
     std::vector<Batch> batches(const Scene& scene) const;
 
     std::vector<Resource> reads() const override;
@@ -43,7 +43,7 @@ struct Screens : Module {
         Screen(Module& owner, const std::string& name, glm::uvec2 size);
         History picture;
         Target depth;
-        size_t camera = 0, object = 0;  ///< of SceneFile::objects
+        size_t camera = 0, object = 0;  ///< indices into SceneFile::objects
         const Image* shown = nullptr;
     };
     void show(Scene& scene, bool before);

@@ -13,7 +13,7 @@ constexpr const char* cube = "models/cube.obj";
 constexpr float street_m = 12.0f, width_m = 9.0f, depth_m = 8.0f, yard_m = 5.0f;
 constexpr int rows_to_crossing = 8;
 
-// One house with its yard and the pavement; the street is at x = 0, the house on the side of +x.
+// House with yard and pavement; the street is at x = 0, the house at +x.
 class House {
   public:
     House(std::vector<SceneObject>& town, uint32_t number, glm::vec3 middle, bool faces_plus_x)

@@ -5,12 +5,12 @@
 
 namespace lightwalk {
 
-/// Houses in rows along streets that run along z, around the origin: bodies, roofs, doors, windows, columns. Equal numbers
+/// Houses in rows along streets parallel to z: bodies, roofs, doors, windows, columns. Equal numbers
 /// give equal towns on every machine.
 std::vector<SceneObject> town_objects(int count);
 
 // [town]
-/// Adds a town to the scene's objects. A world declares it before the modules that are prepared for the scene.
+/// Adds a town to the scene's objects; declared before the modules that prepare them.
 struct Town : Module {
     Town(Module& owner, std::string name) : Module(owner, std::move(name)) {}
     Knob<int> objects{*this, "objects", 0, {0, 1000000}, "Number of objects in a town added to the scene"};

@@ -1,6 +1,5 @@
 #include "14_environment/paint.h"
 
-#include "common/app/settings.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
@@ -11,6 +10,6 @@ void CarPaint::record(Frame& frame) {
                   [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
 }
 
-void CarPaint::bind(Pass& pass) const { pass.offer("paint_table", table, linear_clamp); }
+void CarPaint::bind(Pass& pass) const { pass.set_if_present("paint_table", table, linear_clamp); }
 
 }  // namespace lightwalk

@@ -141,33 +141,33 @@ void Editor::give_knobs(Chapter& chapter) {
 }
 
 // [update]
-LiveScene::Done Editor::update(Chapter& chapter, Gpu& gpu) {
+bool Editor::update(Chapter& chapter, Gpu& gpu) {
     loads = false;
-    if (!shown_) return LiveScene::Done::nothing;
+    if (!shown_) return false;
     take_knobs(chapter);
     const auto loader = [&](const std::filesystem::path& file) { return chapter.load_model(file); };
     try {
-        const LiveScene::Done done = live.update(gpu, document, chapter.scene, loader);
+        const bool replaced = live.update(gpu, document, chapter.scene, loader);
         loads = live.loads;
         shown_instances_ = chapter.scene.instances.handle;
         recovered_from_.reset();
-        if (done == LiveScene::Done::replaced) without_.clear();
-        return done;
+        if (replaced) without_.clear();
+        return replaced;
     } catch (const InputError& e) { return show_without(chapter, gpu, e.what()); }
 }
 // [/update]
 
 // Without the last step, is everything readable that was not with it? Then that step is undone. Else the files have changed
 // since, and the picture is drawn without them.
-LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
+bool Editor::show_without(Chapter& chapter, Gpu& gpu, const std::string& why) {
     const auto show = [&](std::vector<std::string>& without) {
         without.clear();
         document.mark_all_changed();
-        const LiveScene::Done done = live.update(
+        const bool replaced = live.update(
             gpu, document, chapter.scene, [&](const auto& file) { return chapter.load_model(file); }, &without);
         loads |= live.loads;
         shown_instances_ = chapter.scene.instances.handle;
-        return done;
+        return replaced;
     };
     std::vector<std::string> without, earlier;
     if (auto before = std::exchange(recovered_from_, std::nullopt)) {
@@ -176,9 +176,9 @@ LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::stri
         keep_recovery(why);
         return show(without);
     }
-    LiveScene::Done done = show(without);
+    bool replaced = show(without);
     const bool undone = document.undo();
-    if (undone) done = show(earlier);
+    if (undone) replaced = show(earlier);
     const auto known = [&](const std::string& one) { return std::count(earlier.begin(), earlier.end(), one) > 0; };
     const auto fault = std::find_if_not(without.begin(), without.end(), known);
     if (undone && fault != without.end()) {
@@ -186,13 +186,13 @@ LiveScene::Done Editor::show_without(Chapter& chapter, Gpu& gpu, const std::stri
     } else {
         if (undone) {
             document.redo();
-            done = show(without);
+            replaced = show(without);
         }
         if (without_ != without && !without.empty()) notice = without.front() + "; drawn without it";
         without_ = without;
     }
     selection.drop_missing(document);
-    return done;
+    return replaced;
 }
 
 bool Editor::undo(Chapter& chapter) {

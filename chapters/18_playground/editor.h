@@ -41,7 +41,7 @@ class Editor {
     /// Between frames: turns knob changes in the panel into steps, and shows the document's changes. Changes that
     /// cannot be shown are undone, and `notice` says why; if an earlier step's file is no longer readable, nothing is
     /// undone and the picture omits it.
-    LiveScene::Done update(Chapter& chapter, Gpu& gpu);
+    bool update(Chapter& chapter, Gpu& gpu);
     bool loads = false;  ///< of the last update(): modules have something to prepare
 
     bool undo(Chapter& chapter);
@@ -89,7 +89,7 @@ class Editor {
     };
     std::vector<SeenKnob> seen_knobs_;
     void keep_recovery(const std::string& why);
-    LiveScene::Done show_without(Chapter& chapter, Gpu& gpu, const std::string& why);
+    bool show_without(Chapter& chapter, Gpu& gpu, const std::string& why);
     std::vector<std::string> without_;           ///< why the picture has not all of the document; said once
     VkBuffer shown_instances_ = VK_NULL_HANDLE;  ///< of the scene that is shown: another one has others
     const Scene* shown_ = nullptr;

@@ -79,19 +79,18 @@ void LiveScene::leave_out(Gpu& gpu, Scene& scene, std::vector<SceneObject>& obje
 }
 
 // [update]
-LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
-                                  std::vector<std::string>* without) {
+bool LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
+                       std::vector<std::string>* without) {
     const auto note = [&](const InputError& e) {
         if (!without) throw;
         if (std::find(without->begin(), without->end(), e.what()) == without->end()) without->emplace_back(e.what());
     };
     loads = false;
     const Document::Changes changes = document.take_changes();
-    if (changes.entries.empty() && !changes.structure) return Done::nothing;
+    if (changes.entries.empty() && !changes.structure) return false;
     const SceneSettings& settings = document.settings();
     scene.file.ambient = settings.ambient;
     scene.file.background = settings.background;
-    const uint64_t before = scene.epoch;
     const bool same_kinds = scene.repaint(settings.bare, settings.emission);
     const Environment& shown = scene.file.environment;
     try {
@@ -104,9 +103,8 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     const auto edits = changes.structure || !same_kinds ? std::nullopt : edits_of(document, scene, changes.entries);
     if (edits && scene.paint(edits->paints)) {
         for (const EntryId id : edits->lights) scene.file.lights[light_places_.at(id)] = light_of(document.at(id));
-        const bool painted = scene.epoch != before;
         scene.move(edits->moves);
-        return painted ? Done::painted : edits->moves.empty() ? Done::nothing : Done::moved;
+        return false;
     }
     Exported all = exported(document);
     std::vector<uint32_t> from;
@@ -117,7 +115,7 @@ LiveScene::Done LiveScene::update(Gpu& gpu, Document& document, Scene& scene, co
     scene.file.lights = std::move(all.scene.lights);
     scene.file.hidden_lights = std::move(all.scene.hidden_lights);
     number(all);
-    return Done::replaced;
+    return true;
 }
 // [/update]
 

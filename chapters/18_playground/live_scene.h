@@ -17,11 +17,11 @@ class LiveScene {
     /// The scene shows this document from now on; it was loaded with exported(document).scene.
     void begin(Document& document, Scene& scene);
 
-    enum class Done { nothing, moved, painted, replaced };  ///< painted: others may have moved, too
+    /// Applies the document's changes to the scene; true if objects were replaced, so that modules have to be prepared.
     /// Throws InputError where a model or a texture cannot be read: the scene is as it was then.
     /// With `without`, models, textures and an environment that cannot be read are left out of the picture, not out of
     /// the document, and `without` says which and why.
-    Done update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
+    bool update(Gpu& gpu, Document& document, Scene& scene, const ModelLoader& loader,
                 std::vector<std::string>* without = nullptr);
 
     bool loads = false;  ///< of the last update(): modules have something to prepare

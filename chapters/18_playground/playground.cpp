@@ -8,7 +8,7 @@ namespace lightwalk {
 
 Playground::Playground() {
     set_look(bench, *this);
-    picker.method.alone = true;  // --method is about picking here
+    picker.method.preferred = true;  // --method is about picking here
     antialias.method.change_default("none");
     objects.maps.in_use = [this] { return maps_due_; };
 }
@@ -23,10 +23,9 @@ void Playground::bring_up_to_date(Gpu& gpu) {
         } catch (const InputError& e) { editor.notice = e.what(); }
     give(scene);
     arrived.clear();
-    const LiveScene::Done done = editor.update(*this, gpu);
+    const bool replaced = editor.update(*this, gpu);
     bench.light.prepare(gpu, scene);  // unchanged surroundings and ambient light are kept
-    if (done == LiveScene::Done::painted) bench.probe.prepare(gpu, scene);  // it shows the colours
-    if (done != LiveScene::Done::replaced) return;
+    if (!replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
     bench.substances.prepare(gpu, scene);

@@ -53,7 +53,7 @@ struct Workbench : World {
     Pipeline seen_ = compute({.shader = "14_environment/surface_seen.comp"});
     SurfacePipelines glass_ = see_through("14_environment/surface.frag", all_);
     SurfacePipelines write_{{.fragment = "18_playground/write.frag"}};
-    SurfacePipelines rest_ = DeferredScene::added("18_playground/rest.frag", all_);
+    SurfacePipelines rest_{{.fragment = "18_playground/rest.frag", .depth_write = false, .macros = all_}};
 };
 
 }  // namespace lightwalk

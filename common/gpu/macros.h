@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// Macros, substituted files and a hash of both, which identifies a pipeline variant. Copy-on-write.
+/// Macros, substituted files and a hash of both. Copy-on-write.
 class Macros {
   public:
     using Texts = std::map<std::string, std::string>;
@@ -31,12 +31,16 @@ class Macros {
     const Texts& files() const { return texts().files; }
     const Texts& values() const { return texts().values; }
     uint64_t hash() const { return hash_; }
+    bool operator==(const Macros& other) const {
+        return hash_ == other.hash_ && (both_ == other.both_ || texts() == other.texts());
+    }
     auto begin() const { return values().begin(); }
     auto end() const { return values().end(); }
 
   private:
     struct Both {
         Texts values, files;
+        bool operator==(const Both&) const = default;
     };
     const Both& texts() const {
         static const Both no_texts;

@@ -5,7 +5,7 @@
 
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/gpu_work.h"
 #include "common/gpu/hidden_blocks.h"
 #include "common/gpu/sealed.h"
@@ -60,20 +60,6 @@ std::vector<std::string> Pipeline::shaders() const {
     std::vector<std::string> result{graphics.vertex};
     if (!graphics.geometry.empty()) result.push_back(graphics.geometry);
     if (!graphics.fragment.empty()) result.push_back(graphics.fragment);
-    return result;
-}
-
-uint64_t mixed(uint64_t hash, uint64_t value) {
-    hash = (hash ^ value) * 0x9e3779b97f4a7c15u;
-    return hash ^ hash >> 29;
-}
-
-uint64_t TargetFormats::hash() const {
-    uint64_t result = mixed(mixed(mixed(1, static_cast<uint64_t>(depth)), samples), depth_read_only);
-    for (const VkFormat format : color) result = mixed(result, static_cast<uint64_t>(format));
-    if (!mixing) return result;
-    result = mixed(result, mixing->depth_write ? 5 : 3);
-    for (const Blend blend : mixing->blend) result = mixed(result, static_cast<uint64_t>(blend));
     return result;
 }
 
@@ -167,15 +153,26 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
 
 const BuiltPipeline* PipelineLibrary::get(const Pipeline& pipeline, const TargetFormats& formats,
                                           std::span<const Macros* const> macros) {
-    uint64_t key = mixed(mixed(mixed(1, pipeline.id), formats.hash()), hash_of(Exercises::state()));
-    for (const Macros* scope : macros) key = mixed(key, scope->hash());
-    if (const auto it = known_.find(key); it != known_.end()) return it->second;
+    Hash key;
+    key.add(pipeline.id);
+    for (const Macros* scope : macros) key.add(scope->hash());
+    const auto equal = [](const Macros* a, const Macros& b) { return *a == b; };
+    const auto [first, last] = known_.equal_range(key.value);
+    for (auto it = first; it != last; ++it)
+        if (const Known& one = it->second;
+            one.pipeline == pipeline.id && one.formats == formats && one.toggles == Exercises::state() &&
+            std::equal(macros.begin(), macros.end(), one.macros.begin(), one.macros.end(), equal))
+            return one.built;
+    Known known{.pipeline = pipeline.id, .formats = formats, .toggles = Exercises::state(), .macros = {}, .built = {}};
     Macros all;
-    for (const Macros* scope : macros) all.add(*scope);
+    for (const Macros* scope : macros) {
+        all.add(*scope);
+        known.macros.push_back(*scope);
+    }
     try {
-        return known_[key] = find(pipeline, formats, all);
+        known.built = find(pipeline, formats, all);
+        return known_.emplace(key.value, std::move(known))->second.built;
     } catch (const ShaderError& e) {
-        known_.erase(key);
         if (!keep_last_good) throw;
         const std::string same = identity(pipeline, formats);
         errors[same] = e.what();
@@ -195,7 +192,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     if (!variant.error.empty()) throw ShaderError(variant.error);  // failed until the file is edited
     try {
         if (!variant.built) {
-            auto built = aside([&] { return build(pipeline, formats, flat); });
+            auto built = unlocked([&] { return build(pipeline, formats, flat); });
             if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }
     } catch (const ShaderError& e) {

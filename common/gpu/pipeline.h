@@ -57,17 +57,13 @@ class Pipeline {
 inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
 inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
 
-/// Combines a hash with a number, mixing both first, so that small inputs do not cancel.
-uint64_t mixed(uint64_t hash, uint64_t value);
-
 struct TargetFormats {
     std::vector<VkFormat> color;
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool depth_read_only = false;
     uint32_t samples = 1;
-    std::optional<Mixing> mixing;
+    std::optional<BlendOverride> blend_override;
     auto operator<=>(const TargetFormats&) const = default;
-    uint64_t hash() const;
 };
 
 struct BuiltPipeline {
@@ -124,7 +120,14 @@ class PipelineLibrary {
         std::unique_ptr<BuiltPipeline> built;
         std::string error;
     };
-    std::unordered_map<uint64_t, const BuiltPipeline*> known_;
+    struct Known {
+        uint64_t pipeline;
+        TargetFormats formats;
+        std::string toggles;
+        std::vector<Macros> macros;
+        const BuiltPipeline* built;
+    };
+    std::unordered_multimap<uint64_t, Known> known_;  ///< by a hash; the whole key is compared
     Device& device_;
     std::map<std::string, Variant> variants_;
     std::map<std::string, std::string> last_good_;

@@ -1,4 +1,4 @@
-// Directional lights as shaders read them.
+// Shader data of directional lights.
 #pragma once
 #include <common/shared.h>
 
@@ -7,7 +7,7 @@ BEGIN_SHARED
 // [light]
 struct DirectionalLight {
     vec3 to_light;  // unit length, world space
-    vec3 radiance;  // linear: colour times intensity; a matt white surface that faces it shows just this
+    vec3 radiance;  // linear: colour times intensity; the radiance of a white Lambertian surface facing the light
 };
 // [/light]
 

@@ -1,4 +1,4 @@
-// Mist: fades surfaces with distance, and leaves the sky.
+// Mist over surfaces by distance; the sky stays.
 #include "02_lambert_phong/mist.h"
 #include "common/view_rays.h"
 

@@ -1,4 +1,4 @@
-// Shades a fragment, per pixel or from interpolated vertex light.
+// Fragment shading, per pixel or from interpolated vertex light.
 #include "common/material.glsl"
 #include "02_lambert_phong/shading.glsl"
 

@@ -1,4 +1,4 @@
-// Places a vertex and, for Gouraud shading, lights it.
+// Vertex transform, with lighting for Gouraud shading.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
 #include "02_lambert_phong/shading.glsl"

@@ -1,4 +1,4 @@
-// The sum over all directional lights, for a vertex or a fragment.
+// Sum over directional lights, for a vertex or a fragment.
 #include "02_lambert_phong/directional_light.h"
 #include "02_lambert_phong/reflection.glsl"
 #include "02_lambert_phong/phong.glsl"
@@ -17,11 +17,11 @@ struct Lit {
 };
 
 // [reflect_by_method]
-// The method in use. Gouraud, too, evaluates the normalised model; it only does so less often.
+// Reflection by the method in use; Gouraud evaluates the normalised model at vertices.
 Reflected reflect_by_method(Surface surface, vec3 to_light) {
     Reflected result = reflect_light(surface, to_light);
 #if METHOD == METHOD_PHONG
-    // Around the mirror direction the same lobe is about twice as narrow in angle: a quarter of the exponent.
+    // Phong's lobe around the mirror direction is half as wide in angle: a quarter of the exponent matches the widths.
     result.specular = vec3(phong(surface.normal, to_light, surface.to_eye, 0.25 * surface.shininess));
 #elif METHOD == METHOD_BLINN_PHONG
     result.specular = vec3(blinn_phong(surface.normal, to_light, surface.to_eye, surface.shininess));

@@ -1,16 +1,16 @@
-// Whether a light may reach a cell of the lights_grid. Never no where it does; sometimes yes where it does not.
+// Conservative test whether a light reaches a cell of lights_grid: false positives only.
 #include "03_attenuation/cone_reaches_ball.glsl"
 #include "03_attenuation/light_data.h"
 
 struct Cell {
     vec3 lower, upper;  // metres: a box in the camera's space (right, up, forward) that holds the cell
-    vec2 slopes_x;      // of its left and right side: x / z
-    vec2 slopes_y;      // of its lower and upper side
-    float margin;       // metres; above the rounding error
+    vec2 slopes_x;      // x / z of the left and right side
+    vec2 slopes_y;      // y / z of the lower and upper side
+    float margin;       // above the rounding error, metres
 };
 
 // [cell_between]
-// The part of a tile between two depths, in metres.
+// Cell of a tile between two depths in metres.
 Cell cell_between(uvec2 tile, float near, float far) {
     vec2 low = lights_grid.origin + vec2(tile * lights_grid.tile_px);
     vec2 high = lights_grid.origin + min(vec2((tile + 1u) * lights_grid.tile_px), lights_grid.size);
@@ -35,7 +35,7 @@ bool light_reaches_cell(LightData light, Cell cell) {
     vec3 center = to_camera(light.position - lights_grid.eye);
     vec3 gap = center - clamp(center, cell.lower, cell.upper);
     if (dot(gap, gap) > radius * radius) return false;
-    // The box is wider than the cell where that widens with depth: the four sides, planes through the eye, cut it down.
+    // The box exceeds the frustum-shaped cell; the cell's four side planes through the eye reject what lies in between.
     vec4 slopes = vec4(cell.slopes_x, cell.slopes_y);
     vec4 beyond = (vec4(center.xx, center.yy) - slopes * center.z) * inversesqrt(1.0 + slopes * slopes);
     if (max(max(-beyond.x, beyond.y), max(-beyond.z, beyond.w)) > radius + cell.margin) return false;

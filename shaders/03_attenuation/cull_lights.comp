@@ -1,4 +1,4 @@
-// Sorts lights into clusters: an invocation tests up to 1,024 lights for one cell, and is the only writer of its masks.
+// Light lists of clusters: each invocation tests up to 1,024 lights for one cell and alone writes its masks.
 #include "03_attenuation/cell.glsl"
 
 layout(local_size_x = 64) in;

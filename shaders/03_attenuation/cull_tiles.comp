@@ -1,4 +1,4 @@
-// Sorts lights into tiles, a workgroup for each tile.
+// Light lists of tiles, one workgroup per tile.
 #include "03_attenuation/cell.glsl"
 
 layout(local_size_x = 256) in;

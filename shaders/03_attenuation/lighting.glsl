@@ -1,4 +1,4 @@
-// Sum over the lights at a point: the GLSL of the module Lights.
+// Sum over lights at a point: GLSL of the module Lights.
 #include "common/structs.h"
 #include "03_attenuation/light_data.h"
 #include "03_attenuation/range_fade.glsl"
@@ -6,17 +6,17 @@
 #include "03_attenuation/spot_cone.glsl"
 
 struct Arriving {
-    vec3 to_light;  // unit length; no length where the point is the light's own position
-    vec3 radiance;  // linear; a matt white surface that faces the light shows just this
+    vec3 to_light;  // unit length; zero at the light's own position
+    vec3 radiance;  // linear; the radiance of a white Lambertian surface facing the light
 };
 
 // [falloff]
-// How much weaker than at 1 m.
+// Attenuation relative to 1 m.
 float falloff(float distance, float range, float fade_k) {
 #if LIGHTS_FALLOFF == LIGHTS_FALLOFF_RANGE_FADE
     return range_fade(distance, range, fade_k);
 #elif LIGHTS_FALLOFF == LIGHTS_FALLOFF_INVERSE_SQUARE
-    return 1.0 / max(distance * distance, 1e-4);  // no lamp is smaller than 1 cm
+    return 1.0 / max(distance * distance, 1e-4);  // lamps are at least 1 cm away
 #else
     return inverse_square_window(distance, range);
 #endif
@@ -38,7 +38,7 @@ Arriving arriving_light(LightData light, vec3 position, float fade_k) {
 
 layout(scalar) readonly buffer LightBuffer { LightData lights_data[]; };
 #if LIGHTS_METHOD == LIGHTS_METHOD_PER_OBJECT
-layout(scalar) readonly buffer ObjectBuffer { uint lights_object_ends[]; };  // where each draw call's list ends
+layout(scalar) readonly buffer ObjectBuffer { uint lights_object_ends[]; };  // end of each draw call's list
 layout(scalar) readonly buffer ObjectLightBuffer { uint lights_of_objects[]; };
 #elif LIGHTS_METHOD != LIGHTS_METHOD_EVERY_LIGHT
 layout(scalar) readonly buffer MaskBuffer { uint lights_masks[]; };
@@ -46,19 +46,19 @@ layout(scalar) readonly buffer GroupBuffer { uint lights_groups[]; };
 #endif
 layout(scalar) uniform LightsBlock { float fade_k; } lights;
 
-// Visibility of a light, 0 to 1 for each colour. Defined by the including shader: 03_attenuation/unshadowed.glsl, or a
-// file with shadows. `facing` is the normal of the mesh.
+// Visibility of a light per colour, 0 to 1; `facing` is the mesh normal. Defined by the includer:
+// 03_attenuation/unshadowed.glsl, or a file with shadows.
 vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
 
-// How a surface reflects it: 02_lambert_phong/reflection.glsl for all who call light_surface().
+// Reflection model: 02_lambert_phong/reflection.glsl for callers of light_surface().
 Reflected reflect_light(Surface surface, vec3 to_light);
 
 struct Lit {
     vec3 diffuse, specular;  // per unit of the material's colours
-    uint lights;             // how many were computed
+    uint lights;             // number of lights computed
 };
 
-// is_above() and reflect_lamp() of one light: as a point, or by its shape.
+// is_above() and reflect_lamp(): point or finite lamp.
 #include "03_attenuation/lamp_points.glsl"
 
 // [add_light]
@@ -76,7 +76,7 @@ void add_light(inout Lit sum, uint index, Surface surface, vec3 facing, vec3 pos
 // [/add_light]
 
 // [cell_of]
-// `fragment` is gl_FragCoord.
+// Cell of gl_FragCoord.
 uint cell_of(vec4 fragment) {
     uvec2 tile = uvec2(fragment.xy) / lights_grid.tile_px;
     float slice = floor(log(view_depth(fragment.z) / lights_grid.first_m) * lights_grid.slices_per_log);
@@ -85,8 +85,8 @@ uint cell_of(vec4 fragment) {
 // [/cell_of]
 
 // [light_surface]
-// `facing` is the normal of the mesh: lights below its plane are ignored, despite the normal map. The order of the sum is
-// fixed, since sums of floats depend on it. `item` is the scene's item, `fragment` gl_FragCoord.
+// Lights below the plane of the mesh normal `facing` are ignored, despite the normal map. The order of the sum is
+// fixed, since float sums depend on it. `item`: scene item; `fragment`: gl_FragCoord.
 Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 fragment) {
     Lit sum = Lit(vec3(0.0), vec3(0.0), 0u);
 #if LIGHTS_METHOD == LIGHTS_METHOD_EVERY_LIGHT
@@ -108,10 +108,10 @@ Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 f
 }
 // [/light_surface]
 
-// One light, for surfaces that reflect each in their own way.
+// Single light, for surfaces with their own reflection models.
 struct VisibleLight {
     vec3 to_light;  // unit length
-    vec3 radiance;  // radiance of a matt white surface that faces the light, unshadowed
+    vec3 radiance;  // unshadowed radiance of a white Lambertian surface facing the light
     vec3 visible;   // 0 to 1; 1 where the surface faces away
 };
 

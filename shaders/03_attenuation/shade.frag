@@ -1,4 +1,4 @@
-// Lights a fragment, or shows how many lights it took.
+// Fragment shading, or the number of lights computed.
 #include "common/material.glsl"
 #include "02_lambert_phong/reflection.glsl"
 #include "03_attenuation/lighting.glsl"
@@ -15,7 +15,7 @@ layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
 
 #if SHOW == SHOW_LIGHT_COUNT
-// Black for none, then blue, cyan, green, yellow, red and white for 1, 4, 16, 64, 256 and 1,024, over the picture.
+// Heat map: black for 0, then blue, cyan, green, yellow, red and white for 1, 4, 16, 64, 256 and 1,024 lights.
 vec3 count_color(uint count) {
     const vec3 colors[] = vec3[](vec3(0.0), vec3(0.0, 0.05, 0.8), vec3(0.0, 0.6, 0.8), vec3(0.0, 0.6, 0.05),
                                  vec3(0.8, 0.7, 0.0), vec3(0.8, 0.05, 0.0), vec3(1.0));

@@ -1,4 +1,4 @@
-// Places a vertex. The depth pass and the shading pass must agree to the last bit on where it is: hence invariant.
+// Vertex transform; invariant, so that depth and shading passes agree to the last bit.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
 
@@ -6,7 +6,7 @@ layout(location = 0) out vec3 world_position;
 layout(location = 1) out vec3 world_normal;
 layout(location = 2) out vec2 uv;
 layout(location = 3) flat out uint material;
-layout(location = 4) flat out uint item;  // which of the scene's draw calls
+layout(location = 4) flat out uint item;  // index of the draw call
 invariant gl_Position;
 
 void main() {

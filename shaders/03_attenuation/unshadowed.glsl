@@ -1,4 +1,4 @@
-// Light that nothing stands in the way of.
+// Lights without shadows.
 
 // [light_visibility]
 vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) { return vec3(1.0); }

@@ -1,4 +1,4 @@
-// How the surface being lit reflects lights: by Blinn and Phong's model, or by microfacets over a matt body.
+// Reflection model of the surface: Blinn–Phong, or microfacets over a diffuse body.
 #include "02_lambert_phong/blinn_phong_light.glsl"
 #include "04_surface_maps/microfacets.glsl"
 #include "04_surface_maps/plain_draw.glsl"
@@ -7,11 +7,11 @@
 #if SURFACE_GGX
 uniform sampler2D ggx_albedos;
 
-// Of the surface being lit.
+// State of the surface being lit.
 Coat lit_coat;
 vec3 lit_body;
 
-// Where the tables of GGX hold this view and roughness: see 04_surface_maps/ggx_table.h.
+// Table coordinates of view and roughness (04_surface_maps/ggx_table.h).
 vec2 in_ggx_table(Surface surface) {
     float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0);
     vec2 size = vec2(textureSize(ggx_albedos, 0));
@@ -20,8 +20,8 @@ vec2 in_ggx_table(Surface surface) {
 
 #if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
 // [oren_nayar]
-// A rough matt body: J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF", JCGT
-// 14(1), 2025. Share of white light that single scattering leaves, from a direction at this cosine.
+// EON rough diffuse BRDF (J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF",
+// JCGT 14(1), 2025): directional albedo of single scattering at this cosine.
 float single_share(float cosine, float roughness) {
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0)), angle = acos(clamp(cosine, -1.0, 1.0));
     float g = sine * (angle - sine * cosine) + 2.0 / 3.0 * (sine / max(cosine, 1e-4) * (1.0 - sine * sine * sine) - sine);
@@ -41,7 +41,7 @@ vec3 rough_diffuse(Surface surface, vec3 albedo, float roughness, vec3 to_light)
 
 #endif
 
-// Call it before any light is added.
+// Must run before the first light.
 void coat_surface(Surface surface, vec3 f0, vec3 body) {
 #if SURFACE_GGX
     lit_coat = coat_of(f0, textureLod(ggx_albedos, in_ggx_table(surface), 0.0).rg);
@@ -49,7 +49,7 @@ void coat_surface(Surface surface, vec3 f0, vec3 body) {
 #endif
 }
 
-// Factor of the lights' specular sum. GGX is coloured by Fresnel's term already.
+// Factor of the specular sum; 1 for GGX, which Fresnel has coloured.
 vec3 specular_factor(vec3 specular) {
 #if SURFACE_GGX
     return vec3(1.0);
@@ -58,11 +58,11 @@ vec3 specular_factor(vec3 specular) {
 #endif
 }
 
-// Ambient light that does not come from the body; `otherwise` without a coat.
+// Ambient light reflected by the coat; `otherwise` without one.
 vec3 ambient_of_coat(vec3 otherwise) {
 #if SURFACE_GGX
     vec3 everywhere = lit_coat.single + lit_coat.multiple;
-    return everywhere - everywhere * lit_body;  // the body has the rest
+    return everywhere - everywhere * lit_body;  // remainder after the body
 #else
     return otherwise;
 #endif
@@ -82,7 +82,7 @@ Reflected reflect_light(Surface surface, vec3 to_light) {
 #endif
 }
 
-// The exponent of a coat whose alpha is known more exactly; Blinn and Phong's model keeps its own.
+// Blinn–Phong exponent equivalent to the coat's alpha.
 float shininess_of(float shininess, float alpha) {
 #if SURFACE_GGX
     return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 0.0, most_shininess);

@@ -1,5 +1,5 @@
-// Cuts each triangle of a mesh into subdivide × subdivide and moves each point to where the height map says: the surface
-// itself, which parallax only paints. Drawn without indices: 3 * subdivide^2 vertices a triangle.
+// Displacement: each triangle is split into subdivide × subdivide, and points move to the height map's surface, which
+// parallax only imitates. Drawn without indices: 3 * subdivide^2 vertices a triangle.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
 #include "04_surface_maps/surface_varyings.glsl"
@@ -9,12 +9,12 @@ layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 layout(scalar) uniform PartBlock {
     uint first_index;
     uint subdivide;
-    float height_m;        // how deep the darkest texel lies
+    float height_m;        // depth of the darkest texel, metres
     float wobble, scroll;  // for moving_uv()
 } part;
 uniform sampler2D height_map;
 
-// The corner's place in its triangle: (0, 0) at the first vertex, rows grow towards the other two.
+// Position of a sub-triangle's corner: (0, 0) at the first vertex, rows grow towards the other two.
 // [sub_corner]
 uvec2 sub_corner(uint triangle, uint corner) {
     uint row = uint(sqrt(float(triangle)));

@@ -1,5 +1,5 @@
-// The means of two by two texels of a level, colours by their alpha. Of an odd size the last column or row is left out, as
-// by a blit.
+// Next mip of a cut-out: means of 2 × 2 texels, colours weighted by alpha. Odd sizes drop the last column or row, as
+// blits do.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D finer;

@@ -1,4 +1,4 @@
-// Where a ray meets a height map, by each method of the module Maps.
+// Intersection of rays with a height map, by each method of the module Maps.
 #include "common/structs.h"
 #include "04_surface_maps/parallax_offset.glsl"
 #include "04_surface_maps/parallax_occlusion.glsl"
@@ -10,7 +10,7 @@ uniform sampler2D height_map;
 float depth_at(vec2 uv) { return 1.0 - textureLod(height_map, image_uv(uv), 0.0).r; }
 
 // [exact_hit]
-// Where a ray meets the bilinear surface, exactly: from one square of four texel middles to the next.
+// Exact intersection with the bilinear surface, from one square of four texel centres to the next.
 const int most_squares = 8192;
 
 // The map repeats. (% is not defined for negative numbers.)
@@ -18,7 +18,7 @@ float texel_depth(ivec2 at, ivec2 size) {
     return 1.0 - texelFetch(height_map, at - size * ivec2(floor(vec2(at) / vec2(size))), 0).r;
 }
 
-// The smallest root of a r^2 + b r + c in [0, most], where c is above 0; -1 where there is none.
+// Smallest root of a r^2 + b r + c in [0, most] for c > 0; -1: none.
 float first_root(float a, float b, float c, float most) {
     float discriminant = b * b - 4.0 * a * c;
     if (discriminant < 0.0) return -1.0;
@@ -28,11 +28,11 @@ float first_root(float a, float b, float c, float most) {
     return root <= most ? root : -1.0;
 }
 
-// The depth t at which the ray over uv - t * shift meets the surface. In a square the surface's depth is bilinear in
-// x and y, which are linear in t: the gap between ray and surface is a quadratic polynomial of t.
+// Depth t at which the ray over uv - t * shift hits the surface. Within a square the depth is bilinear in x and y,
+// which are linear in t, so the gap between ray and surface is quadratic in t.
 float exact_hit(vec2 uv, vec2 shift) {
     ivec2 size = textureSize(height_map, 0);
-    vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel middles are integers
+    vec2 start = image_uv(fract(uv)) * vec2(size) - 0.5;  // in texels; texel centres are integers
     vec2 along = vec2(-shift.x, shift.y) * vec2(size);    // for t from 0 to 1
     ivec2 square = ivec2(floor(start)), next = ivec2(sign(along));
     vec2 pace = 1.0 / max(abs(along), vec2(1e-9));  // t from one border to the next
@@ -61,7 +61,7 @@ float exact_hit(vec2 uv, vec2 shift) {
 }
 // [/exact_hit]
 
-const int halvings = 8;  // of the last step, by relief
+const int halvings = 8;  // bisection steps of relief mapping
 
 // Lower limit of a ray's elevation, 1.1 degrees; below it the crossing has no end.
 const float lowest_eye = 0.02;
@@ -84,11 +84,11 @@ float relief(vec2 uv, vec2 shift, int steps) {
 
 struct Hit {
     vec2 uv;
-    float depth;  // 0 at the mesh, 1 at the deepest
+    float depth;  // 0 at the mesh, 1 at the deepest point
 };
 
-// How the texture coordinates change on the way from the top to the bottom. `to_eye` is a unit vector in tangent space,
-// `deepest` says how many units of u and of v depth 1 is.
+// Change of texture coordinates from top to bottom. `to_eye`: unit vector in tangent space; `deepest`: units of u and v
+// per depth 1.
 vec2 shift_of(vec3 to_eye, vec2 deepest) { return deepest * to_eye.xy / max(to_eye.z, lowest_eye); }
 
 // [find_hit]

@@ -1,10 +1,10 @@
-// Multiplies the alpha of one level so that as large a share of it is kept as of the first: one workgroup.
+// Alpha scaling of one mip, so that as large a share passes the test as in level 0; one workgroup.
 layout(local_size_x = 256) in;
 
 layout(rgba32f) uniform image2D level;
 layout(scalar) uniform CutoutBlock {
     float cutoff;
-    float wanted;  // share of the first level
+    float wanted;  // share in level 0
 } cutout;
 
 // Interface of alpha_scale.glsl.
@@ -21,7 +21,7 @@ bool is_kept(float alpha) { return round(255.0 * min(alpha, 1.0)) / 255.0 >= cut
 void main() {
     uint local = gl_LocalInvocationIndex;
     float scale = alpha_scale(local, cutout.cutoff, cutout.wanted);
-    barrier();  // all counts end before a change
+    barrier();  // before any alpha changes
     for (uint i = local; i < level_texels(); i += LEVEL_INVOCATIONS) {
         vec4 texel = imageLoad(level, place_of(i));
         imageStore(level, place_of(i), vec4(texel.rgb, min(1.0, texel.a * scale)));

@@ -1,4 +1,4 @@
-// Lamps that have a size: discs that face the point, as in chapter 05, and tubes, seen as strips that face it.
+// Lamps of finite size: discs facing the point, as in chapter 05, and tubes as strips facing it.
 #include "04_surface_maps/above_horizon.glsl"
 #include "04_surface_maps/microfacets.glsl"
 #include "04_surface_maps/nearest_on_lamp.glsl"
@@ -9,11 +9,11 @@
 #define HAS_GGX 0
 #endif
 
-// Light of the same irradiance as the point's, at a surface that faces it.
+// Lamp shape with the irradiance of a point light on a surface facing it.
 struct LampShape {
-    vec3 middle;         // from the point, in metres; of the sun, unit length
-    vec3 across, along;  // to the edge: half axes of a disc, half sides of a strip
-    float weight;        // radiance of the lamp, for radiance 1 of a white matt surface that faces it
+    vec3 middle;         // from the shaded point, metres; unit length for the sun
+    vec3 across, along;  // half axes of a disc, half sides of a strip
+    float weight;        // lamp radiance, for radiance 1 of a white Lambertian surface facing it
     bool is_tube;
 };
 
@@ -43,7 +43,8 @@ bool is_above(vec3 facing, uint light, vec3 position, vec3 to_light) {
 
 #if LAMPS_METHOD == LAMPS_METHOD_REPRESENTATIVE && HAS_GGX
 // [representative]
-// The lamp's point nearest to the mirrored ray, and a wider lobe: B. Karis, "Real Shading in Unreal Engine 4", 2013.
+// Representative point: the lamp's point nearest to the mirrored ray, with a wider lobe (B. Karis, "Real Shading in
+// Unreal Engine 4", 2013).
 Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     vec3 mirrored = reflect(-surface.to_eye, surface.normal), nearest = s.middle;
     if (s.is_tube) {
@@ -55,7 +56,7 @@ Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     float alpha = alpha_of(surface.shininess), away = 2.0 * length(s.middle);
     float wider = alpha / min(alpha + length(s.across) / away, 1.0);
     float energy = wider * (s.is_tube ? alpha / min(alpha + length(s.along) / away, 1.0) : wider);
-    vec3 to_middle = safe_normalize(s.middle), to_nearest = safe_normalize(nearest);  // none within the lamp
+    vec3 to_middle = safe_normalize(s.middle), to_nearest = safe_normalize(nearest);  // zero within the lamp
     vec3 multiple = lit_coat.multiple * max(dot(surface.normal, to_nearest), 0.0);
     vec3 single = reflect_light(surface, to_nearest).specular - multiple;
     Reflected middle = reflect_light(surface, to_middle);
@@ -66,8 +67,8 @@ Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
 uniform sampler2D ggx_cosines;
 
 // [edge]
-// An edge's part of a polygon's cosine-weighted solid angle, over pi (J. H. Lambert, "Photometria", 1760). Its angle over
-// its sine is a fit: S. Hill and E. Heitz, "Real-Time Area Lighting", SIGGRAPH course, 2016.
+// An edge's share of a polygon's cosine-weighted solid angle, over pi (J. H. Lambert, "Photometria", 1760). Angle over
+// sine by a fit (S. Hill and E. Heitz, "Real-Time Area Lighting", SIGGRAPH course, 2016).
 float edge_share(vec3 from, vec3 to) {
     float cosine = dot(from, to), x = abs(cosine);
     float acute = (0.8543985 + (0.4965155 + 0.0145206 * x) * x) / (3.4175940 + (4.1616724 + x) * x);
@@ -77,13 +78,13 @@ float edge_share(vec3 from, vec3 to) {
 // [/edge]
 
 // [polygon]
-// The lamp's share of the cosine lobe about z, without what is below the horizon. 12 corners keep a disc's area.
+// Form factor of the lamp about z, clipped at the horizon. Discs are 12-gons of equal area.
 float lamp_share(LampShape s, mat3 to_lobe) {
     mat3 to_corner = to_lobe * mat3(s.across, s.along, s.middle);
     int corners = s.is_tube ? 4 : 12;
     vec2 turn = s.is_tube ? vec2(0.0, 1.0) : vec2(0.8660254, 0.5), at = s.is_tube ? vec2(1.0) : vec2(1.02333, 0.0);
     vec3 from = normalize(to_corner * vec3(dot(at, turn), at.y * turn.x - at.x * turn.y, 1.0));
-    vec3 set, risen;  // where the outline crosses the horizon
+    vec3 set, risen;  // crossings of outline and horizon
     bool is_cut = false;
     float sum = 0.0;
     for (int i = 0; i < corners; ++i) {
@@ -104,7 +105,7 @@ float lamp_share(LampShape s, mat3 to_lobe) {
 // [/polygon]
 
 // [ltc]
-// A linear map makes the cosine lobe of GGX times n·l (E. Heitz et al., SIGGRAPH 2016).
+// Linearly transformed cosines: GGX times n·l as a transformed cosine lobe (E. Heitz et al., SIGGRAPH 2016).
 Reflected reflect_by_cosines(Surface surface, LampShape s) {
     vec3 n = surface.normal, flat_eye = surface.to_eye - n * dot(n, surface.to_eye);
     if (dot(flat_eye, flat_eye) < 1e-10) flat_eye = abs(n.x) < 0.6 ? vec3(0.0, n.z, -n.y) : vec3(-n.z, 0.0, n.x);
@@ -121,7 +122,7 @@ Reflected reflect_by_cosines(Surface surface, LampShape s) {
 layout(scalar) uniform LampsBlock { int samples; } lamps;
 
 // [sampled_lamp]
-// The mean over points of the lamp: on a disc in a spiral of the golden angle (H. Vogel, 1979).
+// Mean over points of the lamp; on a disc, Vogel's spiral (1979).
 Reflected reflect_by_samples(Surface surface, LampShape s) {
     Reflected sum = Reflected(vec3(0.0), vec3(0.0));
     vec3 facing = safe_normalize(cross(s.across, s.along));

@@ -1,4 +1,4 @@
-// A surface with all its maps under chapter 03's lights, which may be far brighter than white.
+// Shading of surfaces with maps under chapter 03's lights, in linear HDR.
 #include "04_surface_maps/reflection.glsl"
 #include "03_attenuation/unshadowed.glsl"
 #include "common/put_surface.glsl"

@@ -1,19 +1,19 @@
-// Microfacets: GGX with the height-correlated masking of Smith, and the reflection of one light by a coat of them.
+// Microfacets: GGX with Smith's height-correlated masking, and reflection of a light by a microfacet coat.
 #include "common/schlick.glsl"
 #include "common/structs.h"
 
 const float pi = 3.14159265358979;
 
-// T. Trowbridge and K. Reitz, 1975; B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007,
-// equation 33. Per steradian of half vectors.
+// GGX distribution per steradian of half vectors (T. Trowbridge and K. Reitz, 1975; B. Walter et al., "Microfacet
+// Models for Refraction through Rough Surfaces", EGSR 2007, equation 33).
 float ggx_density(float n_dot_h, float alpha) {
     float square = alpha * alpha, c = n_dot_h * n_dot_h;
-    float d = c * square + (1.0 - c);  // c (square - 1) + 1 loses its digits where c is nearly 1
+    float d = c * square + (1.0 - c);  // c (square - 1) + 1 would cancel for c near 1
     return square / max(pi * d * d, 1e-30);
 }
 
-// Masking and shadowing over 4 n·l n·v: E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
-// JCGT 3(2), 2014, equation 99. n_dot_l and n_dot_v are above 0.
+// Masking and shadowing over 4 n·l n·v: E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based
+// BRDFs", JCGT 3(2), 2014, equation 99. n_dot_l and n_dot_v are above 0.
 float ggx_visibility(float n_dot_l, float n_dot_v, float alpha) {
     float square = alpha * alpha;
     float l = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - square) + square);
@@ -32,26 +32,26 @@ vec3 multiple_scattering(vec3 f0, vec2 ab) {
 // [/multiscatter]
 
 // [coat]
-// A coat of microfacets over a matt body. Shares of light, from this view:
+// Microfacet coat over a diffuse body; shares of light for this view.
 struct Coat {
     vec3 f0;        // reflectance at normal incidence
-    vec3 single;    // share that leaves after one microfacet
-    vec3 multiple;  // share that leaves after several
-    vec3 entering;  // share that the body gets
+    vec3 single;    // share reflected by one microfacet
+    vec3 multiple;  // share reflected after several
+    vec3 entering;  // share that reaches the body
 };
 
-// `ab`: A and B of the split sum, for this view and roughness.
+// `ab`: A and B of the split sum for view and roughness.
 Coat coat_of(vec3 f0, vec2 ab) {
     vec3 single = f0 * ab.x + ab.y, multiple = multiple_scattering(f0, ab);
     return Coat(f0, single, multiple, max(1.0 - single - multiple, 0.0));
 }
 // [/coat]
 
-// An exponent of Blinn and Phong's model as GGX's alpha: B. Walter et al., EGSR 2007, section 5.2. It is at most 8192, so
-// that alpha is at least 1/64.
+// GGX alpha of a Blinn–Phong exponent (B. Walter et al., EGSR 2007, section 5.2). Exponents are at most 8192, so alpha
+// is at least 1/64.
 float alpha_of(float shininess) { return sqrt(2.0 / (shininess + 2.0)); }
 
-// Light in the unit of white's radiance, hence the pi. Coloured by Fresnel's term already (Schlick, 1994).
+// Radiance relative to a white Lambertian surface, hence the pi; coloured by Schlick's Fresnel term (1994).
 // [ggx]
 Reflected reflect_by_ggx(Surface surface, Coat coat, vec3 to_light) {
     float n_dot_l = dot(surface.normal, to_light);

@@ -1,4 +1,4 @@
-// Of a draw, from Maps::variant(): who compiles without one draws plain surfaces.
+// Defaults of Maps::variant()'s macros: surfaces without maps.
 #ifndef MAPS_PLACED
 #define MAPS_PLACED 0
 #define MAPS_SECOND_UVS 0

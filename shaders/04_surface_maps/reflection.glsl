@@ -1,9 +1,8 @@
-// How a surface with maps reflects lights: by Blinn and Phong's model, or by microfacets where its material states
-// roughness.
+// Reflection of lights by a mapped surface: Blinn–Phong, or microfacets for materials with roughness.
 #include "04_surface_maps/coat.glsl"
 #include "04_surface_maps/surface_maps.glsl"
 
-// All lights on this surface. Afterwards mixed.specular is the remaining factor of their specular sum.
+// Sum over lights; mixed.specular becomes the remaining factor of the specular sum.
 Lit light_mapped(inout MappedSurface m, uint drawn, vec4 fragment) {
     coat_surface(m.surface, m.substance.mixed.specular, m.substance.mixed.diffuse);
     m.substance.ambient_specular = ambient_of_coat(m.substance.ambient_specular);

@@ -1,14 +1,14 @@
-// A surface with all its maps, lit by chapter 03's lights; or the error of its bump method.
+// Shading of surfaces with maps under chapter 03's lights, or the error of the bump method.
 #include "04_surface_maps/reflection.glsl"
 #include "03_attenuation/unshadowed.glsl"
 
 layout(location = 0) out vec4 color;
 
-const float white_texels = 32.0;  // an error that SHOW shows as white
-const float walk_m = 0.05;        // by which the eye comes closer along the surface from one frame to the next: for swim
+const float white_texels = 32.0;  // error shown as white
+const float walk_m = 0.05;        // camera motion along the surface per frame, for swim
 
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
-// How wrong a hit is, in texels of the height map.
+// Error of a hit, in texels of the height map.
 float hit_error(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
     vec2 shift = shift_of(to_eye, deepest);
     vec2 exact = uv - exact_hit(uv, shift) * shift;
@@ -16,9 +16,9 @@ float hit_error(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
 }
 
 // [swim]
-// How far the texture slides over the surface, in texels, when the eye moves from one place to another: for the point
-// that the first eye sees, how the method's error there changes. -1 where the second eye does not see the point.
-// `from` and `to` are vectors in tangent space, in metres, from where the first ray meets the mesh.
+// Sliding of the texture over the surface in texels as the eye moves: change of the method's error at the point that
+// the first eye sees; -1 if the second eye does not see it. `from` and `to`: tangent-space vectors in metres from the
+// first ray's hit on the mesh.
 float swim(vec2 uv, vec3 from, vec3 to, vec2 deepest, float height_m, int steps) {
     vec3 to_eye = normalize(from);
     vec2 shift = shift_of(to_eye, deepest);
@@ -27,18 +27,18 @@ float swim(vec2 uv, vec3 from, vec3 to, vec2 deepest, float height_m, int steps)
     vec2 exact = uv - depth * shift;
     vec3 to_eye_then = normalize(to - point);
     vec2 shift_then = shift_of(to_eye_then, deepest);
-    vec2 uv_then = exact + depth * shift_then;  // where that eye's ray enters
+    vec2 uv_then = exact + depth * shift_then;  // entry of the second eye's ray
     if (abs(exact_hit(uv_then, shift_then) - depth) > 1e-3) return -1.0;
     vec2 slid = find_hit(uv_then, to_eye_then, deepest, steps).uv - find_hit(uv, to_eye, deepest, steps).uv;
     return length(slid * vec2(textureSize(height_map, 0)));
 }
 // [/swim]
 
-// In texels of the height map.
+// Error in texels of the height map.
 float measured(vec2 uv) {
 #if MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_LOADED
     mat3 frame = tangent_space();
-    uv -= round(uv);  // as map_surface() has it
+    uv -= round(uv);  // as in map_surface()
 #if SHOW == SHOW_HIT_ERROR
     return hit_error(uv, along_uv(normalize(view.eye - world_position) * frame, cos_uv), deepest(), maps.steps);
 #else

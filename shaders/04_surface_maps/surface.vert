@@ -1,4 +1,4 @@
-// Places a vertex with its tangent frame.
+// Vertex transform with the tangent frame.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
 #include "04_surface_maps/surface_varyings.glsl"

@@ -1,5 +1,5 @@
-// A surface with all its maps: the GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the
-// material) are compiled out.
+// Surfaces with maps: GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the material) are
+// compiled out.
 #include "common/structs.h"
 #include "04_surface_maps/plain_draw.glsl"
 #include "04_surface_maps/height_field.glsl"
@@ -17,8 +17,8 @@ uniform sampler2D diffuse_map, specular_map, emissive_map, opacity_map, normal_m
 layout(scalar) readonly buffer PlacementBuffer { MapPlacement map_placements[]; };
 #endif
 layout(scalar) uniform MapsBlock {
-    float height_m;        // how deep the darkest texel of a height map lies
-    float displacement_m;  // how far the darkest texel of a displacement map lies below the brightest
+    float height_m;        // depth of a height map's darkest texel, metres
+    float displacement_m;  // range of a displacement map, darkest to brightest texel, metres
     int steps;
     float strength;
     float detail_tiles;
@@ -27,7 +27,7 @@ layout(scalar) uniform MapsBlock {
     float scroll;  // tiles per second
 } maps;
 
-// Inputs from the vertex shaders. A dispatch over a visibility buffer has variables of these names.
+// Vertex shader outputs, or variables of these names when shading a visibility buffer.
 #ifndef SEEN
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
@@ -47,14 +47,14 @@ vec2 second_down() { return dFdy(second_uv); }
 layout(location = 10) in vec4 vertex_color;
 #endif
 
-// How they change from this pixel to the next ones; `moved` is where moving_uv() has uv.
+// Screen-space derivatives; `moved`: uv after moving_uv().
 vec2 moved_across(vec2 moved, float time_s) { return dFdx(moved); }
 vec2 moved_down(vec2 moved, float time_s) { return dFdy(moved); }
 vec3 position_across() { return dFdx(world_position); }
 vec3 position_down() { return dFdy(world_position); }
 #endif
 
-// 1 or -1: which side of the surface the eye is on.
+// Side of the surface that the eye is on: 1 or -1.
 float side_seen() {
 #if !MAPS_TWO_SIDED
     return 1.0;
@@ -65,9 +65,9 @@ float side_seen() {
 #endif
 }
 
-// Tangent space in the world: columns along u, along v, along the normal. All of it is turned round on the back.
+// Tangent space in world space: columns along u, v and the normal, flipped on back faces.
 mat3 tangent_space() {
-    // Normals of opposite vertices cancel between them: there the mesh's own slope has to do.
+    // Interpolated normals of opposite directions cancel; the triangle's own normal replaces them.
     vec3 n = dot(world_normal, world_normal) > 1e-8 ? normalize(world_normal)
                                                     : normalize(cross(position_down(), position_across()));
     vec3 t = world_tangent - n * dot(n, world_tangent);
@@ -79,22 +79,22 @@ mat3 tangent_space() {
     (MAPS_HEIGHT && MAPS_METHOD != MAPS_METHOD_FLAT && MAPS_METHOD != MAPS_METHOD_NORMAL && \
      MAPS_MESH == MAPS_MESH_LOADED)
 
-// Bumps that are in the mesh itself stay where they are.
+// Displaced meshes have their bumps in the geometry.
 #define HAS_DISPLACEMENT (MAPS_DISPLACEMENT && !(MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_DISPLACED))
 
 struct Coordinates {
-    vec2 uv, dx, dy;  // and how they change from pixel to pixel
+    vec2 uv, dx, dy;  // and their screen-space derivatives
 };
 
-// The level by the formula, not by textureGrad: devices may take shortcuts there, and Mesa 22.3 does.
+// Explicit level instead of textureGrad, which devices may approximate, as Mesa 22.3 does.
 vec4 read(sampler2D map, Coordinates at) {
     vec2 size = vec2(textureSize(map, 0)), dx = at.dx * size, dy = at.dy * size;
-    float texels = max(max(dot(dx, dx), dot(dy, dy)), 1e-12);  // squared, from one pixel to the next
+    float texels = max(max(dot(dx, dx), dot(dy, dy)), 1e-12);  // texels per pixel, squared
     return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
 }
 
 // [placed]
-// Where a map lies that has a transform of its own, or the second texture coordinates.
+// Coordinates of a map with its own transform or the second set.
 Coordinates placed(uint slot, Coordinates at) {
 #if MAPS_PLACED
     MapPlacement place = map_placements[material_index * MAP_COUNT + slot];
@@ -108,14 +108,14 @@ Coordinates placed(uint slot, Coordinates at) {
 }
 // [/placed]
 
-// Of this fragment.
+// State of this fragment.
 Coordinates coordinates_at(CameraView view) {
     vec2 moved = moving_uv(uv, maps.wobble, maps.scroll, view.time_s);
     float sharper = exp2(view.lod_bias);
     return Coordinates(moved, sharper * moved_across(moved, view.time_s), sharper * moved_down(moved, view.time_s));
 }
 
-// How far one unit of u and of v goes from the top of the height field to its bottom.
+// Units of u and v per depth of the height field.
 vec2 deepest() { return maps.height_m / metres_per_uv; }
 
 vec3 read_normal(sampler2D map, Coordinates at, float scale, out float mean_length) {
@@ -128,7 +128,7 @@ vec3 read_normal(sampler2D map, Coordinates at, float scale, out float mean_leng
     return unpack_normal(texel.xy, maps.strength * scale);
 }
 
-// A map that is turned on its surface has its own directions of u and v.
+// Tangent directions of a rotated map.
 vec3 turned_back(vec3 normal) {
 #if MAPS_PLACED
     mat2 turn = map_placements[material_index * MAP_COUNT + 4u].turn;
@@ -139,7 +139,7 @@ vec3 turned_back(vec3 normal) {
 }
 
 // [normal]
-// The normal in tangent space, and how long the mean of all normals within the pixel is.
+// Tangent-space normal, and length of the mean normal within the pixel.
 vec3 normal_at(Coordinates at, out float mean_length) {
     mean_length = 1.0;
     vec3 normal = vec3(0.0, 0.0, 1.0);
@@ -159,7 +159,7 @@ vec3 normal_at(Coordinates at, out float mean_length) {
 struct Substance {
     MixedMaterial mixed;
     float occlusion;
-    vec3 ambient_specular;  // mirror-like share of light from all directions
+    vec3 ambient_specular;  // specular share of ambient light
 };
 
 // [substance]
@@ -228,9 +228,9 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
 #if HAS_DISPLACEMENT
     // [displacement]
-    // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at
-    // (map - 1/2) * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the
-    // division by z a swell of slope s shows places twice from tan(angle) = 1/s on.
+    // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at (map - 1/2)
+    // * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the division
+    // by z a swell of slope s shows places twice from tan(angle) = 1/s on.
     at.uv += parallax_offset_limited(0.5 - read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
     // [/displacement]
 #endif

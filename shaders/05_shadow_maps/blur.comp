@@ -1,5 +1,5 @@
-// One direction of a blur of moments. The first pass makes them from depths as it reads. BLUR_BY says whether every
-// invocation reads all that it needs, or a workgroup reads it once for all into shared memory.
+// Separable blur of moments, one direction; the first pass computes moments from depths. BLUR_BY: each invocation reads
+// all its taps, or a workgroup shares them.
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/moments.glsl"
 #include "05_shadow_maps/blur.h"
@@ -11,7 +11,7 @@ layout(scalar) uniform BlurBlock { Blur blur; };
 uniform sampler2D source;
 writeonly uniform image2D result;
 
-// The n-th texel of a line, where the first pass goes along u and the second along v.
+// Texel n of a line along u (first pass) or v (second).
 ivec2 texel_of(int n, int line) {
 #if PASS == 0
     return ivec2(n, line);
@@ -38,7 +38,7 @@ shared vec4 read_once[lines][along + 2 * WIDEST_BLUR];
 void main() {
     int radius = blur.radius, at = int(gl_LocalInvocationIndex);
 #if PASS == 0
-    ivec2 inside = ivec2(at % along, at / along);  // neighbours in memory for neighbouring invocations
+    ivec2 inside = ivec2(at % along, at / along);  // adjacent invocations read adjacent memory
 #else
     ivec2 inside = ivec2(at / lines, at % lines);
 #endif
@@ -46,7 +46,7 @@ void main() {
 #if SHADOW_BLUR_BY == SHADOW_BLUR_BY_SHARED
     // [read_once]
     for (int i = inside.x; i < along + 2 * radius; i += along) read_once[inside.y][i] = moments_at(first + i - radius, line);
-    barrier();  // reads by other invocations
+    barrier();  // before other invocations read
     // [/read_once]
 #endif
     vec4 sum = vec4(0.0);

@@ -1,4 +1,4 @@
-// Rays through a bounding-volume hierarchy: the module SceneRays for shaders.
+// Ray traversal of a bounding-volume hierarchy: GLSL of the module Rays.
 #include "04_surface_maps/cutout.glsl"
 #include "05_shadow_maps/bvh_data.h"
 #include "common/structs.h"
@@ -9,11 +9,10 @@ layout(scalar) uniform RayStateBlock { RayState rays_state; };
 
 const float on_and_on = 1e13;
 
-// Rays begin a little above the surface, so that it does not shadow itself. `facing` is the normal of the mesh.
+// Ray origin, offset along the mesh normal `facing` against self-shadowing.
 vec3 above(vec3 position, vec3 facing) { return position + rays_state.offset_m * facing; }
 
-// Cut-outs of triangles met by rays: chapter 04's rule over textures kept as numbers, for a ray may meet any of the
-// scene's textures.
+// Cut-outs of hit triangles, by chapter 04's rule, from texels in a buffer: a ray may hit any of the scene's textures.
 #ifndef RAYS_SOLID
 layout(scalar) readonly buffer RayCutoutBuffer { RayCutout rays_cutouts[]; };
 layout(scalar) readonly buffer RayMaskBuffer { RayMask rays_masks[]; };
@@ -25,7 +24,7 @@ float mask_texel(RayMask mask, ivec2 at) {
 }
 
 // [mask_at]
-// Bilinear and repeating, as a sampler reads level 0. v = 0 is the bottom row.
+// Bilinear, repeating read, as a sampler's of level 0; v = 0 is the bottom row.
 float mask_at(RayMask mask, vec2 uv) {
     ivec2 size = ivec2(mask.width, mask.height);
     vec2 at = fract(vec2(uv.x, 1.0 - uv.y)) * vec2(size) - 0.5;
@@ -37,7 +36,7 @@ float mask_at(RayMask mask, vec2 uv) {
 }
 // [/mask_at]
 
-// The first mask cuts nothing.
+// Mask 0 has no holes.
 bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
     vec2 uv = weights.x * cutout.a + weights.y * cutout.b + weights.z * cutout.c;
     uv = moving_uv(uv, now.wobble, now.scroll, now.time_s);
@@ -47,7 +46,7 @@ bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
 }
 #endif
 
-// Goes from `least` to `most` times its direction, which has any length but 0.
+// Ray from `least` to `most`, in multiples of its direction, which need not have unit length.
 struct Ray {
     vec3 origin;  // metres, world space
     float least;
@@ -56,20 +55,20 @@ struct Ray {
 };
 
 struct RayHit {
-    float t;        // in lengths of the ray's direction
+    float t;        // in multiples of the ray's direction
     uint triangle;  // in rays_triangles
-    vec3 weights;   // of its corners: barycentric coordinates
+    vec3 weights;   // barycentric coordinates
 };
 
 // [shear]
-// S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: moved and sheared so that the
-// ray goes along an axis through 0, whether it meets a triangle is asked in two dimensions.
+// Translation and shear that turn the ray into an axis through the origin, so that triangle tests are two-dimensional
+// (S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
 struct Shear {
-    bool along_x, along_y;  // the axis along which the ray goes fastest; neither: z
+    bool along_x, along_y;  // dominant axis of the direction; neither: z
     vec3 shear;
 };
 
-// The axes turned so that the fastest is the last.
+// Axes rotated so that the dominant one is last.
 vec3 turned(vec3 v, bool along_x, bool along_y) { return along_x ? v.yzx : along_y ? v.zxy : v; }
 
 Shear shear_of(vec3 direction) {
@@ -81,10 +80,9 @@ Shear shear_of(vec3 direction) {
 // [/shear]
 
 // [hit_triangle]
-// Each edge's sign is that of a difference of two products. Rounding keeps order: it can make a difference 0 and never
-// turn its sign; and two triangles get the same number, with opposite signs, for the edge they share. So with 0 counted
-// as inside no ray passes between them, without the paper's second try in double precision. That needs the sums exactly
-// as they are written: `precise`.
+// Watertight without the paper's fallback to double precision. Each edge function is a difference of two products;
+// rounding can make it 0 but not flip its sign, and triangles that share an edge get opposite values. With 0 counted as
+// inside, no ray passes between them. `precise`: the sums must be evaluated as written.
 bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     precise vec3 a = turned(triangle.a - ray.origin, s.along_x, s.along_y);
     precise vec3 b = turned(triangle.b - ray.origin, s.along_x, s.along_y);
@@ -93,8 +91,8 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     precise float u = r.x * q.y - r.y * q.x, v = p.x * r.y - p.y * r.x, w = q.x * p.y - q.y * p.x;
     if (min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0) return false;
     precise float sum = u + v + w;
-    if (sum == 0.0) return false;  // seen from the side, or of no area
-    precise float t = s.shear.z * (u * a.z + v * b.z + w * c.z) / sum;  // the same in every shader
+    if (sum == 0.0) return false;  // edge-on or degenerate
+    precise float t = s.shear.z * (u * a.z + v * b.z + w * c.z) / sum;  // precise: equal in every shader
     if (!(t > ray.least && t < hit.t)) return false;
     vec3 weights = vec3(u, v, w) / sum;
 #ifndef RAYS_SOLID
@@ -107,8 +105,8 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
 // [/hit_triangle]
 
 // [box]
-// The ray's entry into the box and its exit: in that order if it meets the box. The factor is 1 + 2 gamma(3), the
-// bound on three roundings (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+// Entry into and exit from the box; entry <= exit if the ray hits it. The factor 1 + 2 gamma(3) bounds three roundings
+// (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
 vec2 span_in_box(BvhNode node, Ray ray, vec3 inverse, float most) {
     vec3 lower = (node.lower - ray.origin) * inverse, upper = (node.upper - ray.origin) * inverse;
     vec3 near = min(lower, upper), far = max(lower, upper);
@@ -116,8 +114,7 @@ vec2 span_in_box(BvhNode node, Ray ray, vec3 inverse, float most) {
                 min(min(far.x, far.y), min(far.z, most)) * 1.0000004);
 }
 
-// 1 / direction; along an axis orthogonal to the ray a large number instead of infinity, to avoid NaN as its product
-// with 0.
+// 1 / direction, with a large number instead of infinity, whose product with 0 would be NaN.
 vec3 inverse_of(vec3 direction) {
     const float least = 1e-20;
     return 1.0 / mix(direction, vec3(least), lessThan(abs(direction), vec3(least)));
@@ -125,7 +122,7 @@ vec3 inverse_of(vec3 direction) {
 // [/box]
 
 // [traverse]
-// The nearer child first; the other is put aside. `any`: the first triangle met ends it.
+// Nearer child first, the other onto a stack. `any`: stops at the first hit.
 bool traverse(Ray ray, bool any, out RayHit hit) {
     hit = RayHit(ray.most, 0u, vec3(0.0));
     bool found = false;

@@ -4,17 +4,17 @@
 
 BEGIN_SHARED
 
-// How many nodes a ray puts aside at most: no leaf lies deeper.
+// Stack size of a traversal: the maximum depth of a leaf.
 const uint BVH_STACK = 40u;
-const uint BVH_LEAF = 4u;  // triangles that a leaf has at most
+const uint BVH_LEAF = 4u;  // maximum number of triangles in a leaf
 
 // [node]
-// A box in world space. Its two children stand side by side; a leaf has triangles instead.
+// Node: a world-space box with two adjacent children, or a leaf with triangles.
 struct BvhNode {
     vec3 lower;  // metres
-    uint first;  // of its children in the nodes, or of its triangles
+    uint first;  // index of the first child or triangle
     vec3 upper;
-    uint count;  // of a leaf's triangles; 0: it has children
+    uint count;  // number of triangles; 0: inner node
 };
 // [/node]
 
@@ -22,27 +22,27 @@ const uint NO_CUTOUT = 0xffffffffu;
 
 struct RayTriangle {
     vec3 a, b, c;  // metres, world space
-    uint cutout;   // its place in the cutouts; NO_CUTOUT: nothing is cut out of it
+    uint cutout;   // index of its cut-out, or NO_CUTOUT
 };
 
-// A triangle with holes: texture coordinates (v = 0 is the bottom row) and two masks; their product is its alpha.
+// Cut-out of a triangle: texture coordinates (v = 0 is the bottom row) and two masks, whose product is alpha.
 struct RayCutout {
     vec2 a, b, c;
     uint color_mask, opacity_mask;
 };
 
-// A texture's alpha, 0 to 255, four texels in a word, rows from the top.
+// Alpha mask: 0 to 255, four texels a word, rows from the top.
 struct RayMask {
-    uint first;  // word
+    uint first;  // index of the first word
     uint width, height;
 };
 
 // Ray settings of one frame.
 struct RayState {
-    float offset_m;                 // along the normal, from a surface to where its rays begin
+    float offset_m;                 // offset of ray origins along the normal, metres
     float cutoff;                   // lower alphas are holes
-    uint first_sample;              // of this frame in the sequence
-    uint color_cuts, opacity_cuts;  // 1: these masks cut holes; 0: they do not
+    uint first_sample;              // index of the frame's first sample
+    uint color_cuts, opacity_cuts;  // 1: masks from colour or opacity textures cut holes
     float wobble, scroll, time_s;   // for moving_uv()
 };
 

@@ -1,4 +1,4 @@
-// Places a vertex, and nothing else: of a solid caster a shadow map keeps the depth alone.
+// Vertex transform of solid casters: a shadow map needs no more than their depth.
 #include "common/mesh_input.glsl"
 #include "01_obj/transform.glsl"
 

@@ -1,8 +1,9 @@
-// Filters of moments, which are blurred before they are read: variance, exponential variance and moment shadow maps.
+// Filters of blurred moments: variance, exponential variance and moment shadow maps.
 #include "05_shadow_maps/moments.glsl"
 
 // [from_moments]
-// From a mip with texels about as wide as the pixel is on the surface. `texel`: of the first one, in metres.
+// Visibility from the mip whose texels are about as wide as the pixel on the surface. `texel`: width in level 0,
+// metres.
 float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #if SHADOW_MIPS
     float lod = max(log2(max(pixel, 1e-9) / texel), 0.0);
@@ -18,11 +19,11 @@ float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #else
     float visible = msm(moments, depth, shadow.moment_bias);
 #endif
-    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // reduces leaks, and penumbrae
+    return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // less bleeding, darker penumbrae
 }
 // [/from_moments]
 
-// As in filter_pcf.glsl.
+// Shadow filter interface; see filter_pcf.glsl.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) { return 0.5; }
 
 float filtered(ShadowLight light, ShadowView view, Receiver r, float texel, float pixel) {

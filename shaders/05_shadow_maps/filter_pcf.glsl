@@ -1,9 +1,9 @@
-// Filters of a shadow map with a kernel of one size: a single comparison, or percentage-closer filtering.
+// Shadow filters of fixed size: single comparison, or percentage-closer filtering.
 #include "05_shadow_maps/compare_depth.glsl"
 #include "05_shadow_maps/pcf.glsl"
 
 // [pcf_single]
-// The same result as pcf(), a texel at a time.
+// pcf() with one read per texel.
 float pcf_single(Receiver r, uint layer, int kernel) {
     float size = float(map_texels()), width = float(kernel);
     vec2 corner = r.place.xy * size - 0.5 * width, first = floor(corner), part = fract(corner);
@@ -22,7 +22,7 @@ float pcf_single(Receiver r, uint layer, int kernel) {
 
 // [hard]
 float hard(Receiver r, uint layer) {
-    // The texel's depth is right in its middle: there the surface's own is compared.
+    // A texel's depth is exact at its centre, so the surface's depth is compared there.
     vec2 middle = (floor(r.place.xy * float(map_texels())) + 0.5) / float(map_texels());
     vec3 place = vec3(r.place.xy, plane_depth(r, middle));
     return compare_depth(place, read_depth(r.place.xy, layer));
@@ -30,7 +30,7 @@ float hard(Receiver r, uint layer) {
 // [/hard]
 
 // [filter_reach]
-// Reach of the method's reads in the map, in texels along u and along v: the bias must allow for it.
+// Half-width of the filter in texels along u and v, which the bias must cover.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) {
 #if SHADOW_METHOD == SHADOW_METHOD_PCF
     return 0.5 * float(shadow.kernel) + 0.5;

@@ -1,15 +1,15 @@
-// Percentage-closer soft shadows: find the blockers, estimate the penumbra's width, and filter as wide.
+// Percentage-closer soft shadows: blocker search, penumbra estimate, filter of that width.
 #include "05_shadow_maps/penumbra_width.glsl"
 
 // [disc]
-// Points evenly spread over a disc of radius 1 (H. Vogel, "A Better Way to Construct the Sunflower Head", 1979).
+// Vogel's spiral: points evenly spread over the unit disc ("A Better Way to Construct the Sunflower Head", 1979).
 vec2 disc_point(int i, int count, float turn) {
     float angle = 2.39996323 * float(i) + turn;
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
-// Each quarter of a texel turns its disc otherwise: noise is less of an eyesore than rings. Integers, so that the
-// last bits of uv, which differ between devices, do not choose.
+// Rotation of the disc per quarter texel: noise instead of rings. Hashed from integers, since the last bits of uv
+// differ between devices.
 float disc_turn(vec2 uv) {
     uvec2 cell = uvec2(max(4.0 * float(map_texels()) * uv, 0.0));
     uint hash = (cell.x * 0x9e3779b9u) ^ (cell.y * 0x85ebca6bu);
@@ -18,24 +18,24 @@ float disc_turn(vec2 uv) {
 }
 // [/disc]
 
-// How many times its own width the map is wide at the point, per metre.
+// Map widths per metre at the point.
 float map_widths_per_metre(ShadowView view, float distance) {
     return 1.0 / (view.texel * float(map_texels()) * (view.perspective == 1u ? distance : 1.0));
 }
 
-// Along the view; of a directional light from the near plane.
+// Distance along the light's view; for directional lights, from the near plane.
 float lamp_distance(ShadowView view, float depth) {
     return map_distance(view, depth) - (view.perspective == 1u ? 0.0 : view.near);
 }
 
 // [find_blockers]
-// Mean distance, from the lamp or from the near plane of a directional light, of blockers within `radius` (in widths
-// of the map) in front of the surface; below 0: none.
+// Mean distance of blockers in front of the surface within `radius` (in map widths), from the lamp or a directional
+// light's near plane; below 0: none.
 float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < shadow.search_taps; ++i) {
         vec2 uv = r.place.xy + radius * disc_point(i, shadow.search_taps, turn);
-        uv = (floor(uv * float(map_texels())) + 0.5) / float(map_texels());  // where the texel's depth is right
+        uv = (floor(uv * float(map_texels())) + 0.5) / float(map_texels());  // texel centre, where its depth is exact
         float stored = read_depth(uv, view.layer);
         if (stored <= plane_depth(r, uv)) continue;
         sum += lamp_distance(view, stored);
@@ -45,7 +45,7 @@ float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
 }
 // [/find_blockers]
 
-// The four texels around uv, weighted by how near they are.
+// Bilinear weighting of the four texels around uv.
 float lit_between(Receiver r, uint layer, vec2 uv) {
     float size = float(map_texels());
     vec2 corner = floor(uv * size - 0.5) + 1.0, part = uv * size - corner + 0.5;
@@ -54,7 +54,7 @@ float lit_between(Receiver r, uint layer, vec2 uv) {
     return dot(lit, vec4(columns, columns.yx) * vec4(part.yy, 1.0 - part.yy));
 }
 
-// Search distance: a blocker may be as near as the map's near plane. `distance` as lamp_distance().
+// Search radius: blockers may lie as near as the map's near plane. `distance`: lamp_distance().
 float search_radius(ShadowLight light, ShadowView view, float distance) {
     bool parallel = view.perspective == 0u;
     float widest = penumbra_width(distance, parallel ? 0.0 : view.near, light.size, parallel);

@@ -1,4 +1,4 @@
-// The next mip of a moment map: means of moments are moments again.
+// Next mip of a moment map; means of moments are moments.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D source;
 writeonly uniform image2D result;

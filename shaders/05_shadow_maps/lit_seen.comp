@@ -1,4 +1,4 @@
-// Surfaces without shadows, shaded at the visible point: equals chapter 04's lit.frag.
+// Shading of a visibility buffer without shadows; equals chapter 04's lit.frag.
 #include "05_shadow_maps/shade_seen.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "03_attenuation/unshadowed.glsl"

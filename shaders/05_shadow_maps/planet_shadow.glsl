@@ -1,4 +1,4 @@
-// Shadows between a sphere and its ring, without a map: the module SphereShadow for shaders.
+// Analytic shadows between a sphere and its ring: GLSL of the module SphereShadow.
 #include "05_shadow_maps/ringed_planet.h"
 #include "05_shadow_maps/sphere_shadow.glsl"
 #include "05_shadow_maps/sphere_visibility.glsl"
@@ -12,16 +12,15 @@ layout(scalar) uniform SphereShadowPlanetBlock { RingedPlanet sphere_shadow_plan
 uniform sampler2D sphere_shadow_ring;  // u from the inner to the outer radius; alpha: opacity along its normal
 
 // [ring_transmittance]
-// Transmittance of an infinitely thin ring. `point` is relative to the ring's centre. In the ring's plane no light
-// passes through it: neither for a point of the ring itself, nor for light along it. `alpha` hides 1 - exp(-tau) of
-// the light along the normal, and tau / |slope| is the optical depth along the ray. A sun of angle 2 sun_rad averages
-// as much of the ring: a mip with texels as wide.
+// Transmittance of an infinitely thin ring; `point` is relative to its centre. No light passes within the ring's plane.
+// `alpha` is 1 - exp(-tau) along the normal; the optical depth along the ray is tau / |slope|. A sun of angle 2 sun_rad
+// averages the ring over its width: the mip with texels of that width.
 float ring_transmittance(vec3 point, vec3 normal, vec3 to_light, float inner, float outer, float sun_rad) {
     float slope = dot(to_light, normal);
     if (abs(slope) < 1e-6) return 1.0;
     float t = -dot(point, normal) / slope;
     float r = length(point + t * to_light);
-    // A point of the ring is not exactly in its plane.
+    // Points of the ring are not exactly in its plane.
     if (t <= 1e-4 * outer || r < inner || r > outer) return 1.0;
     float texel = (outer - inner) / float(textureSize(sphere_shadow_ring, 0).x);
     float lod = log2(max(2.0 * sun_rad * t / texel, 1.0));

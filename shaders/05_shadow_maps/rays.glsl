@@ -1,23 +1,23 @@
-// How much of a lamp a point sees, by rays: the truth of shadows.
+// Visible share of a lamp by ray tracing, the reference for shadows.
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
 
 layout(scalar) uniform RaysBlock { int truth_samples; } rays;
 
-uint rays_seed = 0u;  // another one for every pixel: set it first, by seed_of()
+uint rays_seed = 0u;  // per-pixel seed; set by seed_of() first
 
 // [lamp]
-// A disc that faces the point it lights. `radius` is in metres where `to_middle` is; of a lamp far away, as the sun,
-// `to_middle` has length 1 and `radius` is the tangent of half the angle that it fills.
+// Disc lamp facing the lit point. `to_middle` and `radius` are in metres; for a lamp at infinity `to_middle` has unit
+// length and `radius` is the tangent of the angular radius.
 struct Lamp {
     vec3 to_middle;
     float radius;
-    float most;  // how far rays go, in lengths of their way to the disc: 1, or on and on
+    float most;  // ray length in distances to the disc: 1, or unbounded
 };
 // [/lamp]
 
-// Lavapipe ends all loops of an invocation after 65,535 iterations together, and each later loop after one. False:
-// that has happened, and loop results may be wrong. Compilers must not see that the count is two.
+// False after lavapipe has cut loops short (it ends an invocation's loops after 65,535 iterations in all, and each
+// later one after one), so that results may be wrong. The count of two is hidden from compilers.
 bool loops_turn() {
     uint two = 2u * min(uint(rays.truth_samples), 1u), turned = 0u;
     for (; turned < two; ++turned) {}
@@ -25,11 +25,11 @@ bool loops_turn() {
 }
 
 // [lamp_visibility]
-// The share of the lamp's disc that is seen from `origin`, 0 to 1: the mean of as many rays as the knob says. NaN,
-// rather than a wrong number, where a driver has ended their loops.
+// Visible share of the lamp's disc from `origin`, 0 to 1: mean over the knob's number of rays. NaN if a driver has cut
+// loops short.
 float lamp_visibility(Lamp lamp, vec3 origin, uint seed) {
     float away = length(lamp.to_middle);
-    if (away == 0.0) return 1.0;  // in the lamp itself
+    if (away == 0.0) return 1.0;  // inside the lamp
     vec3 x, y;
     basis_of(lamp.to_middle / away, x, y);
     uint count = lamp.radius > 0.0 ? uint(rays.truth_samples) : 1u, seen = 0u, i = 0u;

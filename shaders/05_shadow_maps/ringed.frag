@@ -1,4 +1,4 @@
-// A planet and its ring, which shadow each other without a map; the ring is transparent.
+// Planet with a transparent ring, which shadow each other analytically.
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/planet_shadow.glsl"
 #include "common/put_surface.glsl"

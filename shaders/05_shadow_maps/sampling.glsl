@@ -1,7 +1,7 @@
-// Points that fill a square or a disc evenly, however many of them are taken, another set for every seed.
+// Low-discrepancy points on a square and a disc, scrambled by a seed.
 
-// Three words mixed into one: M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT
-// 9(3), 2020, pcg3d.
+// Hash of three words: pcg3d (M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT
+// 9(3), 2020).
 uint seed_of(uvec2 pixel, uint seed) {
     uvec3 v = uvec3(pixel, seed) * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -13,9 +13,9 @@ uint seed_of(uvec2 pixel, uint seed) {
 }
 
 // [scramble]
-// Owen's scrambling by a hash: whether a binary digit is turned depends on all digits before it, and on nothing after
+// Owen scrambling by a hash: each binary digit is flipped depending on all higher digits
 // (S. Laine and T. Karras, 2011, with the constants of B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4),
-// 2020). It leaves the points as evenly spread as they were, and makes their mean right for every seed's.
+// 2020). It keeps the points' stratification and makes estimates unbiased over seeds.
 uint scramble(uint digits, uint seed) {
     uint x = bitfieldReverse(digits) + seed;
     x ^= x * 0x6c50b47cu;
@@ -27,10 +27,10 @@ uint scramble(uint digits, uint seed) {
 // [/scramble]
 
 // [sobol]
-// The first two dimensions of I. M. Sobol's sequence (1967): any 2^k consecutive points from a multiple of 2^k on
-// occupy one each of 2^k equal boxes, for every division of the square. 0 <= x, y < 1. The second one's matrix is
-// Pascal's triangle modulo 2; its number (j, i) is odd if all bits of i are in j (E. Lucas, 1878): so the sum over j
-// takes five steps, one for each bit of a digit's place, instead of a loop.
+// First two dimensions of I. M. Sobol's sequence (1967): 2^k consecutive points from a multiple of 2^k on occupy one
+// each of 2^k equal boxes, for every division of the square. 0 <= x, y < 1. The second matrix is Pascal's triangle
+// modulo 2, whose entry (j, i) is odd if all bits of i are in j (E. Lucas, 1878), so the sum over j takes five steps,
+// one for each bit of a digit's index.
 vec2 sobol_point(uint index, uint seed) {
     uint sum = index;
     sum ^= sum >> 1u & 0x55555555u;
@@ -43,13 +43,14 @@ vec2 sobol_point(uint index, uint seed) {
 }
 // [/sobol]
 
-// Of radius 1; equal areas stay equal.
+// Area-preserving map from the square to the unit disc.
 vec2 on_disc(vec2 point) {
     float angle = 6.2831853 * point.y;
     return sqrt(point.x) * vec2(cos(angle), sin(angle));
 }
 
-// Two directions across `n`: T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017. `n` has unit length.
+// Tangent and bitangent of the unit vector `n` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1),
+// 2017).
 void basis_of(vec3 n, out vec3 x, out vec3 y) {
     float s = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;
     x = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);

@@ -1,16 +1,16 @@
-// The frame of a compute shader that shades a visibility buffer: the includer defines seen_color(), which reads
+// Main function of compute shaders that shade a visibility buffer. The includer defines seen_color(), which reads
 // varyings as a fragment shader does.
 #define SEEN
 #include "04_surface_maps/plain_draw.glsl"
 
-// Instead of varyings: of one corner of a triangle, and then of a place in it.
+// Stand-ins for varyings: values of one corner, then interpolated ones.
 vec3 world_position, world_normal, world_tangent;
 float handedness, cos_uv;
 vec2 metres_per_uv, uv;
 uint material_index, item;
 
-// How they change from this pixel to the next ones.
-vec3 change_across, change_down;  // of the position
+// Screen-space derivatives of the stand-ins.
+vec3 change_across, change_down;  // derivatives of the position
 vec2 uv_across, uv_down;
 
 vec2 moved_across(vec2 moved, float time_s);
@@ -35,12 +35,12 @@ layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 layout(scalar) readonly buffer InstanceBuffer { Instance instances[]; };
 layout(scalar) readonly buffer IndexBuffer { uint indices[]; };
 layout(scalar) uniform SeenBlock {
-    uint first_item, items;  // of the batch that is shaded
-    uint first_index;        // of its mesh's part
+    uint first_item, items;  // items of the shaded batch
+    uint first_index;        // first index of the mesh's part
 } seen;
 
 // [look_up]
-// False where the pixel shows another batch. Else the varyings are set as a fragment shader has them, and gl_FragCoord.
+// Sets varyings and gl_FragCoord; false if the pixel shows another batch.
 bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord) {
     uvec2 id = texelFetch(visible, pixel, 0).xy;
     item = id.x - 1u;
@@ -94,7 +94,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16f) writeonly uniform image2D result;
 
-// Textures may move over the surface.
+// Animated texture coordinates.
 vec2 moved_across(vec2 moved, float time_s) {
     return moving_uv(uv + uv_across, maps.wobble, maps.scroll, time_s) - moved;
 }
@@ -102,7 +102,7 @@ vec2 moved_down(vec2 moved, float time_s) {
     return moving_uv(uv + uv_down, maps.wobble, maps.scroll, time_s) - moved;
 }
 
-// Radiance towards the eye, linear, and an alpha.
+// Linear radiance towards the eye, and alpha.
 vec4 seen_color(vec4 frag_coord);
 
 // [shade]

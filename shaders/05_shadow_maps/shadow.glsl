@@ -1,5 +1,5 @@
-// Visibility of lights: the module Shadow for shaders. Shaders that light by 03_attenuation/lighting.glsl include it
-// instead of 03_attenuation/unshadowed.glsl. One of the filters is compiled in.
+// Visibility of lights: GLSL of the module Shadow, included instead of 03_attenuation/unshadowed.glsl. The method's
+// filter is compiled in.
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/light_clip_position.glsl"
@@ -13,7 +13,7 @@ layout(scalar) uniform ShadowBlock {
     int kernel, taps, search_taps;
     float exponent, exponent_negative, min_variance, moment_bias, bleed;
 } shadow;
-uniform sampler2DArray shadow_moments;  // where the method has any
+uniform sampler2DArray shadow_moments;  // for methods with moments
 uniform sampler2DArray shadow_map;
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
 uniform sampler2DArray shadow_first;
@@ -26,9 +26,9 @@ int map_texels() { return textureSize(shadow_map, 0).x; }
 float read_depth(vec2 uv, uint layer) { return textureLod(shadow_map, vec3(uv, layer), 0.0).r; }
 vec4 gather_depths(vec2 uv, uint layer) { return textureGather(shadow_map, vec3(uv, layer), 0); }
 
-// Which of a light's views sees a point.
+// Light view that contains a point.
 // [cube_face]
-// The face of a cube through which a direction leaves it: +x, -x, +y, -y, +z, -z.
+// Cube face of a direction: +x, -x, +y, -y, +z, -z.
 uint cube_face(vec3 direction) {
     vec3 size = abs(direction);
     uint axis = size.x >= size.y && size.x >= size.z ? 0u : size.y >= size.z ? 1u : 2u;
@@ -37,7 +37,7 @@ uint cube_face(vec3 direction) {
 // [/cube_face]
 
 // [view_of]
-// Of cascades the finest that holds the point and around it all that a filter may read.
+// Finest cascade that contains the point and the filter's reach around it.
 uint view_of(ShadowLight light, vec3 position) {
     if (light.kind == LIGHT_POINT) return light.first_view + cube_face(position - light.position);
     uint last = light.first_view + light.views - 1u;
@@ -50,40 +50,40 @@ uint view_of(ShadowLight light, vec3 position) {
 // [/view_of]
 
 // [map_distance]
-// Metres along the view.
+// Distance along the view, metres.
 float map_distance(ShadowView view, float depth) {
     float d = view.to_distance.x + view.to_distance.y * depth;
     return view.perspective == 1u ? 1.0 / d : d;
 }
 
-// 0 at the near plane, 1 at the far one, in proportion to the distance.
+// Linear depth: 0 at the near plane, 1 at the far plane.
 float linear_depth(ShadowView view, float depth) {
     return clamp((map_distance(view, depth) - view.near) / (view.far - view.near), 0.0, 1.0);
 }
 // [/map_distance]
 
-// How a point is lifted off its surface before the map is asked: so far that the surface's own depths, which the map has
-// only in the middle of each texel, are not nearer to the light.
+// Bias: offset of the point so that the surface's own depths, stored only at texel centres, are not nearer to the
+// light.
 // [plane_slope]
-// In clip space a plane is a plane again, after the division by w too: depth changes evenly over the map.
+// Slope of depth over the map: a plane stays a plane in clip space, after division by w too.
 vec2 plane_slope(ShadowView view, vec3 position, vec3 facing, float cosine) {
     vec4 plane = view.plane_to_clip * vec4(facing, -dot(facing, position));
     if (abs(plane.z) < 1e-20) return vec2(0.0);
-    vec2 slope = -2.0 * plane.xy / plane.z;  // x and y go from -1 to 1, u and v from 0 to 1
-    return slope * min(cosine / 0.025, 1.0);  // a plane along the light's way has no end of slope
+    vec2 slope = -2.0 * plane.xy / plane.z;  // from -1..1 to 0..1
+    return slope * min(cosine / 0.025, 1.0);  // bounded where the surface is parallel to the light
 }
 // [/plane_slope]
 
-// The width of a texel of the map where the point is, in metres.
+// Texel width at the point, metres.
 float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.to_clip * vec4(position, 1.0)).w); }
 
 // [receiver]
-// `reach`: how far in texels a filter reads along u and along v.
+// `reach`: half-width of the filter in texels along u and v.
 Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, float reach) {
     float cosine = clamp(dot(facing, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
     float towards = shadow.bias_m + shadow.slope * slope_bias(cosine, texel, reach);
-    // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
+    // Lifting a plane by h along its normal moves it h / cosine towards the light: tangent times cosine is the sine.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
     vec3 lifted = position + towards * to_light + along_normal * facing;
     Receiver r = Receiver(light_clip_position(view.to_clip, lifted), vec2(0.0));
@@ -94,17 +94,17 @@ Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, fl
 }
 // [/receiver]
 
-// Shadow filter: filter_reach() and filtered(). The module replaces this file by that of its method.
+// Shadow filter: filter_reach() and filtered(). The module replaces this file with its method's.
 #include "05_shadow_maps/filter_pcf.glsl"
 
-// Visibility of a point in a light's map.
+// Visibility from a light's map.
 // [visibility_in_map]
 float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
     if (light.views == 0u) return 1.0;
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return 1.0;
     Receiver r = receiver(view, position, facing, to_light, filter_reach(light, view, position));
-    // Behind the light, beside its view, or beyond its reach.
+    // Outside the light's view.
     if (any(greaterThan(abs(r.place.xy - 0.5), vec2(0.5))) || r.place.z <= 0.0) return 1.0;
     float texel = texel_at(view, position), pixel = shadow_eye.pixel * length(shadow_eye.position - position);
     return filtered(light, view, r, texel, pixel);
@@ -112,13 +112,13 @@ float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_l
 // [/visibility_in_map]
 
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
-// Transmittance of transparent casters: behind the last the product of all, between first and last the first's.
+// Transmittance of transparent casters: product of all behind the last, the first one's between first and last.
 // [passed_in_map]
 vec3 passed_in_map(ShadowLight light, vec3 position, vec3 facing) {
     if (light.views == 0u) return vec3(1.0);
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return vec3(1.0);
-    // A transparent surface is not in its own shadow: four texels meet in the place that is asked for.
+    // Bias over the four texels around the point: a transparent surface does not shadow itself.
     vec3 before = position + 2.0 * texel_at(view, position) * facing;
     vec3 place = light_clip_position(view.to_clip, before);
     if (any(greaterThan(abs(place.xy - 0.5), vec2(0.5))) || place.z <= 0.0) return vec3(1.0);
@@ -139,7 +139,7 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
     return vec3(1.0);
 #else
     ShadowLight maps = shadow_lights[light];
-    // Of a lamp that casts none, an edge may still be above a surface that faces away from its middle.
+    // Lights without shadows: the edge of a large lamp may be above a surface that faces away from its centre.
     if (maps.views > 0u && dot(facing, to_light) <= 0.0) return vec3(0.0);
     vec3 visible = vec3(visibility_in_map(maps, position, facing, to_light));
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED

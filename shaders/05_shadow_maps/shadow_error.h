@@ -1,4 +1,4 @@
-// Kinds of shadow errors: one definition for the picture that shows them and for the study that counts them.
+// Kinds of shadow errors, for the picture that shows them and the study that counts them.
 #pragma once
 #include <common/shared.h>
 
@@ -11,16 +11,15 @@ const uint SHADOW_LEAK = 3u;
 const uint SHADOW_EDGE = 4u;
 
 // [shadow_error]
-// The truth at a point and around it: over points of the surface's tangent plane that a filter at this point may
-// average.
+// Ray-traced visibility at a point and over the part of its tangent plane within the filter's reach.
 struct ShadowTruth {
-    float visibility;   // at the point, 0 to 1
-    float least, most;  // of the visibilities around it, its own among them
-    float blocker_m;    // along the way to the middle of the lamp to the nearest thing in between; below 0: none
+    float visibility;   // visibility at the point, 0 to 1
+    float least, most;  // minimum and maximum around it, its own included
+    float blocker_m;    // distance to the nearest blocker towards the lamp's centre, metres; below 0: none
 };
 
-// `shown` is a method's visibility, `tolerance` the accepted error, `contact_m` the distance of a blocker within
-// which its shadow ought to touch it. On a surface that faces the light:
+// `shown`: a method's visibility; `tolerance`: accepted error; `contact_m`: blocker distance within which a shadow must
+// touch its caster. On a surface facing the light:
 //   acne           darker than the truth, and the truth is fully lit all around: only the surface itself can be why
 //   peter-panning  lighter than the truth, which is fully dark all around, and the blocker is nearer than contact_m
 //   leak           the same, and the blocker is farther away

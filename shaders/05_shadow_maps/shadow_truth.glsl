@@ -1,11 +1,11 @@
-// Visibility of lights by rays: the truth of shadows at a point and around it, for shadow_error().
+// Ray-traced visibility of lights at a point and around it, for shadow_error().
 #include "03_attenuation/light_data.h"
 #include "05_shadow_maps/rays.glsl"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/shadow_error.h"
 
 // [lamp_of]
-// `to_light` has unit length; directional lights use it.
+// `to_light`: unit length, for directional lights.
 Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
     if (light.kind == LIGHT_DIRECTIONAL) return Lamp(to_light, 0.5 * light.size, on_and_on);
     return Lamp(light.position - position, 0.5 * light.size, 1.0);
@@ -13,9 +13,9 @@ Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
 // [/lamp_of]
 
 // [visibility_by_rays]
-// visibility_in_map(), answered by rays.
+// visibility_in_map() by rays.
 float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
-    if (light.views == 0u) return 1.0;  // it casts no shadow
+    if (light.views == 0u) return 1.0;  // no shadow
     vec3 origin = above(position, facing);
     return lamp_visibility(lamp_of(light, origin, to_light), origin, rays_seed);
 }
@@ -24,9 +24,8 @@ float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_
 // [shadow_truth]
 const uint rays_around = 16u;
 
-// `radius_m` is how far from the point, seen along the light, a filter may read: half the width of its kernel on the map,
-// and a texel. The point's surroundings are in the plane of the surface, so that a slope is not taken for a neighbour's
-// shadow; a filter reaches the farther on it the more it is tilted.
+// `radius_m`: reach of the filter perpendicular to the light, half its kernel on the map plus a texel. Samples lie in
+// the surface's plane, so that a slope does not count as a neighbour's shadow; the reach grows with the surface's tilt.
 ShadowTruth shadow_truth(ShadowLight light, vec3 position, vec3 facing, vec3 to_light, float radius_m) {
     ShadowTruth truth;
     truth.visibility = visibility_by_rays(light, position, facing, to_light);

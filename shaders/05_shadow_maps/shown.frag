@@ -1,4 +1,4 @@
-// Pictures of the knob SHOW, and the picture by rays, as surfaces are drawn.
+// Views of the knob `show`, and shading by rays, in a fragment shader.
 #include "05_shadow_maps/shown.glsl"
 
 layout(location = 0) out vec4 color;

@@ -1,17 +1,17 @@
-// Pictures of the knob SHOW, and the picture by rays. Alpha is the kind of error, for measure().
+// Views of the knob `show`, and shading by rays. Alpha: kind of error, for measure().
 #define OWN_LIGHT_VISIBILITY
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/shadow_truth.glsl"
 
-const float tolerance = 0.25;  // of visibility: less is not counted as wrong
-const float contact_m = 0.1;   // how near a blocker's shadow ought to touch it
+const float tolerance = 0.25;  // visibility error not counted as wrong
+const float contact_m = 0.1;   // distance within which a shadow must touch its blocker
 
-uint worst = SHADOW_RIGHT;       // of all lights at this pixel
-float least_visible = 1.0;       // the least of all lights that cast shadows
-uint seen_in = 0u;               // 1 and which view of the first such light it is
-float texel_m = 0.0;             // of its map
-vec2 texels = vec2(0.0);         // where in its map, in texels
+uint worst = SHADOW_RIGHT;       // worst error of all lights
+float least_visible = 1.0;       // minimum over lights with shadows
+uint seen_in = 0u;               // 1 + view index for the first light with shadows
+float texel_m = 0.0;             // texel width of its map
+vec2 texels = vec2(0.0);         // position in its map, texels
 
 float map_visibility(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
@@ -58,7 +58,7 @@ vec4 shown(vec4 frag_coord) {
     MappedSurface m = seen_surface();
     Lit lit = light_mapped(m, item, frag_coord);
     vec3 radiance = radiance_of(m, lit.diffuse, lit.specular, ambient);
-    float light = 0.25 + 0.75 * abs(dot(m.facing, m.surface.to_eye));  // so that views show shapes
+    float light = 0.25 + 0.75 * abs(dot(m.facing, m.surface.to_eye));  // shows shapes
 #if SHOW == SHOW_VISIBILITY
     radiance = vec3(least_visible) * light;
 #elif SHOW == SHOW_WRONG
@@ -66,12 +66,12 @@ vec4 shown(vec4 frag_coord) {
     float shape = light * (0.15 + 0.85 * least_visible);
     radiance = worst == SHADOW_RIGHT ? colors[0] * shape * 0.5 : colors[worst];
 #elif SHOW == SHOW_MAP
-    // Red, green, blue, yellow for cascades; a cube's faces go on with cyan and magenta.
+    // Red, green, blue, yellow for cascades; also cyan and magenta for cube faces.
     const vec3 colors[] = vec3[](vec3(0.35), vec3(0.8, 0.15, 0.1), vec3(0.15, 0.65, 0.15), vec3(0.1, 0.3, 0.9),
                                  vec3(0.8, 0.65, 0.1), vec3(0.1, 0.65, 0.65), vec3(0.65, 0.15, 0.65));
     radiance = colors[min(seen_in, 6u)] * light * (0.3 + 0.7 * least_visible);
 #elif SHOW == SHOW_TEXELS
-    // A board of the map's texels: blue where they are narrower than a pixel, red where they are 16 times as wide.
+    // Checkerboard of texels: blue where narrower than a pixel, red where 16 times as wide.
     float pixels = texel_m / max(shadow_eye.pixel * length(shadow_eye.position - m.position), 1e-9);
     vec3 wide = mix(vec3(0.1, 0.3, 0.9), vec3(0.9, 0.15, 0.05), clamp(0.25 * log2(max(pixels, 1e-3)), 0.0, 1.0));
     uvec2 square = uvec2(max(texels, 0.0));

@@ -1,4 +1,4 @@
-// The same at the visible point.
+// Shading of a visibility buffer; equals shown.frag.
 #include "05_shadow_maps/shade_seen.glsl"
 #include "05_shadow_maps/shown.glsl"
 

@@ -1,4 +1,4 @@
-// A surface with all its maps, and its shadows.
+// Shading of surfaces with maps and shadows.
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "common/put_surface.glsl"

@@ -1,4 +1,4 @@
-// Surfaces with all their maps and shadows, shaded at the visible point: equals surface.frag.
+// Shading of a visibility buffer with maps and shadows; equals surface.frag.
 #include "05_shadow_maps/shade_seen.glsl"
 #include "04_surface_maps/reflection.glsl"
 #include "05_shadow_maps/shadow.glsl"

@@ -1,4 +1,4 @@
-// A visibility buffer's pixel: the visible item, counted from 1, and its triangle.
+// Visibility buffer: item, counted from 1, and triangle.
 layout(location = 7) flat in uint item;
 layout(location = 0) out uvec2 visible;
 

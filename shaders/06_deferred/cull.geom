@@ -1,5 +1,4 @@
-// Passes triangles that face the eye, as the device's own culling does, but earlier. With LEFT_OUT all others
-// instead.
+// Back-face culling in a geometry shader. LEFT_OUT: emits the culled triangles instead.
 #include "common/structs.h"
 #include "06_deferred/cull_back_face.glsl"
 
@@ -39,7 +38,7 @@ void main() {
 #ifdef LEFT_OUT
     culled = !culled;
 #endif
-    if (culled && gl_PrimitiveIDIn >= 0) return;  // always so; Mesa 22's lavapipe crashes on a shader that cannot emit
+    if (culled && gl_PrimitiveIDIn >= 0) return;  // always true: lavapipe 22 crashes on shaders that cannot emit
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         world_position = position_in[i];

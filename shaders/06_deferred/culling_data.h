@@ -1,42 +1,42 @@
-// Objects to be culled, and the groups that one draw call draws; GLSL and C++.
+// Shader data of culling: objects, and groups drawn by one call.
 #pragma once
 #include <common/shared.h>
 
 BEGIN_SHARED
 
-// Bounds of an object, world space.
+// World-space bounds of an object.
 struct CulledObject {
     vec3 center;     // metres
-    float radius;    // of a sphere around the box, metres; below 0: nothing is known, always drawn
-    vec3 half_size;  // of the box, metres
+    float radius;    // radius of the box's bounding sphere, metres; below 0: unknown, always drawn
+    vec3 half_size;  // half size of the box, metres
     uint group;      // draw group, or NO_GROUP
 };
 
-// Neighbours with one mesh and one set of textures.
+// Consecutive objects with equal mesh and textures.
 struct DrawGroup {
-    uint first, count;  // objects
+    uint first, count;  // range of objects
     uint first_index, index_count;
 };
 
-// As VkDrawIndexedIndirectCommand.
+// Layout of VkDrawIndexedIndirectCommand.
 struct DrawCommand {
     uint index_count, instances, first_index;
     int vertex_offset;
     uint first_instance;
 };
 
-// A view of the objects. Planes point inwards.
+// Culling view; planes point inwards.
 struct CullingView {
     vec4 planes[6];
-    mat4 to_clip;         // of the pyramid
-    vec2 pyramid_pixels;  // size of the picture that it was made of
-    int pyramid_levels;   // 0: there is none
+    mat4 to_clip;         // world to the pyramid's clip space
+    vec2 pyramid_pixels;  // size of the depth image, pixels
+    int pyramid_levels;   // 0: no pyramid
     uint objects, groups;
 };
 
-const uint NO_GROUP = 0xffffffffu;  // of an object that is drawn otherwise
-const uint DRAWN = 0x80000000u;     // bit of a rank: the object is in the list
-const uint LIST_GROUP = 256u;       // objects for each workgroup
-const uint PYRAMID_STEP = 5u;       // levels of a depth pyramid in one dispatch
+const uint NO_GROUP = 0xffffffffu;  // group of objects drawn elsewhere
+const uint DRAWN = 0x80000000u;     // bit of a rank: listed
+const uint LIST_GROUP = 256u;       // objects per workgroup
+const uint PYRAMID_STEP = 5u;       // pyramid levels per dispatch
 
 END_SHARED

@@ -1,4 +1,4 @@
-// Emission of surfaces, added to the lights' sum.
+// Emission, to which light is added.
 #include "04_surface_maps/surface_maps.glsl"
 
 layout(location = 0) out vec4 color;

@@ -1,11 +1,8 @@
-// Lights every pixel by every light; with light volumes, by the lights without a volume.
+// Lighting of every pixel by all lights, or with light volumes by the lights without one.
 #include "06_deferred/read_gbuffer.glsl"
-#include "06_deferred/reflected.glsl"
+#include "06_deferred/put_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba16f) writeonly uniform image2D hdr;
-layout(scalar) uniform AmbientBlock { vec3 ambient; };
-layout(scalar) uniform BackgroundBlock { vec3 background; };
 #if GBUFFER_VOLUMES
 layout(scalar) readonly buffer WithoutBuffer {
     uint count;
@@ -18,7 +15,7 @@ void main() {
     if (any(greaterThanEqual(at, imageSize(hdr)))) return;
     float depth = depth_of(at);
     if (depth == 0.0) {
-        imageStore(hdr, at, vec4(background, 0.0));
+        put_background(at);
         return;
     }
     Pixel p = read_pixel(at, depth);
@@ -30,6 +27,5 @@ void main() {
 #else
     Lit lit = light_surface(surface, p.facing, p.position, 0u, vec4(at, depth, 1.0));
 #endif
-    vec3 radiance = ambient_radiance(p.material, ambient) + reflected(p, lit);
-    imageStore(hdr, at, vec4(min(radiance, LARGEST_HALF), lit.lights));
+    put_light(at, p, lit);
 }

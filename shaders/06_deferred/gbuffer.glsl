@@ -1,4 +1,4 @@
-// Encoding of a pixel in each method's G-buffer: the module GBuffer for shaders.
+// G-buffer encodings: GLSL of the module GBuffer.
 #include "06_deferred/pixel.glsl"
 #include "06_deferred/pack_material.glsl"
 #include "06_deferred/normals.glsl"
@@ -6,14 +6,14 @@
 #define GBUFFER_IS_PACKED (GBUFFER_METHOD == GBUFFER_METHOD_PACKED || GBUFFER_METHOD == GBUFFER_METHOD_TILED)
 
 // [normal_bits]
-// 32 bits hold the shading normal and the mesh's normal: the second gets the bits left by the first.
+// Shading normal and mesh normal in 32 bits; the mesh normal gets what the shading normal leaves.
 #if GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_8
 const int normal_bits = 8, facing_bits = 8;
 #elif GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_12
 const int normal_bits = 12, facing_bits = 4;
 #else
 const int normal_bits = 16;
-#define GBUFFER_ONE_NORMAL  // which stands for that of the mesh, too
+#define GBUFFER_ONE_NORMAL  // shading normal replaces the mesh normal
 #endif
 // [/normal_bits]
 
@@ -50,10 +50,10 @@ Pixel restore(Stored s) {
 // [fat]
 struct Stored {
     vec4 normal, diffuse, specular;  // halves: 24 bytes
-    vec4 position;                   // floats: 16 bytes; of the method fat alone
+    vec4 position;                   // floats: 16 bytes; method fat only
 };
 
-// A half has room for 5 + 5 bits of the mesh's normal, a float for 12 + 12.
+// Mesh normal in a spare channel: 5 + 5 bits in a half, 12 + 12 in a float.
 const int half_bits = 5, float_bits = 12;
 
 Stored store(Pixel p) {

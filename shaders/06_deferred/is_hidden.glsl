@@ -1,15 +1,16 @@
-// Whether everything that a box may cover shows something nearer, by a pyramid of the farthest depths; for the block `look`.
+// Occlusion test of a box against a pyramid of farthest depths.
 #include "06_deferred/screen_box_data.glsl"
 #include "06_deferred/screen_box.glsl"
 #include "06_deferred/pyramid_level.glsl"
 
-uniform sampler2D pyramid;  // its first mip is level 1: half of the depth's size
+uniform sampler2D pyramid;  // mip 0 is level 1, half of the depth's size
 
 const float SLACK_PIXELS = 0.0625;    // rounding of positions
 const float SLACK_DEPTH = 1.0 + 1e-5;  // rounding of depth
 
 // [is_hidden]
-// Not by textureSize(): for levels that differ among invocations llvmpipe gives all the size of the first one's.
+// Sizes are computed: with levels that differ between invocations, llvmpipe's textureSize() gives the first one's to
+// all.
 float farthest_at(ivec2 texel, int level) {
     ivec2 last = max(ivec2(look.pyramid_pixels) >> level, ivec2(1)) - 1;
     return texelFetch(pyramid, min(texel, last), level - 1).r;

@@ -1,4 +1,4 @@
-// Geometry of a light volume: a unit sphere, or a unit cone, moved to the light's reach.
+// Light volume: a unit sphere or cone, transformed to the light's reach.
 #pragma once
 #include <common/shared.h>
 
@@ -6,7 +6,7 @@ BEGIN_SHARED
 
 struct LightVolumeData {
     mat4 to_world;
-    uint light;  // of the lights' buffer
+    uint light;  // index into the lights
 };
 
 END_SHARED

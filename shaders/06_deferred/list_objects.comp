@@ -1,9 +1,9 @@
-// Tests objects against the view, and gives each visible one its rank within a workgroup.
+// Visibility test of objects; visible ones get a rank within their workgroup.
 #include "06_deferred/culling_data.h"
 
 layout(local_size_x = 256) in;
 
-// Which objects a dispatch lists: all within the view; those that the frame before did not hide; or the ones left.
+// Objects to list: all in the view, those visible in the previous frame, or the remaining ones.
 #define SEEN 0
 #define SEEN_BEFORE 1
 #define APPEARED 2
@@ -52,7 +52,7 @@ void main() {
     uint listed = i < look.objects && is_listed(i) ? 1u : 0u;
     running[lane] = listed;
     barrier();
-    for (uint step = 1u; step < LIST_GROUP; step *= 2u) {  // a running sum of 2, 4, 8, ... objects
+    for (uint step = 1u; step < LIST_GROUP; step *= 2u) {  // prefix sum
         uint before = lane >= step ? running[lane - step] : 0u;
         barrier();
         running[lane] += before;

@@ -1,4 +1,4 @@
-// Encoding losses of the current G-buffer, as a surface is drawn: it is encoded and decoded at once.
+// Encoding error of the G-buffer: surfaces encoded and decoded at once.
 #include "06_deferred/mapped_pixel.glsl"
 #include "06_deferred/gbuffer.glsl"
 #include "06_deferred/position_from_depth.glsl"
@@ -28,7 +28,8 @@ Pixel kept(Pixel p) {
 void main() {
     MappedSurface m = seen_surface();
     Pixel p = pixel_of(m), back = kept(p);
-    // Half the chord is the sine of half the angle: acos() of a dot product knows no small angles. And millimetres.
+    // Angle from half the chord, its half's sine, since acos() of a dot product is inexact for small angles. Then
+    // millimetres.
     vec2 lost = vec2(degrees(2.0 * asin(min(0.5 * distance(back.normal, p.normal), 1.0))), 1e3 * distance(back.position, p.position));
 #if GBUFFER_METHOD == GBUFFER_METHOD_FORWARD
     lost = vec2(0.0);

@@ -1,4 +1,4 @@
-// From a surface with all its maps to a G-buffer's input.
+// G-buffer input of a surface with maps.
 #include "04_surface_maps/surface_maps.glsl"
 #include "06_deferred/pixel.glsl"
 

@@ -1,4 +1,4 @@
-// A picture with its depth into another one: the depth test keeps the nearer pixel.
+// Merge of two pictures: the depth test keeps the nearer pixel.
 uniform sampler2D color_map;
 uniform sampler2D depth_map;
 

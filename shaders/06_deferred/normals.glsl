@@ -1,4 +1,4 @@
-// Two directions in one word.
+// Two unit vectors in one word.
 #include "06_deferred/encode_normal.glsl"
 #include "06_deferred/decode_normal.glsl"
 #include "06_deferred/quantise.glsl"

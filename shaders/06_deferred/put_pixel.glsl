@@ -1,4 +1,4 @@
-// How a fragment shader ends that writes the G-buffer.
+// G-buffer outputs of fragment shaders.
 #include "06_deferred/gbuffer.glsl"
 
 // [outputs]

@@ -1,4 +1,4 @@
-// The pixel that the G-buffer and the depth buffer hold, for passes that light it.
+// Decoding of the G-buffer and depth, for lighting passes.
 #include "06_deferred/gbuffer.glsl"
 #include "06_deferred/position_from_depth.glsl"
 #include "common/structs.h"
@@ -13,13 +13,13 @@ uniform sampler2D gbuffer_position;
 #endif
 uniform sampler2D gbuffer_depth;
 layout(scalar) uniform ViewBlock { CameraView view; };
-layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };  // to vectors from the eye: near 0 numbers are finer
+layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };  // to vectors from the eye, since floats are finer near 0
 
-// 0 where nothing is.
+// Stored depth; 0: no surface.
 float depth_of(ivec2 at) { return texelFetch(gbuffer_depth, at, 0).r; }
 
 // [read_pixel]
-// `depth` is depth_of(at), above 0.
+// `depth`: depth_of(at), above 0.
 Pixel read_pixel(ivec2 at, float depth) {
     Stored s;
 #if GBUFFER_IS_PACKED

@@ -1,4 +1,4 @@
-// From a pixel to the inputs of chapter 03's lights, and from their sum to the light that leaves it.
+// Reflection of a decoded pixel: inputs of chapter 03's lights, and radiance from their sum.
 #include "04_surface_maps/coat.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "06_deferred/pixel.glsl"
@@ -9,7 +9,7 @@ Surface surface_of(Pixel p, vec3 eye) {
     return surface;
 }
 
-// The two after surface_of().
+// Results of surface_of().
 vec3 reflected(Pixel p, Lit lit) {
     return p.material.mixed.diffuse * lit.diffuse + specular_factor(p.material.mixed.specular) * lit.specular;
 }

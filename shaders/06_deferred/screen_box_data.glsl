@@ -1,5 +1,5 @@
-// What a box may cover of a picture.
+// Screen-space bounds of a box.
 struct ScreenBox {
-    vec2 low, high;  // pixels; the picture is 0 to its size
-    float nearest;   // depth of its nearest point: 1 at the near plane, 0 at the far one
+    vec2 low, high;  // pixels, 0 to the picture's size
+    float nearest;   // depth of the nearest point: 1 at the near plane, 0 at the far plane
 };

@@ -1,4 +1,4 @@
-// Contents of the G-buffer, decoded, instead of the picture.
+// View of a decoded G-buffer channel.
 #include "06_deferred/read_gbuffer.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -18,7 +18,7 @@ vec3 shown(Pixel p, float depth, float lights) {
 #elif GBUFFER_SHOW == GBUFFER_SHOW_OCCLUSION
     return vec3(p.material.occlusion);
 #elif GBUFFER_SHOW == GBUFFER_SHOW_POSITION
-    return fract(p.position + 0.5);  // metre by metre; surfaces at 0 do not flicker
+    return fract(p.position + 0.5);  // repeats every metre; offset so that surfaces at 0 do not flicker
 #elif GBUFFER_SHOW == GBUFFER_SHOW_DEPTH
     return vec3(1.0 / (1.0 + 0.1 * distance(p.position, view.eye)));
 #else

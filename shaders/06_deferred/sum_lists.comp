@@ -1,4 +1,4 @@
-// Turns the number of objects that each workgroup listed into the number listed before it; one workgroup.
+// Exclusive prefix sum of the workgroups' counts, in one workgroup.
 #include "06_deferred/culling_data.h"
 
 layout(local_size_x = 256) in;

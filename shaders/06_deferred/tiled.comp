@@ -1,15 +1,12 @@
-// Lights a tile of 16 x 16 pixels in one workgroup: its depth range, the lights that reach it, their sum.
-layout(local_size_x = 16, local_size_y = 16) in;  // before anybody asks for gl_WorkGroupSize
+// Tiled lighting, one workgroup per 16 x 16 pixels: depth range, lights in reach, their sum.
+layout(local_size_x = 16, local_size_y = 16) in;  // before the first use of gl_WorkGroupSize
 
 #include "06_deferred/read_gbuffer.glsl"
-#include "06_deferred/reflected.glsl"
+#include "06_deferred/put_light.glsl"
 #include "06_deferred/accumulate_lights.glsl"
 
-layout(rgba16f) writeonly uniform image2D hdr;
-layout(scalar) uniform AmbientBlock { vec3 ambient; };
-layout(scalar) uniform BackgroundBlock { vec3 background; };
 
-shared uint farthest, nearest;  // bits of floats above 0, which are in the order of the floats
+shared uint farthest, nearest;  // bits of positive floats, which sort as the floats do
 
 // [main]
 void main() {
@@ -26,13 +23,12 @@ void main() {
         atomicMax(nearest, floatBitsToUint(depth));
     }
     barrier();
-    vec4 color = vec4(background, 0.0);
-    if (nearest != 0u) {  // for all of the group, or for none
+    if (inside && depth == 0.0) put_background(at);
+    if (nearest != 0u) {  // uniform over the group
         Cell cell = cell_between(gl_WorkGroupID.xy, view_depth(uintBitsToFloat(nearest)), view_depth(uintBitsToFloat(farthest)));
         Pixel p = read_pixel(min(at, imageSize(hdr) - 1), max(depth, uintBitsToFloat(farthest)));
         Lit lit = accumulate_lights(surface_of(p, view.eye), p.facing, p.position, cell, depth > 0.0);
-        if (depth > 0.0) color = vec4(min(ambient_radiance(p.material, ambient) + reflected(p, lit), LARGEST_HALF), lit.lights);
+        if (depth > 0.0) put_light(at, p, lit);
     }
-    if (inside) imageStore(hdr, at, color);
 }
 // [/main]

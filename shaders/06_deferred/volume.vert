@@ -1,4 +1,4 @@
-// Places the volume that a light reaches.
+// Vertex transform of light volumes.
 #include "common/structs.h"
 #include "01_obj/transform.glsl"
 #include "06_deferred/light_volume_data.h"

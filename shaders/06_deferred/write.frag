@@ -1,4 +1,4 @@
-// Writes a pixel's surface properties, without lighting.
+// G-buffer pass: surface properties without lighting.
 #include "06_deferred/mapped_pixel.glsl"
 #include "06_deferred/put_pixel.glsl"
 

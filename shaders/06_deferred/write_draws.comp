@@ -1,4 +1,4 @@
-// Writes the listed objects of each group side by side, in their order, and the group's draw command.
+// Compaction of each group's listed objects, in order, and its draw command.
 #include "06_deferred/culling_data.h"
 #include "common/structs.h"
 
@@ -15,7 +15,7 @@ layout(scalar) writeonly buffer DrawBuffer { DrawCommand draws[]; };
 layout(scalar) uniform LookBlock { CullingView look; };
 
 // [draws]
-// Number of listed objects before the i-th.
+// Number of listed objects before object i.
 uint listed_before(uint i) { return i < look.objects ? sums[i / LIST_GROUP] + (ranks[i] & ~DRAWN) : total; }
 
 void main() {

@@ -10,7 +10,8 @@ layout(scalar) uniform ViewerBlock {
 } viewer;
 layout(rgba16f) writeonly uniform image2D result;
 
-const float gap = 8.0;  // pixels around each
+const float gap = 8.0;           // pixels around each
+const float to_the_later = 1e-4;  // of a texel: a pixel whose centre is on a border belongs to one side on all devices
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
@@ -22,8 +23,8 @@ void main() {
     vec2 uv = (vec2(at) + 0.5 - middle) / (pixels * texels) + 0.5;
     vec3 code = vec3(0.13);
     if (all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)))) {
-        vec3 a = texelFetch(found, ivec2(uv * vec2(textureSize(found, 0))), 0).rgb;
-        vec3 b = texelFetch(exact, ivec2(uv * texels), 0).rgb;
+        vec3 a = texelFetch(found, ivec2(uv * vec2(textureSize(found, 0)) + to_the_later), 0).rgb;
+        vec3 b = texelFetch(exact, ivec2(uv * texels + to_the_later), 0).rgb;
         code = which == 0 ? a : which == 1 ? b : min(viewer.gain * abs(a - b), vec3(1.0));
     }
     imageStore(result, at, vec4(srgb_to_linear(code), 1.0));

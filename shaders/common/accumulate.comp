@@ -1,16 +1,16 @@
-// The running mean of linear light over pictures that are shifted within a pixel.
+// Running mean of linear light over pictures shifted within a pixel.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D hdr;
 layout(rgba32f) uniform image2D mean;
-layout(scalar) uniform WeightBlock { float weight; };  // of this picture: 1 / (how many there are with it)
+layout(scalar) uniform WeightBlock { float weight; };  // 1 / number of pictures so far, this one included
 
 // [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(mean)))) return;
     vec4 now = texelFetch(hdr, pixel, 0);
-    // The first picture overwrites the image, which may hold NaN.
+    // Overwriting, not adding: the image may hold NaN before the first picture.
     vec4 before = weight == 1.0 ? now : imageLoad(mean, pixel);
     imageStore(mean, pixel, before + (now - before) * weight);
 }

@@ -1,18 +1,18 @@
-// Vertices of a mesh that is deformed: morph targets first, then the joints of a skin (glTF 2.0, 3.7.2.2 and 3.7.3).
+// Mesh deformation: morph targets, then skinning (glTF 2.0, 3.7.2.2 and 3.7.3).
 #include "common/structs.h"
 
 layout(local_size_x = 64) in;
 
 layout(scalar) readonly buffer RestBuffer { Vertex rest[]; };
 layout(scalar) writeonly buffer VertexBuffer { Vertex vertices[]; };
-layout(scalar) readonly buffer OffsetBuffer { vec3 offsets[]; };  // of each target: all positions, then all normals
+layout(scalar) readonly buffer OffsetBuffer { vec3 offsets[]; };  // per target: all positions, then all normals
 layout(scalar) readonly buffer WeightBuffer { float morph_weights[]; };
 layout(scalar) readonly buffer JointBuffer { uvec4 joints[]; };
 layout(scalar) readonly buffer JointWeightBuffer { vec4 joint_weights[]; };
 layout(scalar) readonly buffer MatrixBuffer { mat4 joint_matrices[]; };
 layout(scalar) uniform DeformBlock {
-    uint count;    // of vertices
-    uint targets;  // of morphs
+    uint count;    // number of vertices
+    uint targets;  // number of morph targets
     uint has_skin;
 } deform;
 

@@ -1,4 +1,4 @@
-// Linear HDR to sRGB; values above 1 are clamped.
+// sRGB encoding of linear HDR; values above 1 are clamped.
 #include "common/srgb.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;

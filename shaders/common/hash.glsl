@@ -1,6 +1,6 @@
-// Hashing of cells.
+// Hash of integer cells.
 
-// M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg3d. 0 to 1.
+// pcg3d, 0 to 1 (M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020).
 vec3 hash3(ivec3 cell) {
     uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
     v.x += v.y * v.z;

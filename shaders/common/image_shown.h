@@ -1,16 +1,16 @@
-// How show_image.comp shows an image.
+// Parameters of show_image.comp.
 #include <common/shared.h>
 
 BEGIN_SHARED
 
 struct ImageShown {
-    vec2 first;  // texels: where the part that is shown begins
+    vec2 first;  // upper left corner of the visible part, texels
     vec2 extent;
-    vec2 place;  // pixels of the picture: where it is put
+    vec2 place;  // its position in the picture, pixels
     vec2 size;
     vec3 gain;
     float around;  // grey light, added everywhere
-    int gate;      // of words: nothing is shown where this one is 0
+    int gate;      // index of a word that hides the image if it is 0
 };
 
 END_SHARED

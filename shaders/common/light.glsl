@@ -3,5 +3,5 @@
 
 float luminance(vec3 radiance) { return dot(radiance, vec3(0.2126, 0.7152, 0.0722)); }
 
-// Below 0 and NaN is 0, above the largest half and infinity is the largest half.
+// Clamped to the range of halves; NaN becomes 0.
 vec3 finite_light(vec3 radiance) { return mix(clamp(radiance, 0.0, LARGEST_HALF), vec3(0.0), isnan(radiance)); }

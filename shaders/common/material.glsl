@@ -1,4 +1,4 @@
-// A fragment's material: numbers from the buffer, textures where the material has them.
+// Material of a fragment: numbers from the buffer, times textures where it has any.
 #include "common/structs.h"
 
 layout(scalar) readonly buffer MaterialBuffer { MaterialData materials[]; };
@@ -9,7 +9,7 @@ vec3 diffuse_color(MaterialData material, vec2 uv, float lod_bias) {
     return material.diffuse * texture(diffuse_map, image_uv(uv), lod_bias).rgb;
 }
 
-// Emissive maps are not read before chapter 04: without its map, the factor would be a lamp.
+// No emission: emissive maps are read from chapter 04 on, and the factor alone would make the whole surface glow.
 vec3 emitted_color(MaterialData material) {
     return (material.maps & EMISSIVE_MAP) == 0u ? material.emissive : vec3(0.0);
 }

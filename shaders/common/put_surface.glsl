@@ -1,9 +1,8 @@
-// Output of surfaces' fragment shaders. A method for transparent surfaces replaces this file by one with its own
-// outputs.
+// Output of surface shaders. Methods for transparency replace this file.
 
 layout(location = 0) out vec4 color;
 
-// `radiance`: towards the camera, linear, not multiplied by `alpha`, the opacity.
+// `radiance`: linear, towards the camera, not premultiplied by the opacity `alpha`.
 void put_surface(vec3 radiance, float alpha) {
     color = vec4(radiance, 1.0);
 #ifdef TRANSPARENT

@@ -1,7 +1,7 @@
-// Fresnel reflectance (C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3),
-// 1994). Exercises state it for themselves.
+// Schlick's Fresnel reflectance ("An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum
+// 13(3), 1994).
 
-// 1 - cosine to the fifth.
+// (1 - cosine)^5.
 float schlick_power(float cosine) {
     float grazing = clamp(1.0 - cosine, 0.0, 1.0), square = grazing * grazing;
     return square * square * grazing;

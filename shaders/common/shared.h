@@ -1,5 +1,6 @@
-// Lets one header be GLSL and C++: between BEGIN_SHARED and END_SHARED use GLSL's type names. A function there begins
-// with SHARED_FUNCTION. For C++ alone, hence <...>: in GLSL all three are empty from the beginning (common/gpu/flatten.cpp).
+// Headers read by GLSL and C++: GLSL's type names between BEGIN_SHARED and END_SHARED, functions marked
+// SHARED_FUNCTION. Included with <...>, so for C++ alone: common/gpu/flatten.cpp predefines all three as empty for
+// GLSL.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// An image of any size instead of the picture.
+// Image of any size, shown in place of the picture.
 #include "common/image_shown.h"
 #include "common/structs.h"
 

@@ -6,11 +6,11 @@ vec3 encode_srgb(vec3 linear) {
     return mix(low, high, greaterThan(c, vec3(0.0031308)));
 }
 
-// Codes from 0 to 1 to linear light: the other way.
+// Inverse: codes from 0 to 1 to linear light.
 vec3 decode_srgb(vec3 code) {
     vec3 low = code / 12.92, high = pow((max(code, 0.0) + 0.055) / 1.055, vec3(2.4));
     return mix(low, high, greaterThan(code, vec3(0.04045)));
 }
 
-// Nearest of 256 codes. Devices round other values to 8 bits as they like: an H200 is off by up to a sixteenth of a code.
+// Rounding to the nearest of 256 codes, since devices round differently: an H200 by up to a sixteenth of a code.
 vec3 nearest_code(vec3 code) { return floor(255.0 * code + 0.5) / 255.0; }

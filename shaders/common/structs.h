@@ -15,30 +15,30 @@ struct Vertex {
 // Tangent frame of a vertex.
 // [tangent_frame]
 struct TangentFrame {
-    vec3 tangent;        // unit length, object space, perpendicular to the normal: where u grows
+    vec3 tangent;        // unit length, object space, perpendicular to the normal, towards increasing u
     float handedness;    // 1 or -1: v grows along handedness * cross(normal, tangent)
-    vec2 metres_per_uv;  // object space: how far one step in u, and one in v, is on the surface
-    float cos_uv;        // of the angle between the directions in which u and v grow: 0 where a texture is not sheared
+    vec2 metres_per_uv;  // object space: length of one unit of u, and of v, on the surface
+    float cos_uv;        // cosine of the angle between the u and v directions; 0: no shear
 };
 // [/tangent_frame]
 
 // [along_uv]
-// A tangent-space vector along the directions of growing u and v, which need not be perpendicular; z stays. A step (x,
-// y) changes u by x / metres_per_uv.x and v by y / metres_per_uv.y.
+// Tangent-space vector in the oblique basis of increasing u and v; z stays. A step (x, y) changes u by
+// x / metres_per_uv.x and v by y / metres_per_uv.y.
 SHARED_FUNCTION vec3 along_uv(vec3 v, float cos_uv) {
     float sin_uv = sqrt(max(1.0f - cos_uv * cos_uv, 1e-4f));
     return vec3(v.x - v.y * cos_uv / sin_uv, v.y / sin_uv, v.z);
 }
 // [/along_uv]
 
-// One drawn part of a mesh; gl_InstanceIndex counts them.
+// Drawn part of a mesh, by gl_InstanceIndex.
 struct Instance {
     mat4 model;          // object to world
-    mat3 normal_matrix;  // inverse transpose of its upper 3×3
+    mat3 normal_matrix;  // inverse transpose of model's upper 3×3
     uint material;
 };
 
-// A material's numbers. The bits of `maps` say which of its textures exist.
+// Material parameters; the bits of `maps` mark existing textures.
 struct MaterialData {
     vec3 diffuse;
     float shininess;  // Blinn–Phong exponent
@@ -46,20 +46,20 @@ struct MaterialData {
     float opacity;
     vec3 emissive;
     uint maps;
-    float roughness, metalness;  // 0 to 1, instead of the ORM map's; below 0: nothing is said
-    float alpha_cutoff;          // below it there is a hole; below 0: the file does not say
+    float roughness, metalness;  // 0 to 1, overriding the ORM map; below 0: unset
+    float alpha_cutoff;          // lower alphas are holes; below 0: unset
     float normal_scale, occlusion_strength;
 };
 
-// Where a map lies on a surface.
+// Texture transform of a map.
 struct MapPlacement {
     mat2 turn;  // uv' = turn * uv + offset
     vec2 offset;
-    uint set;  // 1: the second texture coordinates
+    uint set;  // 1: second set of texture coordinates
 };
 const uint MAP_COUNT = 12u;
 
-// Texture slots, in the order of MaterialData::maps' bits. In a shader the texture is called <slot>_map.
+// Texture slots by the bits of MaterialData::maps; in shaders, <slot>_map.
 const uint DIFFUSE_MAP = 1u;                // sRGB colour
 const uint SPECULAR_MAP = 2u;               // linear
 const uint EMISSIVE_MAP = 4u;               // sRGB colour
@@ -71,7 +71,7 @@ const uint OCCLUSION_MAP = 128u;            // linear
 const uint GLOSS_MAP = 256u;                // linear
 const uint DETAIL_NORMAL_MAP = 512u;        // linear, +y up
 const uint DISPLACEMENT_MAP = 1024u;        // linear, 1/2 is the surface
-const uint METALLIC_ROUGHNESS_MAP = 2048u;  // linear: green times roughness, blue times metalness
+const uint METALLIC_ROUGHNESS_MAP = 2048u;  // linear: green scales roughness, blue scales metalness
 
 // Camera data for all shaders.
 struct CameraView {
@@ -79,34 +79,34 @@ struct CameraView {
     vec3 eye;              // metres, world space
     float time_s;
     vec2 size;       // pixels
-    uint seed;       // of --seed
-    vec2 origin;     // of this picture in the one it is a part of, pixels
-    float lod_bias;  // for mip levels: 0, or less where the mean of several pictures is taken, each of which is sharper
+    uint seed;       // value of --seed
+    vec2 origin;     // offset within the whole picture, pixels
+    float lod_bias;  // mip bias; below 0 for pictures averaged over several sharper ones
 };
 
 // Image rows run from the top, texture v from the bottom.
 SHARED_FUNCTION vec2 image_uv(vec2 uv) { return vec2(uv.x, 1.0f - uv.y); }
 
 // [moving_uv]
-// Texture coordinates that change with time, as for lava and water: a wave of `wobble` tiles across both, and a steady flow
-// of `scroll` tiles per second along v.
+// Animated texture coordinates, for lava and water: a wave of `wobble` tiles in u and v, and a flow of `scroll` tiles
+// per second along v.
 SHARED_FUNCTION vec2 moving_uv(vec2 uv, float wobble, float scroll, float time_s) {
     const float tau = 6.2831853f;
     return uv + wobble * sin(tau * (vec2(uv.y, uv.x) + vec2(0.31f, 0.23f) * time_s)) + vec2(0.0f, scroll * time_s);
 }
 // [/moving_uv]
 
-const float LARGEST_HALF = 65504.0f;  // the largest number that a target of half floats holds
+const float LARGEST_HALF = 65504.0f;  // largest finite half
 
 #ifndef __cplusplus
-// A surface as reflection sees it.
+// Surface point for reflection models.
 struct Surface {
     vec3 normal;      // unit length, world space
     vec3 to_eye;      // unit length, world space
     float shininess;  // Blinn–Phong exponent
 };
 
-// Light that leaves towards the camera for radiance 1, per unit of diffuse and of specular colour.
+// Radiance towards the camera for incident radiance 1, per unit of diffuse and of specular colour.
 struct Reflected {
     vec3 diffuse, specular;
 };

@@ -1,4 +1,4 @@
-// Makes an image of a frame visible: any format, fitted into a rectangle. SHAPE: 0 plain, 1 layers side by side, 2 cube
+// Viewer for an image of any format, fitted into a rectangle. SHAPE: 0 plain, 1 layers side by side, 2 cube
 // as longitude and latitude, 3 integers. NaN is magenta, infinity cyan.
 #include "common/look_parameters.h"
 #include "common/srgb.glsl"
@@ -18,7 +18,7 @@ uniform sampler2D source;
 layout(scalar) uniform LookBlock { LookParameters look; };
 layout(rgba8) writeonly uniform image2D result;
 
-// Layers stand in a grid as square as can be.
+// Layers in a nearly square grid.
 ivec2 tiles() {
     int columns = int(ceil(sqrt(float(look.layers))));
     return ivec2(columns, (look.layers + columns - 1) / columns);

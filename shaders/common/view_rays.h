@@ -1,18 +1,19 @@
-// The rays through a picture's pixels, for passes that draw no triangles.
+// Rays through pixels, for passes without triangles.
 #pragma once
 #include <common/shared.h>
 
 BEGIN_SHARED
 
-// Computed on the CPU in double precision: far from the origin an inverse matrix cannot separate two pixels.
+// Computed in double precision on the CPU: far from the origin an inverse float matrix cannot separate neighbouring
+// pixels.
 struct ViewRays {
     vec3 eye;                         // metres, world space
-    vec3 corner;                      // through the picture's upper left corner; along the view its length is 1
-    vec3 right, down;                 // to the next pixel
+    vec3 corner;                      // ray through the upper left corner; length 1 along the view
+    vec3 right, down;                 // step to the next pixel
     float inverse_near, inverse_far;  // 1/m; inverse_far is 0 where the far plane is at infinity
 };
 
-// Through a place in the picture, in pixels from its upper left corner; along the view its length is 1.
+// Ray through a point in pixels from the upper left corner; length 1 along the view.
 SHARED_FUNCTION vec3 ray_through(ViewRays rays, vec2 pixel) {
     return rays.corner + pixel.x * rays.right + pixel.y * rays.down;
 }

@@ -56,6 +56,18 @@ class PicturesTest(ChapterPictures):
 
     # --- culling
 
+    def test_coplanar_emission_is_counted_once(self):
+        glow = {"diffuse": [0, 0, 0], "specular": [0, 0, 0], "emissive": [0.2, 0.1, 0.05]}
+        cubes = [{"model": "models/cube.obj", "position": [x, 0.5, 0], "rotation_deg": [0, 0, roll], "material": glow}
+                 for x, roll in ((-0.25, 0), (0.1, 0), (0.4, 180))]
+        scene = {"camera": {"position": [0.3, 0.9, 3], "target": [0, 0.5, 0], "near_m": 0.1, "far_m": 40},
+                 "background": [0, 0, 0], "ambient": [0, 0, 0], "objects": cubes, "lights": []}
+        pictures = [self.draw(scene, "--method", method, name=method) for method in ("forward", "packed", "fat", "tiled")]
+        for picture in pictures:
+            colors = {color for _, color in Image.open(picture).convert("RGB").getcolors()}
+            self.assertLessEqual(len(colors), 2, f"{picture.stem}: {sorted(colors)}")
+            self.assertEqual(self.steps(pictures[0], picture)[0], 0, picture.stem)
+
     def test_a_shader_that_never_emits_draws_nothing_after_one_that_does(self):
         """The starter culls no triangle, so none is left out; Mesa 22.3 read its outputs, which a compiler had removed."""
         scene = [SCENES / "bell.json", "--size", "160x90", "--set", "cull=left_out"]

@@ -307,3 +307,38 @@ TEST_CASE("phase functions: each adds up to 1, and dust's have the mean cosine t
           Approx(0.81).epsilon(0.002));
     CHECK(truth::over_sphere(truth::phase_rayleigh) == Approx(1).epsilon(1e-9));
 }
+
+TEST_CASE("map coordinates are right to a hundredth of a texel of 8192, also where a device's own atan is coarse",
+          "[10.map_uv]") {
+    Table inputs{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+    Random random;
+    for (int i = 0; i < 3000; ++i) {
+        glm::dvec3 d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        d = glm::normalize(i % 3 == 0   ? glm::dvec3(d.x * 1e-3, d.y, d.z)
+                           : i % 3 == 1 ? glm::dvec3(d.x, d.y * 1e-3, d.z)
+                                        : d);
+        inputs.push_back({float(d.x), float(d.y), float(d.z)});
+    }
+    double worst_u = 0, worst_v = 0;
+    const auto found = run_probe(validated_device(),
+                                 {.include = "10_atmosphere/map_uv.glsl",
+                                  .before = "",
+                                  .signature = "vec2 map_uv(vec3 direction)",
+                                  .inputs = inputs,
+                                  .truth = {},
+                                  .bound = {},
+                                  .macros = {},
+                                  .words = {},
+                                  .hint = {}},
+                                 2);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const double x = float(inputs[i][0]), y = float(inputs[i][1]), z = float(inputs[i][2]);
+        const double u = 0.5 + std::atan2(x, z) / 6.283185307179586;
+        const double v = std::atan2(std::hypot(x, z), y) / 3.141592653589793;
+        worst_u = std::max(worst_u, std::fabs(std::remainder(found[i][0] - u, 1.0)) * (y * y < 0.99 ? 1.0 : 0.0));
+        worst_v = std::max(worst_v, std::fabs(found[i][1] - v));
+    }
+    INFO(worst_u << " " << worst_v);
+    CHECK(worst_u < 0.01 / 8192);
+    CHECK(worst_v < 0.01 / 8192);
+}

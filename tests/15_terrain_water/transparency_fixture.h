@@ -13,7 +13,7 @@ struct Pane {
     glm::vec3 middle() const { return 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]); }
 };
 
-struct Quads : Drawing {
+struct Quads : Drawing, TransparentSource {
     Quads(Module& owner, std::string name) : Drawing(owner, std::move(name)) {}
     std::vector<Pane> quads;
     Buffer buffer;
@@ -26,6 +26,7 @@ struct Quads : Drawing {
         frame.raster("solid", {.color = {canvas.color_target()}, .depth = canvas.depth_target()},
                      [&](Raster& pass) { pass.use(opaque).set("quads", buffer).draw(6, solid, first); });
     }
+    const TransparentSource* transparent_source() const override { return this; }
     std::vector<Transparent> transparent(const View& view) const override {
         std::vector<Transparent> all;
         for (uint32_t i = 0; i + solid < quads.size(); ++i)
@@ -84,7 +85,7 @@ struct OnTransparency : OnModules {
         const View view = view_of(camera, size);
         begin(size);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(background, 1.0f));
-        canvas.mixed_by(&transparency);
+        canvas.blended_by(&transparency);
         lightwalk::draw(frame, view, canvas, {drawing});
         frame.end();
         return read_linear(gpu, frame.hdr);

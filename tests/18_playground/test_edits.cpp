@@ -25,7 +25,7 @@ struct Shown {
         scene.load(gpu, exported(document).scene, test_model);
         live.begin(document, scene);
     }
-    LiveScene::Done update() { return live.update(gpu, document, scene, test_model); }
+    bool update() { return live.update(gpu, document, scene, test_model); }
 };
 
 // Items with their placements and numbers, in any order.

@@ -1,15 +1,14 @@
-// A picture of all directions (equirectangular: its middle is -z, its right quarter +x, its upper edge +y) and the faces
-// of a cube.
+// Equirectangular picture (centre -z, right quarter +x, upper edge +y) and cube faces.
 
-// Where a direction lies in the picture, 0 to 1. At the poles every u is right: 1/2.
+// Picture coordinates of a direction, 0 to 1; u is undefined at the poles: 1/2. Latitude by atan, since acos may be off by
+// 1e-4 on a device.
 vec2 environment_uv(vec3 direction) {
     const float pi = 3.14159265358979;
     float u = direction.x == 0.0 && direction.z == 0.0 ? 0.5 : 0.5 + atan(direction.x, -direction.z) / (2.0 * pi);
-    return vec2(u, acos(clamp(normalize(direction).y, -1.0, 1.0)) / pi);
+    return vec2(u, atan(length(direction.xz), direction.y) / pi);
 }
 
-// Direction through the centre of a cube face's texel; faces +x, -x, +y, -y, +z, -z, rows from the top (Vulkan 1.3,
-// 16.5.4). Unit length.
+// Unit direction through a cube texel's centre; faces +x, -x, +y, -y, +z, -z, rows from the top (Vulkan 1.3, 16.5.4).
 vec3 cube_direction(uvec3 texel, float size) {
     vec2 st = (2.0 * vec2(texel.xy) + 1.0) / size - 1.0;
     vec3 direction = texel.z == 0u   ? vec3(1.0, -st.y, -st.x)
