@@ -3,7 +3,7 @@
 python3 docs/figures/01_similar.py writes docs/images/01_similar.svg.
 """
 
-from drawing import BLUE, GREY, INK, PALE_GREEN, PURPLE, RED, SMALL, THIN, Drawing
+from drawing import BLUE, GREY, INK, PURPLE, RED, SMALL, THIN, Drawing
 
 FOCAL, FAR = 1.73, 5.2
 TREE = 1.42

@@ -3,7 +3,7 @@
 python3 docs/figures/15_butterfly.py writes docs/images/15_butterfly.svg.
 """
 
-from drawing import BLUE, GREY, INK, ORANGE, SMALL, THIN, Drawing
+from drawing import BLUE, GREY, INK, ORANGE, SMALL, Drawing
 
 
 def draw() -> Drawing:

@@ -79,7 +79,7 @@ def check_links(name: Path) -> list[str]:
 
 def blocks(name: Path) -> list[tuple[int, str, list[str]]]:
     """(line number, language or "", lines) of a Markdown file's blocks of code and, with a language of "text", of its paragraphs."""
-    found, fence, block, start = [], None, [], 0
+    found, fence, language, block, start = [], None, "", [], 0
     for number, line in enumerate([*(ROOT / name).read_text().splitlines(), ""], 1):
         match = FENCE.match(line)
         if fence:
