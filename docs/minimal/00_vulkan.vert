@@ -1,4 +1,5 @@
 #version 460
+// [shader]
 struct Vertex {
     vec4 position;  // clip space: x and y from -1 to 1, y down
     vec4 color;     // linear light
@@ -13,3 +14,4 @@ void main() {
     gl_Position = vec4(rotation * vertex.position.xy, vertex.position.zw);
     color = vertex.color.rgb;
 }
+// [/shader]

@@ -17,6 +17,7 @@ vec3 visible_half_vector(vec2 random, vec3 to_eye, float alpha) {
     return normalize(vec3(alpha * n.xy, max(n.z, 0.0)));
 }
 
+// [split_sum_sample]
 // B. Karis, "Real Shading in Unreal Engine 4", SIGGRAPH course, 2013: under light of radiance 1 from everywhere a surface
 // with Schlick's Fresnel reflects f0 A + B. Of sample i the (A, B).
 vec2 split_sum_sample(uint i, uint samples, float n_dot_v, float alpha) {
@@ -31,4 +32,5 @@ vec2 split_sum_sample(uint i, uint samples, float n_dot_v, float alpha) {
     float power = schlick_power(v_dot_h);
     return weight * vec2(1.0 - power, power);
 }
+// [/split_sum_sample]
 #endif

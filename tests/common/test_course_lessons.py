@@ -33,6 +33,12 @@ class Lessons(unittest.TestCase):
         for chapter, parts, _ in self.each():
             self.assertEqual([heading for heading in parts if heading in PARTS], PARTS, chapter)
 
+    def test_further_pages_keep_that_order(self):
+        for page in (page for chapter in chapters() for page in lesson_pages(chapter)[1:]):
+            there = [part for heading, _ in sections(read(page)) for part in PARTS if heading.startswith(part)]
+            self.assertEqual(there, sorted(there, key=PARTS.index), page)
+            self.assertEqual(there.count("Exercises"), "\n### " in read(page) and EXERCISE.search(read(page)) is not None, page)
+
     def test_a_picture_comes_before_all_else(self):
         for _, parts, _ in self.each():
             self.assertRegex(parts[""], r"!\[[^\]]+\]\(\.\./tests/\w+/golden/\w+\.png\)")

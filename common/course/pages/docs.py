@@ -15,7 +15,7 @@ from check.check import in_order
 from pages import running
 from pages.drawn_pictures import finest
 from pages.page import TEMPLATES
-from pages.pages_markdown import Site, convert
+from pages.pages_markdown import MOVED, Site, convert
 from pages.reading import minutes
 from pages.shader import whole
 from tree import BUILD, ROOT, Failure, best_first, chapters, lesson_pages, lessons, relative, say, write_atomically
@@ -39,7 +39,7 @@ KATEX = Path("/usr/share/javascript/katex")
 LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
-OTHERS = {"keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "framework.md": "The framework",
+OTHERS = {"index.md": "Index", "keys.md": "Keys", "vulkan.md": "Vulkan without the framework", "framework.md": "The framework",
           "pixel.md": "From the command to a pixel", "serve.md": "Live lessons",
           "teaching.md": "For instructors", "development.md": "For developers", "elsewhere.md": "Windows and macOS",
           "devices.md": "Devices",
@@ -197,7 +197,8 @@ def nav() -> list:
     pages = [{f"{page.stem.split('_')[0]} {title_and_teaser(page)[0]}": page.name} for page in lessons()]
     return [{"Lightwalk": "index.md"}, {"Lessons": pages},
             {"Beside them": [{"How to use the course": "course.md"}, {"The study format": "study_format.md"},
-                             *[{title: name} for name, title in OTHERS.items() if (ROOT / "docs" / name).exists()]]}]
+                             *[{title: str(MOVED.get(Path("docs") / name, name))} for name, title in OTHERS.items()
+                               if (ROOT / "docs" / name).exists()]]}]
 
 
 def build_site(source: Path, made: Path):

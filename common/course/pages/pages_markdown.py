@@ -38,6 +38,9 @@ OLD_TIMES = EARLIER.replace("(earlier", "(times: earlier").replace("study was", 
 EARLIER_TABLE = '<span class="earlier">Measured with an earlier version of the code.</span>'
 PICTURES = (".png", ".svg", ".jpg", ".webp")
 
+# Texts whose own name is another page's: index.md is the first page.
+MOVED = {Path("README.md"): Path("course.md"), Path("docs/index.md"): Path("terms.md")}
+
 
 def slug(title: str, _separator: str = "-") -> str:
     """A heading's address as forges make it (text_check.anchors)."""
@@ -67,7 +70,7 @@ class Site:
         if path.suffix != ".md":
             return self.sources.setdefault(path, Path("source") / f"{path}.md")
         if path not in self.texts:
-            self.texts[path] = Path("course.md") if path == Path("README.md") else inside
+            self.texts[path] = MOVED.get(path, inside)
             self.waiting.append(path)
         return self.texts[path]
 

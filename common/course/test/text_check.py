@@ -7,13 +7,16 @@ import contextlib
 import fnmatch
 import importlib.util
 import re
+import shutil
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from check.check import grades
 from check.lesson_tests import check_named, of_chapters
 from check.starters import check_starters
-from pages.quotes import FENCE, LINK, MARKER, check_quotes, lessons
+from pages.quotes import FENCE, LINK, MARKER, QUOTE, check_quotes, lessons
 from pages import tables
 from shots.golden import measured_distances
 from test.lesson_commands import wrong_words
@@ -71,6 +74,84 @@ def check_links(name: Path) -> list[str]:
                 wrong.append(f"{name}:{number}: the link {link} leads nowhere")
             elif anchor and target.suffix == ".md" and anchor not in anchors(target.relative_to(ROOT)):
                 wrong.append(f"{name}:{number}: {target.name} has no heading #{anchor}")
+    return wrong
+
+
+def blocks(name: Path) -> list[tuple[int, str, list[str]]]:
+    """(line number, language or "", lines) of a Markdown file's blocks of code and, with a language of "text", of its paragraphs."""
+    found, fence, language, block, start = [], None, "", [], 0
+    for number, line in enumerate([*(ROOT / name).read_text().splitlines(), ""], 1):
+        match = FENCE.match(line)
+        if fence:
+            if line.strip() == fence:
+                found.append((start, language, block))
+                fence, block = None, []
+            else:
+                block.append(line)
+        elif match or not line.strip():
+            if block:
+                found.append((start, "text", block))
+            block = []
+            if match:
+                fence, language, start = match[1], line.strip()[len(match[1]):], number
+        else:
+            start = start if block else number
+            block.append(line)
+    return found
+
+
+def ends(words: str) -> bool:
+    """Whether a paragraph's last words end a sentence, behind marks of emphasis, code and brackets."""
+    return bool(re.search(r"[.:?!…][*_)\"'”’`]*$", words))
+
+
+def check_paragraphs(name: Path) -> list[str]:
+    """A paragraph is whole: it ends with a sentence, or leads to a formula, a table or code."""
+    wrong, found = [], blocks(name)
+    for i, (number, language, lines) in enumerate(found):
+        if language != "text" or re.match(r"(    |\s*(#|\||<|!\[|\[!\[))", lines[0]):
+            continue
+        words = re.sub(r"<!--.*?-->|</details>", "", " ".join(line.strip() for line in lines)).strip()
+        if not words or words.endswith("|") or ends(words):
+            continue
+        following = found[i + 1] if i + 1 < len(found) else (0, "text", [""])
+        # A formula ends a sentence that has a verb: five words or a word such as Then.
+        sentence = re.split(r"(?<=[.:?!]) ", words)[-1].split()
+        whole = len(sentence) > 4 or sentence[-1] in ("Then", "So", "Hence", "is", "are", "by", "so")
+        goes_on = i + 2 < len(found) and re.match(r"\s*[a-z(]", found[i + 2][2][0])
+        leads = following[1] == "math" and (whole or goes_on) or following[1] not in ("text", "math") or \
+            following[2][0].startswith(("    ", "|", "       ")) or "<!-- table" in following[2][0] or words.endswith("`")
+        if not leads:
+            wrong.append(f"{name}:{number + len(lines) - 1}: the paragraph has no end: '… {words[-40:]}'")
+    return wrong
+
+
+def check_next(name: Path) -> list[str]:
+    """A page names the next one once."""
+    numbers = [number for number, line in prose(name) if line.startswith("Next:")]
+    return [f"{name}:{number}: a second 'Next:' on this page" for number in numbers[1:]]
+
+
+def check_snippets(name: Path) -> list[str]:
+    """GLSL that a page does not quote from a file compiles, as the stage that its words are of."""
+    wrong, lines = [], (ROOT / name).read_text().splitlines()
+    for number, language, code in blocks(name):
+        if language != "glsl" or QUOTE.match(lines[number - 2]) or not shutil.which("glslangValidator"):
+            continue
+        text = "\n".join(code)
+        stage = "vert" if "gl_Position" in text else "comp" if "local_size" in text else "frag"
+        if "#version" not in text:
+            text = "#version 460\n" + text
+        if "void main" not in text:
+            text += "\nvoid main() {}\n"
+        with tempfile.TemporaryDirectory() as made:
+            file = Path(made) / f"snippet.{stage}"
+            file.write_text(text)
+            done = subprocess.run(["glslangValidator", "-V", "--target-env", "vulkan1.3", file, "-o", Path(made) / "out"],
+                                  stdout=subprocess.PIPE, text=True)
+        if done.returncode:
+            said = next((line for line in done.stdout.splitlines() if line.startswith("ERROR")), "").replace(f"{file}:", "")
+            wrong.append(f"{name}:{number}: the shader does not compile: {said}")
     return wrong
 
 
@@ -139,6 +220,38 @@ def check_lesson(chapter: str) -> list[str]:
     return wrong + [f"{page}:{number}: there is no chapter {other}" for page in pages for number, line in prose(page)
                     for group in re.findall(r"[Cc]hapters? (\d\d(?:(?:, | and | to )\d\d)*)", line)
                     for other in re.findall(r"\d\d", group) if other not in there]
+
+
+def check_index() -> list[str]:
+    """docs/index.md leads from each term to a page that has it, to knobs, shots and exercises that are there, and names every exercise."""
+    page = Path("docs/index.md")
+    if not (ROOT / page).exists():
+        return []
+    wrong, named, terms = [], set(), []
+    code = "\n".join((ROOT / name).read_text() for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
+    drawn = {f"{chapter[:2]}.{shot['name']}" for chapter in chapters() for shot in shots(chapter)}
+    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
+    for number, line in enumerate((ROOT / page).read_text().splitlines(), 1):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if not line.startswith("|") or len(cells) != 6 or cells[0] in ("term", "---"):
+            continue
+        term, _, section, knobs, seen, asked = cells
+        terms.append(term.casefold())
+        target = re.search(r"\((\w+\.md)", section)
+        text = (ROOT / "docs" / target[1]).read_text() if target and (ROOT / "docs" / target[1]).exists() else ""
+        if term.casefold() not in " ".join(text.split()).casefold():
+            wrong.append(f"{page}:{number}: {target and target[1]} does not have the word '{term}'")
+        for knob in re.findall(r"`([^`]*)`", knobs):
+            for word in filter(None, [knob.partition("=")[0].split(".")[-1], knob.partition("=")[2]]):
+                if f'"{word}"' not in code:
+                    wrong.append(f"{page}:{number}: no knob or value is called {word}")
+        wrong += [f"{page}:{number}: there is no shot {shot}" for shot in filter(None, seen.split(", ")) if shot not in drawn]
+        found = set(re.findall(r"\[(\d\d\.\w+)\]", asked))
+        wrong += [f"{page}:{number}: there is no exercise {exercise}" for exercise in sorted(found - known)]
+        named |= found
+    if terms != sorted(terms):
+        wrong.append(f"{page}: its terms are not in alphabetical order: '{next(b for a, b in zip(terms, terms[1:]) if b < a)}'")
+    return wrong + [f"{page}: it does not name {exercise}" for exercise in sorted(known - named)]
 
 
 def check_figures() -> list[str]:
@@ -224,11 +337,13 @@ def check_all() -> list[str]:
     for name in files():
         if name.suffix == ".md":
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
+            if name.parts[0] == "docs" and name.parts[:2] != ("docs", "studies"):
+                wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
             wrong += wrong_words(name, (ROOT / name).read_text())
         wrong += check_private_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
-    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures() + check_generated()
+    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
 
 
 if __name__ == "__main__":
