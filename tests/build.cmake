@@ -1,4 +1,4 @@
-# What ctest runs beside the Catch2 programs: checks, stability, studies, needs, shots, the goldens' teeth, Python's
+# What ctest runs beside the Catch2 programs: checks, stability, studies, needs, shots, wrong pictures and answers, Python's
 # tests, the text.
 
 include(${CMAKE_CURRENT_LIST_DIR}/needs.cmake)
@@ -21,6 +21,7 @@ endfunction()
 foreach(name common ${LIGHTWALK_CHAPTERS})
   if(TEST unit.${name})
     set_property(TEST unit.${name} APPEND PROPERTY LABELS unit ${name})
+    set_tests_properties(unit.${name} PROPERTIES COST 300)  # the longest: first, or one processor waits for another at the end
     if(TARGET test_${name})
       lightwalk_test_needs(unit.${name} test_${name})
     endif()
@@ -37,11 +38,11 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
   string(SUBSTRING ${chapter} 0 2 number)
   if(TARGET check_${chapter})
     lightwalk_check_test(check.${number} "check;${chapter}" common/course test.results check ${chapter})
-    lightwalk_check_test(teeth.check.${chapter} "teeth;${chapter}" common/course test.check_teeth ${chapter})
+    lightwalk_check_test(unsolved.${number} "rejects;${chapter}" common/course test.check_unsolved ${chapter})
     lightwalk_test_needs(check.${number} check_${chapter})
-    lightwalk_test_needs(teeth.check.${chapter} check_${chapter})
+    lightwalk_test_needs(unsolved.${number} check_${chapter})
     if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}/variants AND NOT LIGHTWALK_SANITIZE)
-      lightwalk_python_test(variants.${number} "teeth;${chapter}" common/course test.check_variants ${chapter})
+      lightwalk_python_test(variants.${number} "rejects;${chapter}" common/course test.check_variants ${chapter})
       set_tests_properties(variants.${number} PROPERTIES COST 100)
       set(checks check_${chapter})
       if(TARGET variants_${chapter})
@@ -81,8 +82,8 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
     continue()
   endif()
   lightwalk_python_test(shots.${number} "shot;${chapter}" common/course test.shots shots ${chapter})
-  lightwalk_python_test(teeth.${number} "teeth;${chapter}" common/course test.shots teeth ${chapter})
-  set_tests_properties(shots.${number} teeth.${number} PROPERTIES COST 200 TIMEOUT 900)
+  lightwalk_python_test(wrong_picture.${number} "rejects;${chapter}" common/course test.shots wrong ${chapter})
+  set_tests_properties(shots.${number} wrong_picture.${number} PROPERTIES COST 200 TIMEOUT 900)
   lightwalk_test_needs(shots.${number} ${chapter} compare)
   set(draws ${chapter} compare)
   string(REGEX MATCHALL "\"chapter\": *\"[0-9a-z_]+\"" earlier "${text}")  # whose pictures the goldens reject
@@ -91,7 +92,7 @@ foreach(chapter ${LIGHTWALK_CHAPTERS})
     list(APPEND draws ${word})
   endforeach()
   list(REMOVE_DUPLICATES draws)
-  lightwalk_test_needs(teeth.${number} ${draws})
+  lightwalk_test_needs(wrong_picture.${number} ${draws})
 endforeach()
 
 # tests/*/test_NAME.py. Those of windows, and what runs none of our programs, do not run again under the sanitizers.

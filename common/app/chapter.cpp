@@ -30,13 +30,13 @@ SceneFile furnished(const Chapter& chapter, const std::filesystem::path& file) {
     return scene;
 }
 
-constexpr glm::uvec2 test_size{192, 108};  // test picture, in pixels
+constexpr glm::uvec2 looked_at{192, 108};  // test picture, in pixels
 constexpr double most_clipped = 0.01;
 
 // Dims the default scene of a bare model if more than 1% of its pixels are clipped. True: reload.
 bool expose(Chapter& chapter, Gpu& gpu) {
     Frame frame(gpu);
-    render(chapter, frame, {.size = test_size, .crop = {}});
+    render(chapter, frame, {.size = looked_at, .crop = {}});
     const Image8 written = read_picture(gpu, chapter.written(frame));
     const auto white = std::count_if(written.pixels.begin(), written.pixels.end(), [](const glm::u8vec4& p) {
         return std::max({p.r, p.g, p.b}) == 255;

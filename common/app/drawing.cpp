@@ -116,7 +116,7 @@ void Drawing::update_sun_once(const Frame& frame) {
 }
 
 void Drawing::find_casters_once(const Frame& frame, const Drawings& all) {
-    if (std::exchange(casters_found_, frame.number()) != frame.number()) find_casters(all);
+    if (std::exchange(met_, frame.number()) != frame.number()) find_casters(all);
 }
 
 void Drawing::update_once(Frame& frame) {

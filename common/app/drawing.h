@@ -139,7 +139,7 @@ class Drawing : public Module {
     bool has_updated_sun(const Frame& frame) const { return sun_updated_ == frame.number(); }
 
   private:
-    uint64_t sun_updated_ = 0, casters_found_ = 0, updated_ = 0;
+    uint64_t sun_updated_ = 0, met_ = 0, updated_ = 0;
 };
 
 struct TransparentSurface {

@@ -110,8 +110,8 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     Frame frame(gpu);
     frame.set_frames_in_flight(2);  // as a window whose clock runs
     const Look look{.output = options.look};
-    Image look_image;
-    look.attach(frame, look_image, chapter.camera, chapter.scene.bounds);
+    Image looked_at;
+    look.attach(frame, looked_at, chapter.camera, chapter.scene.bounds);
     // Timing runs discard the first frame, which compiles shaders.
     ClockWarmer load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
@@ -140,7 +140,7 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     look.check(frame);
     // Checked first, so that an invalid picture does not overwrite a valid file.
     report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
-    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, look_image)));
+    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
     if (!options.timings.empty()) {
         json timings = timings_json(gpu, options, chapter, first_times, times, recording_ms);
         if (!gpu.device.software_paths) recording_ms = recording_in_a_row(chapter, frame, options);

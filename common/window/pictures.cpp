@@ -34,7 +34,7 @@ struct Warm {
     Options options;
     std::unique_ptr<LiveChapter> live;
     std::unique_ptr<Frame> frame;
-    Image look_image;
+    Image looked_at;
     Camera camera;
     Words settings;  // of all knobs
 };
@@ -173,7 +173,7 @@ json Pictures::draw_live(const json& request, std::string& bytes) {
     const Look look{.output = request.value("look", "")};
     gpu_.pipelines.errors.clear();
     if (still) warm.chapter->forget_history();
-    look.attach(*warm.frame, warm.look_image, warm.chapter->camera, warm.chapter->scene.bounds);
+    look.attach(*warm.frame, warm.looked_at, warm.chapter->camera, warm.chapter->scene.bounds);
     Picture drawn{.size = size, .time_s = time_s, .seed = warm.options.seed, .crop = {}};
     if (!still) drawn.gathered = 0;
     for (int i = 0; i < frames; ++i, drawn.time_s = time_s + static_cast<float>(i) / 60.0f)
@@ -184,7 +184,7 @@ json Pictures::draw_live(const json& request, std::string& bytes) {
     else
         look.check(*warm.frame);
     if (warm.live->frame_error.empty()) {
-        const Image8 picture = read_picture(gpu_, look.picture(*warm.frame, warm.look_image));
+        const Image8 picture = read_picture(gpu_, look.picture(*warm.frame, warm.looked_at));
         bytes = still ? encode_png(picture) : encode_jpeg(picture, moving_quality);
     }
     said["size"] = {size.x, size.y};

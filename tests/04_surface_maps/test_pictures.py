@@ -1,37 +1,19 @@
 """Pictures of chapter 04 that must agree with others, or differ by a known amount."""
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import unittest
 
 from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures  # noqa: E402
 
-SCENES = ROOT / "assets" / "scenes"
 TEXTURES = ROOT / "assets" / "textures"
 
 
 class PicturesTest(ChapterPictures):
     chapter = "04_surface_maps"
-
-    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
-        """A picture of a scene file or of a scene as JSON."""
-        if isinstance(scene, dict):
-            file = self.folder / "scene.json"
-            file.write_text(json.dumps(scene))
-        else:
-            file = SCENES / f"{scene}.json"
-        picture = self.folder / f"{name}.png"
-        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
-        return picture
-
-    def flip(self, expected, actual) -> float:
-        done = subprocess.run([BUILD / "compare", expected, actual, "--json"], capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)["flip"]["mean"]
 
     def wall(self, maps, **material) -> dict:
         """One texture's width of wall that fills the picture."""

@@ -19,28 +19,11 @@ FLOOR = {"model": "models/plane.obj", "scale": 12,
 class PicturesTest(ChapterPictures):
     chapter = "06_deferred"
 
-    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
-        """A picture of a scene file or of a scene as JSON."""
-        if isinstance(scene, dict):
-            file = self.folder / "scene.json"
-            file.write_text(json.dumps(scene))
-        elif isinstance(scene, pathlib.Path):
-            file = scene
-        else:
-            file = SCENES / f"{scene}.json"
-        picture = self.folder / f"{name}.png"
-        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
-        return picture
-
     def steps(self, expected, actual) -> tuple[int, int]:
         """The largest difference of a channel in steps of 1/255, and how many pixels differ by more than one."""
         a, b = (Image.open(p).convert("RGB").tobytes() for p in (expected, actual))
         far = [abs(x - y) for x, y in zip(a, b)]
         return max(far), len({i // 3 for i, d in enumerate(far) if d > 1})
-
-    def flip(self, expected, actual) -> float:
-        done = subprocess.run([BUILD / "compare", expected, actual, "--json"], capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)["flip"]["mean"]
 
     def lamps(self, **camera) -> dict:
         return {"camera": {"position": [0, 1.2, 4], "target": [0, 0.4, 0], "near_m": 0.1, "far_m": 40} | camera,

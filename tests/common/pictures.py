@@ -1,6 +1,7 @@
 """Shared by the tests of chapters' pictures: tests/NN_name/test_pictures.py. LIGHTWALK_BUILD names the build folder where
 it is not build/ in the tree.
 """
+import json
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common/course"))
 
+from shots.golden import compare  # noqa: E402
 from shots.rendering import Drawing  # noqa: E402
 
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
@@ -43,6 +45,18 @@ class ChapterPictures(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
+
+    def draw(self, scene: dict | str | Path, *options, size="160x90", name="picture") -> Path:
+        """A picture of a scene: JSON, the name of one of the course's, or a file."""
+        file = self.folder / "scene.json" if isinstance(scene, dict) else ROOT / "assets/scenes" / f"{scene}.json" if isinstance(scene, str) else scene
+        if isinstance(scene, dict):
+            file.write_text(json.dumps(scene))
+        picture = self.folder / f"{name}.png"
+        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
+        return picture
+
+    def flip(self, expected: Path, actual: Path) -> float:
+        return compare(expected, actual)["flip"]["mean"]
 
     def run_program(self, *options, silent=True, **environment):
         """Runs the chapter; exit code 0 is expected and, where `silent`, nothing on stderr. One process draws all pictures

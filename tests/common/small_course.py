@@ -2,7 +2,7 @@
 
 Files at its root change their behaviour: "crash", "flat" (an empty picture), "drift" (words added to each picture),
 "drift.sse4.1" (to the pictures of a driver held to SSE4.1), "drift.second" (of the second driver, with the file "second" as
-manifest), "no_teeth" (a starter draws the solution's picture), "broken" (a unit test and a fuzz target fail), "no_rest" (the
+manifest), "starter_is_right" (a starter draws the solution's picture), "broken" (a unit test and a fuzz target fail), "no_rest" (the
 whole course does not build).
 """
 
@@ -56,7 +56,7 @@ def draw(words):
     if os.path.exists("crash"):
         return "mesh.frag:3: no such function"
     use = words[words.index("--use") + 1] if "--use" in words else "solution"
-    starter = "exercise" in use and not os.path.exists("no_teeth")
+    starter = "exercise" in use and not os.path.exists("starter_is_right")
     knobs = [word for word in words if "=" in word and word != use]
     text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"
     drivers = ("drift", "drift." + os.environ.get("GALLIUM_OVERRIDE_CPU_CAPS", "-"),

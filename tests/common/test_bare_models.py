@@ -12,6 +12,7 @@ from pathlib import Path
 from PIL import Image, ImageChops
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
+from picture_drawing import cheap  # noqa: E402
 from shots.rendering import Drawing  # noqa: E402
 from tree import ROOT, chapter_program  # noqa: E402
 
@@ -77,7 +78,7 @@ class BareModels(unittest.TestCase):
 
     def check(self, drawing, model):
         picture = self.folder / "picture.png"
-        code, wrong, _ = drawing.draw(["--scene", model, "--size", "240x135"], picture)
+        code, wrong, _ = drawing.draw(["--scene", model, "--size", "240x135", *cheap(drawing.chapter)], picture)
         self.assertEqual(code, 0, wrong)
         image = Image.open(picture).convert("RGB")
         pixels = list(image.getdata())

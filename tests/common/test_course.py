@@ -143,7 +143,7 @@ class Cache(unittest.TestCase):
 
 
 class Tests(Course):
-    """The small tree has unit.common, and of two chapters shots, teeth of shots, checks and their teeth; and two texts, of
+    """The small tree has unit.common, and of two chapters shots and wrong pictures, checks and unsolved exercises; and two texts, of
     which one is this file's empty stand-in, a test of the platform."""
 
     def test_green_red_and_the_closing_line(self):
@@ -156,7 +156,7 @@ class Tests(Course):
     def test_pattern_labels_and_nothing(self):
         self.accept()
         self.assertIn("out of 1", self.course("test", "shots.01").splitlines()[-1])
-        self.assertIn("out of 4", self.course("test", "-L", "teeth").splitlines()[-1])
+        self.assertIn("out of 4", self.course("test", "-L", "rejects").splitlines()[-1])
         self.assertIn("no test matches -R nothing", self.course("test", "nothing", code=2))
 
     def test_few_tests_build_what_they_need(self):
@@ -266,16 +266,16 @@ class Shots(Course):
         self.put("crash")
         self.assertIn("mesh.frag:3: no such function", self.shot("shots", "01_obj", code=1))
 
-    def test_teeth(self):
+    def test_wrong_pictures(self):
         self.accept()
-        self.shot("teeth", "02_lambert")
-        result = json.loads((self.root / "build/results/teeth.02.bunny.json").read_text())
+        self.shot("wrong", "02_lambert")
+        result = json.loads((self.root / "build/results/wrong_picture.02.bunny.json").read_text())
         self.assertEqual([picture["name"] for picture in result["pictures"]],
                          ["the starter of 02.one", "drawn by 01_obj", "method=none"])
         self.assertEqual(list(self.root.glob("build/shots/02_lambert/*.wrong*")), [], "rejected pictures are kept")
-        self.put("no_teeth")
+        self.put("starter_is_right")
         self.assertIn("does not reject the picture: the starter of 02.one",
-                      self.shot("teeth", "02_lambert", code=1))
+                      self.shot("wrong", "02_lambert", code=1))
         self.assertTrue((self.root / "build/shots/02_lambert/bunny.wrong0.flip.png").exists())
 
     def test_accept_asks_first_and_says_what_changed(self):

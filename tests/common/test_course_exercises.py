@@ -12,7 +12,7 @@ from small_course import LESSON, REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 from check import check  # noqa: E402
-from test.check_teeth import with_bodies  # noqa: E402
+from test.check_unsolved import with_bodies  # noqa: E402
 from shots.rendering import Crashed  # noqa: E402
 from charts.study_file import Study, markdown_table  # noqa: E402
 
@@ -29,7 +29,7 @@ class StillOpen(unittest.TestCase):
 class Exercises(Course):
     def test_check_says_what_is_wrong(self):
         self.put("chapters/02_lambert/exercise/one.cpp", "right")
-        self.put("no_teeth")
+        self.put("starter_is_right")
         self.accept()
         printed = self.course("check", "01", code=1)
         self.assertIn("open  01.one  0 of 3 checks  chapters/01_obj/exercise/one.cpp\n"
@@ -45,18 +45,18 @@ class Exercises(Course):
         self.put("chapters/02_lambert/exercise/one.cpp", "right")
         self.accept()
         self.assertIn("the numbers are right, the picture of bunny is not", self.course("check", "02", code=1))
-        self.put("no_teeth")
+        self.put("starter_is_right")
         self.assertIn("ok    02.one", self.course("check", "02"))
 
     def test_a_picture_is_compared_with_the_reference_drawn_here(self):
         self.put("chapters/02_lambert/exercise/one.cpp", "right")
-        self.put("no_teeth")
+        self.put("starter_is_right")
         self.accept()
         self.put("drift", "as this processor draws it")  # unlike the golden, but like the reference
         self.assertIn("ok    02.one", self.course("check", "02"))
 
     def test_in_a_handout_the_picture_waits_for_what_else_it_shows(self):
-        self.put("no_teeth")
+        self.put("starter_is_right")
         self.accept()
         folder = self.outside / "waiting"
         self.course("handout", str(folder))
@@ -66,7 +66,7 @@ class Exercises(Course):
         self.assertIn("compared once the numbers of 01.one are right", self.run_program(check))
         (folder / "chapters/01_obj/exercise/one.cpp").write_text("right")
         self.assertNotIn("compared once", self.run_program(check))
-        (folder / "no_teeth").unlink()
+        (folder / "starter_is_right").unlink()
         self.assertIn("the picture of bunny is not: 3 pixels differ", self.run_program(check, code=1))
 
     def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
@@ -121,7 +121,7 @@ class Exercises(Course):
 
     def test_a_check_must_refuse_the_starter_and_take_the_solution(self):
         self.course("run", "01")
-        check = [sys.executable, self.root / "common/course", "test.check_teeth", "01_obj"]
+        check = [sys.executable, self.root / "common/course", "test.check_unsolved", "01_obj"]
         self.run_program(check)
         self.put("chapters/01_obj/exercise/one.cpp", "right")
         self.assertIn("01.one: the starter passes", self.run_program(check, code=1))

@@ -50,10 +50,10 @@ class Scaffold(unittest.TestCase):
                 return done.stdout
 
             self.assertIn(f"./course accept {number}.corners", course("new", name))
-            self.assertIn(f"./course accept {number}.corners", course("test", rf"shot\.{number}", code=1))
+            self.assertIn(f"./course accept {number}.corners", course("test", rf"shots\.{number}", code=1))
             course("accept", f"{number}.corners", "--yes")
-            said = course("test", rf"^(check|pictures|shot|teeth|teeth\.check)\.{number}|text\.tree")
-            self.assertIn("100% tests passed, 0 tests failed out of 6", said)
+            said = course("test", rf"^(check|shots|unsolved|wrong_picture)\.{number}|text\.tree")
+            self.assertIn("100% tests passed, 0 tests failed out of 5", said)
 
 
 if __name__ == "__main__":

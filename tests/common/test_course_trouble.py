@@ -121,7 +121,7 @@ class Trouble(Course):
 
     def test_two_at_once(self):
         self.put("chapters/01_obj/exercise/one.cpp", "right")
-        self.put("no_teeth")  # and its picture is
+        self.put("starter_is_right")  # and its picture is
         running = [subprocess.Popen([self.root / "course", *words.split()], env=clean_environment(), text=True,
                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT) for words in ("check 01", "check 01", "run", "run", "check --progress")]
         for one in running:

@@ -65,7 +65,7 @@ class ReportCase(unittest.TestCase):
         self.shot("equal", True, metrics(0, 0, 0))
         self.shot("bad", False, metrics(0.1, 0.2, 90))
         self.shot("new", False, None, expected=None)
-        self.shot("hard", True, metrics(0.3, 0.5, 200), kind="teeth")
+        self.shot("hard", True, metrics(0.3, 0.5, 200), kind="wrong_picture")
         self.result("probe", "reflection", rows=[
             {"case": "02.phong", "inputs": "9", "worst": 1.5, "bound": "2 ULP", "ok": True, "text": None},
             {"case": "02.blinn", "inputs": "9", "worst": "NaN", "bound": 0, "ok": False, "text": "f(x = 0) < nothing"}])
@@ -96,7 +96,7 @@ class ReportText(ReportCase):
         for text in ("What good shows.", "02.phong", "unit.good", "<span>02 Lambert and Phong shading</span>"):
             self.assertNotIn(text, failed)
             self.assertIn(text, chapters)
-        self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; the teeth's rejections are right
+        self.assertEqual(html.count("class=over"), 3)  # bad is over each limit; rejected pictures are right
         self.assertIn("image/png", failed)  # exact where it matters
         self.assertNotIn("image/webp", failed)
         self.assertIn("image/webp", chapters)

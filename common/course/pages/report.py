@@ -5,7 +5,7 @@ It is made from a folder of results:
     *.xml    ctest's JUnit files
     *.json   one result each, an object with "kind" and "chapter":
 
-"shot" and "teeth" are described in shots.py. Tables of cases, from probes and from stability tests:
+"shot" and "wrong_picture" are described in shots.py. Tables of cases, from probes and from stability tests:
 
     {"kind": "probe" | "stability", "chapter", "name", "again": a command that runs them again,
      "rows": [{"case": "02.phong", "inputs": "4096 random, 12 by hand", "worst": "2 ULP", "bound": "4 ULP",
@@ -31,7 +31,7 @@ from pages.report_cards import Pictures, figures, read_result
 from tree import ROOT, relative, write_atomically
 
 LAST_LINES = 60  # of a failed test's output
-KINDS = {"shot": "A picture against its golden.", "teeth": "Wrong pictures that this golden must reject.",
+KINDS = {"shot": "A picture against its golden.", "wrong_picture": "Wrong pictures that this golden must reject.",
          "probe": "A function against the truth.", "stability": "Cases where methods fail, against their bounds.",
          "chart": "A study's chart."}
 
@@ -79,7 +79,7 @@ def render(results: list[dict], tests: list[dict], folder: Path) -> str:
 
 def chapter(name: str, results: list[dict]) -> dict:
     return {"name": name, "results": results, "failed": not all(map(is_ok, results)), "charts": charts(name, results),
-            "teeth": [(result["name"], picture) for result in results if result["kind"] == "teeth"
+            "rejected": [(result["name"], picture) for result in results if result["kind"] == "wrong_picture"
                       for picture in result["pictures"]]}
 
 

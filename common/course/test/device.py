@@ -14,7 +14,7 @@ from progress import Progress
 from shots.draw_shots import right_picture
 from shots.golden import distance_of, exceeded, golden_path, hardware_limits, limits_of, unfit
 from shots.rendering import last_words, render_many, run_program
-from test.check_teeth import passed
+from test.check_unsolved import passed
 from test.shots import compared, picture_entry
 from tree import (BUILD, Failure, UsageError, chapter_program, exercises, find_shots, git, has_solutions, is_edited, relative,
                   say, warn, write_atomically)

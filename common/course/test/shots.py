@@ -1,15 +1,15 @@
 """Tests of a chapter's shots against their goldens; a failure is exit code 1 and a line that says why.
 
     python3 common/course test.shots shots NN_name    the references' pictures against the goldens
-    python3 common/course test.shots teeth NN_name    the goldens against pictures that they must reject
+    python3 common/course test.shots wrong NN_name    the goldens against pictures that they must reject
 
-Each shot's result goes to build/results/shot.NN.SHOT.json or teeth.NN.SHOT.json, from which the report is made:
+Each shot's result goes to build/results/shot.NN.SHOT.json or wrong_picture.NN.SHOT.json, from which the report is made:
 
-    {"kind": "shot" | "teeth", "chapter", "name", "test": the ctest, "caption", "ok": bool, "why": [lines], "again": a command,
+    {"kind": "shot" | "wrong_picture", "chapter", "name", "test": the ctest, "caption", "ok": bool, "why": [lines], "again": a command,
      "limits", "pictures": [{"name", "ok", "expected", "actual", "heatmap", "metrics"}]}
 
 where metrics is the output of `compare --json`, or null, and paths count from the root. A shot has one picture, called
-like the shot; teeth have one for each picture to be rejected ("the starter of 02.phong", "drawn by 01_obj"), which is removed
+like the shot; a golden has one for each picture to be rejected ("the starter of 02.phong", "drawn by 01_obj"), which is removed
 once it is rejected. A heat map is written where pictures differ, or are not rejected.
 """
 
@@ -34,7 +34,7 @@ def check(golden: Path, limits: dict, picture: Picture, failure: str, again: str
     return picture_entry(name, not why, golden, actual, metrics), why
 
 
-def bite(golden: Path, limits: dict, picture: Picture, failure: str) -> tuple[dict, str]:
+def reject(golden: Path, limits: dict, picture: Picture, failure: str) -> tuple[dict, str]:
     """The golden against a picture that is wrong: it must be over a limit."""
     name, _, _, actual = picture
     if failure:
@@ -64,17 +64,17 @@ def picture_entry(name: str, ok: bool, golden: Path, actual: Path, metrics: dict
 
 def judge(test: str, chapter: str, shot: dict, pictures: list[Picture], failures: dict) -> bool:
     """Writes a shot's result, says what is wrong. Whether it is right."""
-    kind, name, number = {"shots": "shot"}.get(test, test), shot["name"], chapter[:2]
+    kind, name, number = {"shots": "shot", "wrong": "wrong_picture"}[test], shot["name"], chapter[:2]
     golden, limits, entries, why = golden_path(chapter, name), limits_of(chapter, name), [], []
     for picture in pictures:
         try:
             entry, wrong = check(golden, limits, picture, failures[picture[-1]], f"./course accept {number}.{name}") if kind == "shot" \
-                else bite(golden, limits, picture, failures[picture[-1]])
+                else reject(golden, limits, picture, failures[picture[-1]])
         except Failure as failure:
             entry, wrong = picture_entry(picture[0], False, golden, picture[-1]), str(failure)
         entries.append(entry)
         why += [wrong] if wrong else []
-    result = {"kind": kind, "chapter": chapter, "name": name, "test": f"{test}.{number}",
+    result = {"kind": kind, "chapter": chapter, "name": name, "test": f"{test if kind == 'shot' else kind}.{number}",
               "caption": shot.get("caption", ""), "again": f"./course run {number} --shot {name}", "limits": limits,
               "ok": not why, "why": why, "pictures": entries}
     write_atomically(BUILD / "results" / f"{kind}.{number}.{name}.json", json.dumps(result, indent=1) + "\n")
@@ -87,8 +87,8 @@ def judge(test: str, chapter: str, shot: dict, pictures: list[Picture], failures
 
 
 def main(words: list[str]) -> int:
-    if len(words) != 2 or words[0] not in ("shots", "teeth"):
-        warn("usage: test.shots shots|teeth NN_name")
+    if len(words) != 2 or words[0] not in ("shots", "wrong"):
+        warn("usage: test.shots shots|wrong NN_name")
         return 2
     test, chapter = words
     # Grouped by scene, which is then read once.

@@ -1,4 +1,4 @@
-"""Tests the checks themselves: check_teeth.py NN_name. A failure is exit code 1 and a line that says why.
+"""Tests the checks on exercises that nobody has solved: check_unsolved.py NN_name. A failure is exit code 1 and a line that says why.
 
 The reference of each exercise passes its check. The starter does not, nor do GLSL functions with empty bodies or bodies
 that only return zero. An exercise that was edited since the last commit is skipped: somebody works on it.
