@@ -112,8 +112,7 @@ class Chart:
     def point_knobs(self):
         """The knobs that distinguish points of one panel, without the one on the x axis."""
         panels = [[p.knobs for p in self.points if p.scene in scenes] for scenes in self.panels]
-        names = dict.fromkeys(name for p in self.points for name in p.knobs
-                              if self.over_scenes or name not in self.study.scene_knobs)
+        names = dict.fromkeys(name for p in self.points for name in p.knobs)
         names = [name for name in names
                  if any(len({str(knobs[name]) for knobs in panel if name in knobs}) > 1 for panel in panels)]
         return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
