@@ -16,7 +16,8 @@ out; `elsewhere; WHY` marks what was measured by programs that are not in the tr
     of(SCENE, NAME, P)                 a point's value in another scene
     at("/path")                        a value of the file
 
-P is a method, or "method; knob=value", or "knob=value"; a name alone needs no quotes.
+P is a method, or "method; knob=value", or "knob=value"; a name alone needs no quotes. `python3 common/course pages.claims` lists
+the sentences that compare without a claim, and counts both.
 """
 
 import ast
@@ -27,7 +28,7 @@ from pathlib import Path
 from charts.study_file import StudyError, load
 from charts.verdict import verdict_of
 from pages import advice, tables
-from tree import ROOT, Failure
+from tree import ROOT, Failure, lessons, say
 
 CLAIM = re.compile(r"<!-- claim: (?P<claim>.*?) -->", re.S)
 OPERATIONS = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b, ast.Div: lambda a, b: a / b}
@@ -211,3 +212,12 @@ def unbound(text: Path) -> list[tuple[int, str, str]]:
     return [(line, section, words) for line, section, words in sentences(text)
             if not BOUND.search(words) and not section.startswith(SKIPPED) and
             (COMPARES.search(words) or PERHAPS.search(words) and MEASURED.search(words))]
+
+
+if __name__ == "__main__":
+    loose = [(lesson, *found) for lesson in lessons() for found in unbound(lesson)]
+    for lesson, line, section, words in loose:
+        say(f"{lesson}:{line}: {section}: {words}")
+    made = [match["claim"] for lesson in lessons() for match in CLAIM.finditer((ROOT / lesson).read_text())]
+    say(f"{len(made)} claims, {sum(claim.startswith('elsewhere;') for claim in made)} of them measured elsewhere; {len(loose)} sentences "
+        "compare without one")
