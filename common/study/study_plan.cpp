@@ -29,9 +29,10 @@ class PlanReader {
     }
 
     StudyPlan read(const JsonNode& study) {
-        study.expect_keys({"title", "module", "error_metric", "stage", "size", "rounds", "truth", "scenes", "curves",
-                           "charts", "better", "metrics", "generate", "test_size", "test_scenes", "candidates",
-                           "budgets", "crops", "method_knob"});
+        study.expect_keys({"title",       "module",    "error_metric", "stage",      "size",    "rounds",
+                           "truth",       "scenes",    "curves",       "charts",     "better",  "metrics",
+                           "generate",    "test_size", "test_scenes",  "candidates", "budgets", "crops",
+                           "method_knob", "verdicts",  "defaults",     "unsteady"});
         plan_.title = study["title"].text();
         if (study.has("method_knob")) method_ = &find(study["method_knob"], study["method_knob"].text());
         if (study.has("module"))

@@ -12,20 +12,21 @@ from charts import chart_limits  # noqa: E402
 from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
 from charts.study_charts import charts_of  # noqa: E402
 from charts.study_file import Study, StudyError, markdown_table  # noqa: E402
+from charts.verdict import verdict_of  # noqa: E402
 
 
 class Reading(unittest.TestCase):
     def test_front(self):
-        front = [(p.method, p.time[1]) for p in study().front("bunny")]
-        self.assertEqual(front, [("gouraud", 0.1), ("phong", 0.2), ("phong", 0.8), ("exact", 4.0)])
+        front = [(p.method, p.time[1]) for p in verdict_of(study(), "bunny").front]
+        self.assertEqual(front, [("gouraud", 0.1), ("phong", 0.2)])  # of what is enough the first alone
         tie = study(points=[point("s", "a", 1, 1), point("s", "b", 1, 1), point("s", "c", 1, 2), point("s", "d", 2, 1)])
-        self.assertEqual([p.method for p in tie.front("s")], ["a", "b"])
+        self.assertEqual([p.method for p in verdict_of(tie, "s").front], ["a", "b"])
 
     def test_throughput_is_faster_where_it_is_higher(self):
         points = [{"scene": "f", "method": m, "error": {"ulp": ulp}, "mb_per_s": {"median": v, "q1": v, "q3": v}}
                   for m, v, ulp in (("slow", 10, 0), ("fast", 800, 0), ("wrong", 900, 3))]
         loaders = study(subject="loader", time_unit="MB/s", error_metric="ulp", points=points)
-        self.assertEqual([p.method for p in loaders.front("f")], ["wrong", "fast"])
+        self.assertEqual([p.method for p in verdict_of(loaders, "f").front], ["wrong", "fast"])
         self.assertFalse(loaders.software)
 
     def test_software_times_are_labelled(self):
@@ -126,7 +127,7 @@ class Choosing(unittest.TestCase):
         charts = self.charts()
         fronts = {name: [p.method for p in chart.front(chart.drawable)] for name, chart in charts.items()}
         self.assertEqual((fronts["lights"], fronts["threshold"], fronts["errors"]), ([], [], []))
-        self.assertEqual(fronts["main"][-1], "uncut")
+        self.assertEqual(fronts["main"][-1], "culled")  # enough
         self.assertEqual(set(fronts["texels"]), {"culled"})
         own = charts["texels"]
         ten = [p for p in own.drawable if p.scene == "10 lights"]

@@ -1,16 +1,19 @@
-// Errors, statistics and the Pareto front, with the numbers worked out by hand.
+// Errors and statistics, with the numbers worked out by hand, and the choice among measured methods.
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "catch.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/base/statistics.h"
 #include "common/measure/metrics.h"
-#include "common/measure/pareto.h"
+#include "common/study/cheapest.h"
 
 using namespace lightwalk;
+using nlohmann::json;
 
 namespace {
 
@@ -113,20 +116,13 @@ TEST_CASE("Percentiles, median and quartiles; NaN has no rank") {
     CHECK(percentile(std::vector<double>{infinite, infinite}, 0.3) == infinite);
 }
 
-TEST_CASE("The Pareto front: dominated, tied, equal and undefined points") {
-    using Points = std::vector<Cost>;
-    using Indices = std::vector<size_t>;
-    CHECK(pareto_front(Points{}).empty());
-    CHECK(pareto_front(Points{{4, 1}, {1, 4}, {2, 2}, {3, 3}}) == Indices{1, 2, 0});
-    CHECK(pareto_front(Points{{1, 5}, {1, 3}, {2, 3}, {3, 1}}) == Indices{1, 3});  // ties in time and in error
-    CHECK(pareto_front(Points{{1, 1}, {2, 2}, {1, 1}}) == Indices{0, 2});          // equal points stay together
-    CHECK(pareto_front(Points{{nan_value, 0}, {1, nan_value}, {infinite, 0}, {5, 5}, {1, infinite}}) == Indices{3});
-    CHECK(pareto_front(Points{{1, 0}, {2, 0}}) == Indices{0});
-}
-
-TEST_CASE("The cheapest point within a budget") {
-    const std::array<Cost, 4> points{{{3, 0.1}, {1, 0.5}, {2, 0.1}, {0.5, nan_value}}};
-    CHECK(cheapest_within(points, 0.1) == 2);
-    CHECK(cheapest_within(points, 0.5) == 1);
-    CHECK(cheapest_within(points, 0.01) == points.size());
+TEST_CASE("The need rule chooses as a study's verdict does") {
+    for (const json& known : json::parse(read_file(course_root() / "tests/common/data/cheapest.json"))) {
+        CAPTURE(known["name"]);
+        std::vector<Measured> all;
+        for (const json& point : known["points"])
+            all.push_back({point[0], point[1], double(point[0]) <= double(known["limit"])});
+        CHECK(cheapest(all) == size_t(known["choice"]));
+    }
+    CHECK(cheapest({{nan_value, 1, false}, {0.5, 2, false}}) == 1);
 }

@@ -12,7 +12,7 @@ from unittest import mock
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
 from charts import measured, study, timings  # noqa: E402
 from check import lesson_tests  # noqa: E402
-from pages import tables  # noqa: E402
+from pages import advice, tables  # noqa: E402
 from pages.quotes import lessons  # noqa: E402
 from tree import ROOT, chapters, shots  # noqa: E402
 
@@ -141,7 +141,7 @@ def typed(lines: list[str]) -> list[int]:
         folds = " ".join(lines[section:begin]).split("<details>")
         by_hand = "example by hand" in folds[-1] and "</details>" not in folds[-1]
         rows = lines[begin + 2:i]
-        sourced = "-->" in lines[above - 1] or all("<!-- figure: " in row for row in rows) or \
+        sourced = "-->" in lines[above - 1] or any(advice.BEGIN.match(line) for line in lines[max(0, above - 3):above]) or all("<!-- figure: " in row for row in rows) or \
             PRINTS.search("\n".join(lines[section:end])) or "| source |" in lines[begin] or by_hand
         if not sourced and len(re.findall(r"\d\.\d|\d%", " ".join(rows))) > 2:
             found.append(begin + 1)

@@ -16,23 +16,25 @@ def said_by(chart) -> str:
 
 
 def front_said(chart) -> str:
-    """Which method, or which row, has the smallest error, and which is enough."""
+    """Which method, or which row, is enough; and which has the smallest error where none is: below a limit none is ranked."""
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
-    error = chart.y if chart.y.kind == "error" else chart.x
     panels = [points for points in panels if points]
     fastest = [chart.enough_of(points) for points in panels]
-    best = [min(points, key=lambda p: (error.value(p), p.time[1])) for points in panels]
-    told_apart = any(a and a is not b and chart.name_of(a) == chart.name_of(b) for a, b in zip(fastest, best))
+    best = [min(points, key=lambda p: (chart.verdict(points).error(p), p.time[1])) for points in panels]
+    chosen = [a or b for a, b in zip(fastest, best)]
+    several = {chart.name_of(p) for p in chosen if any(chart.name_of(p) == chart.name_of(q) and p.knobs != q.knobs for q in chosen)}
 
     def name(point):
-        """The method, with its knobs where one method is enough and the best by different values of them."""
-        label = chart.label_of(point) if told_apart else ""
+        """The method, with its knobs where panels differ in them."""
+        label = chart.label_of(point) if chart.name_of(point) in several else ""
         return f"{point.method} {label}" if label else chart.name_of(point)
 
     words = []
     if any(fastest):
         words.append(f"Enough in the least time: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
-    words.append(f"Smallest error: {counted([name(p) for p in best], len(chart.panels))}.")
+    if not all(fastest):
+        where = "Smallest error where none is enough" if any(fastest) else "Smallest error"
+        words.append(f"{where}: {counted([name(b) for a, b in zip(fastest, best) if not a], len(chart.panels))}.")
     return " ".join(words)
 
 

@@ -6,7 +6,8 @@ import copy
 from functools import cached_property
 
 from charts.chart_axes import Axis, Rows
-from charts.study_file import StudyError, figures, number
+from charts.study_file import StudyError, figures
+from charts.verdict import verdict_of
 
 KEYS = ("name", "title", "says", "x", "y", "scenes", "methods", "knobs", "x_scale", "x_label", "y_label", "panel", "enough",
         "over", "passes")
@@ -111,8 +112,7 @@ class Chart:
     def point_knobs(self):
         """The knobs that distinguish points of one panel, without the one on the x axis."""
         panels = [[p.knobs for p in self.points if p.scene in scenes] for scenes in self.panels]
-        names = dict.fromkeys(name for p in self.points for name in p.knobs
-                              if self.over_scenes or name not in self.study.scene_knobs)
+        names = dict.fromkeys(name for p in self.points for name in p.knobs)
         names = [name for name in names
                  if any(len({str(knobs[name]) for knobs in panel if name in knobs}) > 1 for panel in panels)]
         return [name for name in names if (self.x.kind, self.x.name) != ("knob", name)]
@@ -164,10 +164,15 @@ class Chart:
 
     def front(self, points):
         """The points that no other beats in time and error, fastest first; none where the axes are not these two."""
-        axes = {axis.kind: axis for axis in (self.x, self.y)}
-        if set(axes) != {"time", "error"}:
+        if {self.x.kind, self.y.kind} != {"time", "error"} or not points:
             return []
-        return self.study.front_of([p for p in points if p in self.drawable], axes["error"].value)
+        return self.verdict(points).front
+
+    def verdict(self, points):
+        """The verdict on one panel's points, by the error on an axis and the chart's limit or one 8-bit step."""
+        error = next((axis.name for axis in (self.x, self.y) if axis.kind == "error"), self.study.metric)
+        at = self.enough["at"] if self.enough else None
+        return verdict_of(self.study, points[0].scene, [p for p in points if p in self.drawable], error, at)
 
     @property
     def columns(self):
@@ -194,22 +199,11 @@ class Chart:
         return self.enough["text"] if self.enough else ""
 
     def enough_of(self, points):
-        """The fastest point with an error of at most the chart's own "enough", or by default below that of one 8-bit step:
-        a mean FLIP hides errors in few pixels, so its 99th percentile must be, too. None if neither is known, or the
-        axes are not time and error."""
-        if (self.x.kind, self.y.kind) == ("time", "method"):
-            metrics = [self.study.metric]
-        elif {self.x.kind, self.y.kind} == {"time", "error"}:
-            name = self.x.name if self.x.kind == "error" else self.y.name
-            metrics = [name] if self.enough or name != "flip_mean" else ["flip_mean", "flip_p99"]
-        else:
+        """The cheapest point that is enough. None where none is, or it is not known what is, or no axis is the time."""
+        if {self.x.kind, self.y.kind} not in ({"time", "method"}, {"time", "error"}) or not points:
             return None
-        good = [p for p in points if p in self.drawable and all(self.is_enough(p, metric) for metric in metrics)]
-        return min(good, key=lambda p: (-1 if self.study.higher_is_faster else 1) * p.time[1], default=None)
-
-    def is_enough(self, point, metric):
-        bound = self.enough["at"] if self.enough else self.study.one_step(point.scene, metric)[0]
-        return bound is not None and number(point.data["error"].get(metric)) <= bound
+        verdict = self.verdict(points)
+        return verdict.cheapest if self.enough or all(verdict.limits.values()) else None
 
     def missing(self):
         """{why: methods} of points that have no place in the chart."""

@@ -7,6 +7,8 @@ import math
 import pathlib
 from functools import cached_property
 
+from charts.verdict import verdict_of
+
 METRICS = {  # key in a point's "error": (label on an axis, value for one 8-bit step at mid grey)
     "flip_mean": ("FLIP, mean", 0.0299),
     "flip_p99": ("FLIP, 99th percentile", 0.0299),
@@ -134,20 +136,6 @@ class Study:
             return of_scene.get(metric)
         return self.data.get("truth", {}).get("doubling_change") if metric == self.metric else None
 
-    def front(self, scene):
-        """The points of a scene that no other beats in both time and error, fastest first. Equal points stay."""
-        return self.front_of([p for p in self.points if p.scene == scene and p.drawable], lambda p: p.error)
-
-    def front_of(self, points, error_of):
-        """The same of any drawable points and any error."""
-        sign = -1 if self.higher_is_faster else 1
-        best = []
-        for p in sorted(points, key=lambda p: (sign * p.time[1], error_of(p))):
-            if not best or error_of(p) < error_of(best[-1]) or (error_of(p), p.time[1]) == (error_of(best[-1]),
-                                                                                            best[-1].time[1]):
-                best.append(p)
-        return best
-
 
 def number(value):
     """A JSON number; null, which is how JSON writes NaN and infinity, is NaN."""
@@ -198,7 +186,7 @@ def markdown_table(study):
     rows = [["", "scene", "method", "knobs", f"{time} (median)", "quartiles"] + [study.metric_label(k) for k in keys]
             + ["NaN", "Inf"]]
     rows.append(["---"] * 4 + ["---:"] * (len(rows[0]) - 4))
-    on_front = {id(p) for scene in study.scenes for p in study.front(scene)}
+    on_front = {id(p) for scene in study.scenes for p in verdict_of(study, scene).front}
     for p in study.points:
         spread = f"{figures(p.time[0])}–{figures(p.time[2])}"
         named = ", ".join(f"{name} {value}" for name, value in p.knobs.items())
@@ -206,5 +194,6 @@ def markdown_table(study):
                     + [figures(number(p.data["error"][k])) if k in p.data["error"] else "" for k in keys] + [str(p.nan), str(p.inf)])
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     d = study.data
-    note = f'● on the Pareto front. {d["device"]}, {d["driver"]}; {d["stage"]}{study.size_text(", ")}. Made by `{d["command"]}`.'
+    version = "".join(f"{words} {d[key]}" for key, words in (("measured", " with code"), ("errors_measured", ", errors with")) if key in d)
+    note = f'● on the Pareto front; errors that are small enough are not ranked. {d["device"]}, {d["driver"]}; {d["stage"]}{study.size_text(", ")}. Made by `{d["command"]}`{version}.'
     return "\n".join(lines) + "\n\n" + note + "\n"

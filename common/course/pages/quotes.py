@@ -15,11 +15,13 @@ import re
 from pathlib import Path
 
 from check.starters import check_starters
+from pages import advice
 from pages.tables import check_tables
 from tree import ROOT, Failure, files, say, write_atomically
 
 HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source, and the\n"
-        "tables of studies (<!-- table: FILE#... -->) from their JSON; writes tests/starters.txt, which says what is handed out as each exercise's starter.")
+        "tables of studies (<!-- table: FILE#... -->) and their verdicts (<!-- verdict: NN.name -->) from their JSON; writes\n"
+        "docs/which.md, and tests/starters.txt, which says what is handed out as each exercise's starter.")
 
 QUOTE = re.compile(r"\s*<!-- quote: (\S+?)#(\S+) -->\s*$")
 FENCE = re.compile(r"\s*(```+|~~~+)")
@@ -33,6 +35,7 @@ def add_arguments(parser):
 
 
 def run(_arguments, _rest) -> int:
+    write_atomically(ROOT / advice.PAGE, advice.page())
     wrong = [problem for name in lessons() for problem in check_quotes(name, write=True)]
     check_starters(write=True)
     for problem in wrong:
@@ -94,8 +97,9 @@ def check_quotes(lesson: Path, write: bool = False) -> list[str]:
             wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course docs --quote fills it")
         out += [lines[i], *source, lines[end]]
         i = end + 1
-    wrong_tables, out = check_tables(lesson, out, write)
-    wrong += wrong_tables
+    for check in (check_tables, advice.check_blocks):
+        problems, out = check(lesson, out, write)
+        wrong += problems
     if write and out != lines:
         write_atomically(ROOT / lesson, "\n".join(out) + "\n")
     return wrong

@@ -329,4 +329,5 @@ def without_sources(text: str, note=lambda files: "") -> str:
         said = note(re.findall(r"[\w./-]+\.json", match[0]))
         return f"{match[1]}{said}\n\n" if said else ""
     text = re.sub(r"^([ \t]*)<!-- table: .*?-->[ \t]*\n", noted, text, flags=re.S | re.M)
-    return re.sub(r"<!-- figure: .*?-->", "", text, flags=re.S)
+    text = re.sub(r"^[ \t]*<!-- (?:/verdict|verdict: .*?) -->[ \t]*\n", "", text, flags=re.M)
+    return re.sub(r"\s*<!-- claim: .*?-->|<!-- figure: .*?-->", "", text, flags=re.S)

@@ -16,8 +16,8 @@ from pathlib import Path
 from check.check import grades
 from check.lesson_tests import check_named, of_chapters
 from check.starters import check_starters
+from pages import advice, claims, tables
 from pages.quotes import FENCE, LINK, MARKER, QUOTE, check_quotes, lessons
-from pages import tables
 from shots.golden import measured_distances
 from test.lesson_commands import wrong_words
 from test.order import check_order
@@ -336,13 +336,14 @@ def check_all() -> list[str]:
     wrong = []
     for name in files():
         if name.suffix == ".md":
-            wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
+            wrong += check_quotes(name) + check_links(name) + tables.check_figures(name) + claims.check_claims(name)
             if name.parts[0] == "docs" and name.parts[:2] != ("docs", "studies"):
                 wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
             wrong += wrong_words(name, (ROOT / name).read_text())
         wrong += check_private_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
+    wrong += advice.check_page()
     return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
 
 

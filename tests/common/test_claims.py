@@ -1,0 +1,112 @@
+"""Claims in lessons are evaluated, sentences that compare without one are found, and advice is filled from verdicts."""
+# Builds: nothing
+
+import ast
+import re
+import sys
+import unittest
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
+
+from chart_fixture import point, study  # noqa: E402
+from charts.verdict import verdict_of  # noqa: E402
+from pages import advice, claims, tables  # noqa: E402
+from tree import Failure, lessons  # noqa: E402
+
+# Parts of a lesson that state costs and choices: there every comparison is bound.
+CHOICES = re.compile(r"Speed against accuracy|When to use which|Cost")
+
+
+def small():
+    return study(points=[point("s", "none", 0.4, 3.0), point("s", "a", 0.2, 6.0, {"taps": 4}), point("s", "a", 0.02, 12.0, {"taps": 16}),
+                         point("s", "slow", 0.3, 24.0)])
+
+
+class Claims(unittest.TestCase):
+    def holds(self, text):
+        s = small()
+        return claims.Scene(s.data, "s", lambda: verdict_of(s, "s")).evaluate(ast.parse(text, mode="eval"))
+
+    def test_expressions(self):
+        for text in ("ms(none) < ms('a; taps=4') < ms('a; taps=16')", "near(ms(slow) / ms('taps=4'), 4)", "flip_mean(none) == 2 * flip_mean('a; taps=4')",
+                     "least(flip_mean, a) < 0.03 and most(flip_mean, a) > 0.1", "enough(a) and not enough(none)", "dominated(slow)",
+                     "taken('taps=16')", "same(none, none) and not same(none, slow)", "at('/points/3/method') == 'slow'",
+                     "of(s, ms, none) == 3", "round(ms(slow) / ms(none)) == 8"):
+            with self.subTest(text):
+                self.assertIs(self.holds(text), True)
+        for text in ("ms(none) > ms(slow)", "dominated(a)", "taken(none)", "not enough(a)", "near(1, 1.2)"):
+            with self.subTest(text):
+                self.assertIs(self.holds(text), False)
+
+    def test_what_is_no_claim_is_refused(self):
+        for text in ("__import__('os')", "[1][0]", "ms(a)", "ms(x) > 1", "enough(x)", "ms.none"):
+            with self.subTest(text), self.assertRaises((Failure, KeyError)):
+                self.holds(text)
+
+    def test_a_false_claim_is_named_with_its_line(self):
+        page = "A page.\n\nIt is so.<!-- claim: small#ms(none) > ms(slow) -->\n"
+        with mock.patch.object(Path, "read_text", return_value=page), mock.patch.object(tables, "load", return_value=small().data), \
+                mock.patch.object(advice, "questions", return_value={}):
+            wrong = claims.check_claims(Path("docs/x.md"))
+        self.assertEqual(len(wrong), 1)
+        self.assertIn("docs/x.md:3: a claim does not hold: s, NVIDIA H200: it is not so that ms(none) > ms(slow)", wrong[0])
+        self.assertEqual(claims.fault_of("elsewhere; another program"), "")
+        self.assertTrue(claims.fault_of("elsewhere;"))
+
+    def test_sentences_that_compare(self):
+        page = """# A page
+
+## Speed against accuracy
+
+`a` is faster than `b`. It has half of the error.<!-- claim: x#1 --> A triangle has half of a square's area.
+Tiles win (`[03.x]`). With 3<!-- figure: f --> lights it is cheaper.
+
+    faster code
+
+| slower | table |
+
+## Exercises
+
+Which is faster?
+"""
+        with mock.patch.object(Path, "read_text", return_value=page):
+            found = claims.unbound(Path("docs/x.md"))
+        self.assertEqual(found, [(5, "Speed against accuracy", "`a` is faster than `b`.")])
+
+    def test_costs_and_choices_of_lessons_are_bound(self):
+        loose = [f"{lesson}:{line}: {words}" for lesson in lessons() for line, section, words in claims.unbound(lesson)
+                 if CHOICES.match(section)]
+        self.assertEqual(loose, [], "a comparison needs <!-- claim: ... --> (common/course/pages/claims.py)")
+
+
+class Advice(unittest.TestCase):
+    def question(self, **entry):
+        return advice.Question("02_lambert_phong", {"id": "02.x", "question": "Which?", **entry}, (small(),))
+
+    def test_a_row_names_the_choice_what_is_dominated_and_where_it_fails(self):
+        table = advice.table(self.question(not_for=[{"method": "a", "where": "thin things", "test": "[02.seam]"}]))
+        self.assertEqual(table[2], "| s | `a`, taps 16: 12 ms, 0.02 | `slow` |")
+        self.assertEqual(table[-1], "- Not `a` for thin things (`[02.seam]`).")
+
+    def test_where_none_is_enough_a_cheaper_one_is_named_too(self):
+        table = advice.table(self.question(enough={"flip_mean": 0.01}, limit="a hundredth"))
+        self.assertEqual(table[2], "| s | *none is enough;* `a`, taps 16: 12 ms, 0.02; in half the time: `a`, taps 4, 6 ms, 0.2 | `slow` |")
+        self.assertIn("Enough: a hundredth.", table[-1])
+
+    def test_blocks_are_filled_and_checked(self):
+        with mock.patch.object(advice, "questions", return_value={"02.x": self.question()}):
+            lines = ["before", "<!-- verdict: 02.x -->", "<!-- /verdict -->", "after"]
+            wrong, filled = advice.check_blocks(Path("x.md"), lines, write=True)
+            self.assertEqual((wrong, filled[0], filled[-1]), ([], "before", "after"))
+            self.assertEqual(advice.check_blocks(Path("x.md"), filled), ([], filled))
+            filled = [line.replace("12 ms", "13 ms") for line in filled]
+            self.assertIn("x.md:2: the verdict 02.x is not that of its studies", advice.check_blocks(Path("x.md"), filled)[0][0])
+            self.assertIn("there is no verdict 03.y", advice.check_blocks(Path("x.md"), ["<!-- verdict: 03.y -->", "<!-- /verdict -->"])[0][0])
+            self.assertIn("does not end", advice.check_blocks(Path("x.md"), ["<!-- verdict: 02.x -->", "text"])[0][0])
+
+
+if __name__ == "__main__":
+    unittest.main()

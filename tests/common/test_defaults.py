@@ -1,0 +1,124 @@
+"""Each chapter's default methods are not dominated in its own scene, on any device, or study.json says why in a line. Knobs that
+count samples or steps make no error larger in any study, or study.json says why.
+
+"defaults" and "unsteady" of chapters/NN_name/study*.json have these lines, by knob.
+"""
+# Builds: 01_obj 02_lambert_phong 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 07_mipmaps 08_bloom 09_post_effects 10_atmosphere 11_fractals 12_skin 13_mlaa 14_environment 15_terrain_water 16_volume 17_planets 18_playground 19_ambiance
+
+import functools
+import json
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "common" / "course")]
+
+from charts import measured  # noqa: E402
+from charts.study_file import load  # noqa: E402
+from charts.verdict import verdict_of  # noqa: E402
+from pages import advice  # noqa: E402
+from tree import BUILD  # noqa: E402
+
+COUNTS = re.compile(r"(?:^|[._])(?:samples|steps|taps|slices|peels|levels|octaves|cells|ring_cells|reach|table_scale)$")
+
+
+@functools.cache
+def program(chapter: str) -> tuple[str, dict]:
+    """The default scene, and every knob's default by its long and its short name."""
+    path = str(BUILD / "chapters" / chapter)
+    help_text = subprocess.run([path, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    listed = json.loads(subprocess.run([path, "--list", "knobs", "--json"], stdout=subprocess.PIPE, text=True, check=True).stdout)
+    values = {knob["name"]: knob["default"] for knob in listed}
+    short = {b: values[a] for a, b in re.findall(r"--([\w.]+),--([\w.]+) ", help_text) if a in values}
+    scene = re.search(r"--scene FILE .*?\((\S+)\)", help_text)
+    values = short | values
+    own = json.loads((ROOT / "assets" / scene[1]).read_text()) if scene and scene[1].endswith(".json") else {}
+    return (f"assets/{scene[1]}" if scene else ""), values | own.get("knobs", {})
+
+
+def method_knob(study) -> str:
+    return study.data.get("method_knob") or ("loader" if study.data["subject"] == "loader" else "method")
+
+
+def is_default(study, point, values: dict) -> bool:
+    """Whether the method and all choices of a point are the program's."""
+    set_by_scene = study.set_by(point.scene)
+    choices = {name: value for name, value in point.knobs.items() if isinstance(value, str) and name not in set_by_scene}
+    return point.method == values.get(method_knob(study), point.method) and \
+        all(values.get(name) in (None, value, {"on": True, "off": False}.get(value)) for name, value in choices.items())
+
+
+def reasons(request: str, key: str) -> dict[str, str]:
+    return json.loads((ROOT / request).read_text()).get(key, {})
+
+
+class Defaults(unittest.TestCase):
+    maxDiff = None
+
+    def test_default_methods_are_not_dominated(self):
+        wrong, excused = [], set()
+        for question in advice.questions().values():
+            file, values = program(question.chapter)
+            for study in question.studies:
+                request = measured.request_of(study.data)
+                why = reasons(request, "defaults")
+                files = {scene: entry.get("file") for scene, entry in study.data.get("scenes", {}).items()}
+                own = [scene for scene in question.scenes() if files.get(scene) == file]
+                lost = []
+                for scene in own or question.scenes():
+                    verdict = question.verdict(study, scene)
+                    mine = [p for p in verdict.points if is_default(study, p, values)]
+                    if mine:
+                        lost.append(all(verdict.dominator(p) for p in mine))
+                if lost and (any(lost) if own else all(lost)):
+                    knob = question.entry["id"]
+                    if knob in why:
+                        excused.add((request, knob))
+                        continue
+                    wrong.append(f"{request}: {knob}: the default is dominated {'in its own scene' if own else 'in every scene'} on "
+                                 f"{study.data['device']}; \"defaults\" says why, or another value is the default")
+        said = {(str(path.relative_to(ROOT)), knob) for path in (ROOT / "chapters").glob("*/study*.json")
+                for knob in reasons(str(path.relative_to(ROOT)), "defaults")}
+        self.assertEqual(sorted(wrong), [])
+        self.assertEqual(said - excused, set(), "no default is dominated there; take the line away")
+
+
+class Convergence(unittest.TestCase):
+    maxDiff = None
+
+    def test_more_samples_make_no_error_larger(self):
+        wrong, excused, requests = [], set(), set()
+        for path in sorted((ROOT / "docs/studies").glob("*.json")):
+            request = measured.request_of(json.loads(path.read_text()))
+            if not (ROOT / request).exists():
+                continue
+            requests.add(request)
+            study, why = load(path), reasons(request, "unsteady")
+            lower = {name for name, value in json.loads((ROOT / request).read_text()).get("better", {}).items() if value == "lower"}
+            for scene in study.scenes:
+                verdict = verdict_of(study, scene)
+                lines: dict[tuple, list] = {}
+                for p in verdict.points:
+                    for name, value in p.knobs.items():
+                        if COUNTS.search(name) and isinstance(value, (int, float)) and name not in lower:
+                            others = tuple(sorted((k, str(v)) for k, v in p.knobs.items() if k != name))
+                            lines.setdefault((p.method, name, others), []).append(p)
+                for (method, name, _), points in lines.items():
+                    points.sort(key=lambda p: p.knobs[name])
+                    for before, after in zip(points, points[1:]):
+                        if verdict.less_accurate(after, before):
+                            if name in why:
+                                excused.add((request, name))
+                            else:
+                                wrong.append(f"{path.name}: {scene}, {method}: {name} {before.knobs[name]} to {after.knobs[name]}: "
+                                             f"{', '.join(f'{m} {verdict.raw(before, m):.4g} to {verdict.raw(after, m):.4g}' for m in verdict.limits)}")
+        said = {(request, name) for request in requests for name in reasons(request, "unsteady")}
+        self.assertEqual(wrong, [], "more samples make it worse; \"unsteady\" of study.json says why")
+        self.assertEqual(said - excused, set(), "no error grows there; take the line away")
+
+
+if __name__ == "__main__":
+    unittest.main()
