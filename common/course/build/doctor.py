@@ -42,7 +42,7 @@ def packages() -> str:
     """Which packages are missing, by the list that has them."""
     if not shutil.which("dpkg-query"):
         return "not a Debian system: the lists in common/course/packages say what is needed"
-    groups = {path.name: path.read_text().split() for path in sorted(PACKAGES.iterdir())}
+    groups = {path.name: path.read_text(encoding="utf-8").split() for path in sorted(PACKAGES.iterdir())}
     named = sorted({package for group in groups.values() for package in group})
     asked = output(["dpkg-query", "-W", "-f", "${db:Status-Status} ${Package}\\n", *named])
     there = {line.split()[1] for line in asked.splitlines() if line.startswith("installed ")}

@@ -18,7 +18,7 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
     """Replaces new results by kept ones, keeps new answers' results, and reports changed marks of a regraded exercise.
     Raises UsageError for an unreadable file: a grade would be lost."""
     try:
-        kept = json.loads(file.read_text()) if file.exists() else {}
+        kept = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
         before = {(student, exercise): (answer_of(entry), checked(dict(entry["result"]), exercise))
                   for student, entries in kept.items() for exercise, entry in entries.items()}
     except (OSError, ValueError, TypeError, AttributeError, KeyError, RecursionError) as error:
