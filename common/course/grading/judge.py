@@ -42,7 +42,7 @@ GIB = 1 << 30
 JUDGE_S = 60  # of a whole check; a call that does not return is found before
 FREE_S = 15  # per exercise (meter.py); time beyond that counts against a student's budget
 BUDGET_S = 600
-TRIES_S = (0, 1, 5)  # waits before retries after a machine fault
+TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
 # A reference that calls functions which the handout has only compiled is none that a student could hand in.
 HANDED_IN = {"01.parse_vertex_line": "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"}
 NOT_LOOKED_FOR = "its numbers are right, and operations that GLSL leaves undefined were not looked for in it"
@@ -103,6 +103,7 @@ class Turns:
 class Judge:
     """Shared state for all students. Raises Failure if nothing can be contained here."""
 
+    broken = False  # a control failed in this run, each time that it was tried
     fresh = frozenset()  # exercises to judge again despite a known verdict
 
     def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
@@ -212,7 +213,7 @@ class Judge:
         found = {name: clean(value) for name, value in found.items()
                  if name in ("killed", "ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
         if "killed" in found:  # perhaps from outside: never kept
-            return base | {name: found[name] for name in found if name != "killed"}
+            return base | {name: found[name] for name in found if name != "killed"} | {"unkept": True}
         with contextlib.suppress(OSError):  # only slower the next time
             write_atomically(kept, json.dumps(found | {"over_s": over_s}))
         return base | found
@@ -257,12 +258,19 @@ class Judge:
                 return
             meter, current.meter = getattr(current, "meter", None), None  # no student's time
             try:
-                with self.turns.alone() if again else self.turns.with_others():
-                    self.look_at_control(exercise)
-                entry[1] = True
-            except Unjudged as why:
-                entry[1] = why
-                raise
+                for wait_s in TRIES_S:
+                    time.sleep(wait_s)
+                    try:
+                        with self.turns.alone() if again else self.turns.with_others():
+                            self.look_at_control(exercise)
+                        entry[1] = True
+                        return
+                    except Unjudged as why:
+                        entry[1] = why
+                    if self.broken or self.stopped:  # it was waited for already
+                        break
+                self.broken = True
+                raise entry[1]
             finally:
                 current.meter = meter
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tree import UsageError, write_atomically
 
-FINAL = ("judged", "undecided")  # states that are an answer's own
+FINAL = ("judged", "undecided")  # states that are an answer's own; "unkept": it was killed, perhaps from outside
 
 
 def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]], regraded: set[str]) -> list[str]:
@@ -28,7 +28,7 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
         student = one["student"]
         for i, result in enumerate(one["results"]):
             exercise, data = result["exercise"], submitted.get(student, {}).get(result["exercise"])
-            if data is None or result["state"] not in FINAL:
+            if data is None or result["state"] not in FINAL or result.get("unkept"):
                 continue
             answer = hashlib.sha256(data).hexdigest()
             old_answer, old = before.get((student, exercise), (None, None))
