@@ -189,7 +189,7 @@ jobs:
         with:
           persist-credentials: false
       - name: The checks
-        run: ./course check {what} --json >results.jsonl || true
+        run: ./course check {what} --json >results.jsonl || [ $? = 1 ]  # 1: some are open; 3: this machine cannot judge
       - name: The points
         run: ./course handout --autograder --classroom results.jsonl
 """, "classroom/README.md": """# A starter repository
