@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/device.h"
 #include "common/window/event_log.h"
 
@@ -179,7 +179,7 @@ bool Display::takes(VkInstance instance, VkPhysicalDevice physical, uint32_t que
 
 Input Display::poll(double wait_s) {
     if (wait_s > 0.0)
-        aside([&] { glfwWaitEventsTimeout(wait_s); });
+        unlocked([&] { glfwWaitEventsTimeout(wait_s); });
     else
         glfwPollEvents();
     Input& now = events_->input;
