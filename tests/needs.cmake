@@ -1,5 +1,6 @@
-find_program(PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)  # Debian's has Debian's matplotlib
-find_program(PYTHON3 python3 REQUIRED)
+find_program(PYTHON3_PROGRAM python3 PATHS /usr/bin NO_DEFAULT_PATH)  # Debian's has Debian's matplotlib
+find_program(PYTHON3_PROGRAM python3 REQUIRED)
+set(PYTHON3 ${PYTHON3_PROGRAM} -E -X utf8)  # as ./course starts it: PYTHON* and the locale change nothing
 
 # The targets that a test needs: ./course test PATTERN builds no others (common/course/test/needs.py). A test without this
 # needs everything.

@@ -36,6 +36,17 @@ Table& table() {
     return instance;
 }
 
+// Whether a file among the exercises is one: in tests/starters.txt, or of a chapter that has none there, a new one.
+bool is_listed(const std::filesystem::path& file) {
+    static const std::string list = [] {
+        const auto path = course_root() / "tests" / "starters.txt";
+        return file_exists(path) ? read_file(path) : std::string();
+    }();
+    const std::string chapter = file.parent_path().parent_path().filename().string();
+    return list.find("/" + chapter + "/exercise/" + file.filename().string() + "\n") != list.npos ||
+           list.find("/" + chapter + "/exercise/") == list.npos;
+}
+
 // Adds undeclared exercises: GLSL, and C++ of chapters that are not linked.
 void scan(const char* folder, const char* extension) {
     namespace fs = std::filesystem;
@@ -43,7 +54,7 @@ void scan(const char* folder, const char* extension) {
     for (const auto& chapter : fs::directory_iterator(course_root() / folder, none)) {
         if (!fs::is_directory(chapter.path() / "exercise")) continue;
         for (const auto& file : fs::directory_iterator(chapter.path() / "exercise")) {
-            if (file.path().extension() != extension) continue;
+            if (file.path().extension() != extension || !is_listed(file.path())) continue;
             const std::string id = chapter.path().filename().string().substr(0, 2) + "." + file.path().stem().string();
             const State found{.has_solution = fs::exists(chapter.path() / "solution" / file.path().filename())};
             table().exercises.try_emplace(id, found);

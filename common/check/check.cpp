@@ -15,6 +15,7 @@
 #include "common/check/lost.h"
 #include "common/check/tables.h"
 #include "common/check/undefined.h"
+#include "common/gpu/glsl.h"
 
 namespace lightwalk {
 namespace {
@@ -81,9 +82,10 @@ void Check::call(const std::string& what, const std::function<std::string()>& wr
     guard_call(what);
     try {
         found = wrong();
-    } catch (const Lost& e) { found = e.what(); } catch (const std::exception& e) {
-        found = what + " threw an exception: " + e.what();
-    }
+    } catch (const Lost& e) { found = e.what(), lost = true; } catch (const std::bad_alloc&) {
+        found = what + " threw an exception: std::bad_alloc, there is no more memory";
+        lost = true;
+    } catch (const std::exception& e) { found = what + " threw an exception: " + e.what(); }
     guard_call("");
     expect(found.empty(), found, hint_for_it);
 }
@@ -117,6 +119,32 @@ void Check::expect_no_square(const std::string& what, size_t few, const std::fun
                                    took, many_s / sort_s));
 }
 
+void Check::expect_quick(const std::string& what, const std::string& of, double times, double most_s,
+                         const std::function<void()>& work, const std::string& hint_for_it) {
+    constexpr size_t sorted = 500000;
+    constexpr double sorting_there_s = 0.045;  // of so many numbers, on the machine that limits are measured on
+    double work_s = 0, sort_s = std::numeric_limits<double>::infinity(), slower = 1;
+    const auto is_quick = [&] { return times * work_s < slower * most_s; };
+    for (int round = 0; round < 8 && !(round >= 2 && is_quick()) && times * work_s < 4 * slower * most_s; ++round) {
+        const double took_s = seconds([&] {
+            call(what, [&] {
+                work();
+                return std::string();
+            });
+        });
+        work_s = round == 0 ? took_s : std::min(work_s, took_s);
+        if (failed > 0) return;
+        sort_s = std::min(sort_s, sorting_s(sorted));
+        slower = std::max(sort_s / sorting_there_s, 1.0);
+    }
+    expect(
+        is_quick(),
+        fmt::format("{} took {:.3f} s: {} would take {:.0f} s, and may take {:.0f} s here, where a sort takes {:.1f} "
+                    "times as long as on the machine for which {:.0f} s are stated",
+                    what, work_s, of, times * work_s, slower * most_s, slower, most_s),
+        hint_for_it);
+}
+
 Table Check::probe(const Probe& probe) {
     if (probe.inputs.empty()) throw Failure("a probe without inputs proves nothing: " + probe.signature);
     const size_t outputs = probe.truth(probe.inputs[0]).size();
@@ -124,11 +152,12 @@ Table Check::probe(const Probe& probe) {
     if (tables) tables->add(probe, results);
     // Undefined operations are errors if the function's result depends on them.
     std::map<size_t, const Undefined*> open;
-    const std::optional<std::vector<Undefined>> looked_for = run_undefined(check_device(), probe, outputs);
+    const std::optional<std::vector<Undefined>> searched = run_undefined(check_device(), probe, outputs);
+    looked_for = searched.has_value();
     if (!looked_for)
         note = "operations that GLSL leaves undefined were not looked for in " + probe.include +
                ": the check cannot follow how it is written, a macro with half an expression perhaps";
-    const std::vector<Undefined> undefined = looked_for.value_or(std::vector<Undefined>());  // `open` points into it
+    const std::vector<Undefined> undefined = searched.value_or(std::vector<Undefined>());  // `open` points into it
     for (const Undefined& one : undefined)
         if (counts_always(one.what) || !is_right(probe, probe.inputs[one.row], one.result)) open.emplace(one.row, &one);
     for (size_t row = 0; row < results.size(); ++row) {
@@ -179,7 +208,10 @@ Check run_check(const ExerciseCheck& exercise, bool solution, ProbeTables* table
         }
         exercise.run(check);
         if (check.passed + check.failed == 0) check.expect(false, "the check of " + exercise.id + " checked nothing");
-    } catch (const std::exception& e) { check.expect(false, e.what()); }
+    } catch (const ShaderError& e) { check.expect(false, e.what()); } catch (const std::exception& e) {
+        check.expect(false, e.what());
+        check.lost = true;
+    }
     return check;
 }
 

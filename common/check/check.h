@@ -18,12 +18,18 @@ class Check {
     std::string first_failure;
     std::string hint;  ///< hint for first_failure; empty: the exercise's
     std::string note;
+    bool lost = false;       ///< the verdict rests on a process that ended or was late, or on an error of the system
+    bool looked_for = true;  ///< false if operations that GLSL leaves undefined were not searched for
 
     void expect(bool right, const std::string& otherwise, const std::string& hint_for_it = "");
     /// Runs `wrong`: student C++ that returns an error message or "". `what` names it after a crash or time-out.
     void call(const std::string& what, const std::function<std::string()>& wrong, const std::string& hint_for_it = "");
     /// Expects run(n) to take O(n log n) time: 10 × `few` items at most 40 × as long, and at most 25 × std::sort.
     void expect_no_square(const std::string& what, size_t few, const std::function<void(size_t)>& run);
+    /// Expects work() to take `most_s` of processor time on the machine that the course is measured on, by the ratio
+    /// to std::sort in turns with it: other load slows both. `of` completes "{what} took ...".
+    void expect_quick(const std::string& what, const std::string& of, double times, double most_s,
+                      const std::function<void()>& work, const std::string& hint_for_it);
     /// Expects all results within the bound, whatever undefined operations return. Returns the results.
     Table probe(const Probe& probe);
     /// Expects `holds` for every call; `otherwise` completes "f(...) gave x, ...".

@@ -5,8 +5,11 @@
 
 namespace lightwalk {
 
-/// Time limit per call: $LIGHTWALK_TIMEOUT_S, default 5 s.
+/// Processor time of a call: $LIGHTWALK_TIMEOUT_S, default 5 s.
 int call_limit_s();
+
+/// Time of a call by the clock, which ends only one that sleeps or a stopped process.
+int most_wait_s();
 
 /// Ends the program with code 1 after a crash or time-out, with a message to `report`. Off under sanitizers.
 void guard_calls(std::function<void(const std::string& message)> report);

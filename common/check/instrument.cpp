@@ -1,4 +1,6 @@
 #include <cctype>
+#include <regex>
+#include <set>
 #include <vector>
 
 #include "common/base/error.h"
@@ -114,8 +116,14 @@ class Rewriter {
                 after_operand = text != "{";
                 if (text == "{") factors = operand = out.size();
             } else if (text == "const" && end + 1 == tokens_.size()) {
-                out += token.space;  // globals initialised by calls are not constant
+                const size_t stop = end_of_statement();
+                const bool stays = is_constant(stop);
+                out += token.space + (stays ? text : "");
                 ++at_;
+                if (stays && is_whole(at_)) {  // perhaps the size of an array
+                    for (; at_ < stop; ++at_) out += tokens_[at_].space + tokens_[at_].text;
+                    after_operand = true;
+                }
             } else if (is_word(text)) {
                 declares_ = after_operand && !product_;
                 if (!after_operand || declares_) {
@@ -161,6 +169,30 @@ class Rewriter {
         return signs + expression(stop);
     }
 
+    size_t end_of_statement() const {
+        size_t stop = at_;
+        while (stop + 1 < tokens_.size() && tokens_[stop].text != ";") ++stop;
+        return stop;
+    }
+
+    bool is_whole(size_t at) const { return tokens_[at].text == "int" || tokens_[at].text == "uint"; }
+
+    // Whether a global stays a constant when its initialiser is instrumented: one that is initialised by a call does not,
+    // nor one that names another such.
+    bool is_constant(size_t stop) {
+        static const std::regex type("float|u?int|bool|[biu]?vec[234]|mat[234](x[234])?");
+        bool constant = true;
+        for (size_t i = at_ + 1; i < stop; ++i) {
+            const std::string &text = tokens_[i].text, &before = tokens_[i - 1].text;
+            if (text == "(" && is_word(before) && !std::regex_match(before, type)) constant = false;
+            if ((text == "/" || text == "%") && !is_number(tokens_[i + 1].text) && !is_whole(at_ + 1)) constant = false;
+            if (not_constant_.count(text)) constant = false;
+        }
+        for (size_t i = at_ + 1; !constant && i < stop; ++i)
+            if (tokens_[i + 1].text == "=" || tokens_[i + 1].text == "[") not_constant_.insert(tokens_[i].text);
+        return constant;
+    }
+
     size_t closing(size_t open) const {
         int depth = 0;
         for (size_t i = open; i + 1 < tokens_.size(); ++i) {
@@ -183,6 +215,7 @@ class Rewriter {
     static bool is_number(const std::string& text) { return text.find_first_not_of(" .0123456789uf") == text.npos; }
 
     std::vector<Token> tokens_;
+    std::set<std::string> not_constant_;
     size_t at_ = 0;
     bool declares_ = false, product_ = false;
 };

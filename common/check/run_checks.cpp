@@ -28,6 +28,8 @@ void print_check(const ExerciseCheck& exercise, const Check& check) {
         line["hint"] = check.hint.empty() ? exercise.hint : check.hint;
     }
     if (!check.note.empty()) line["note"] = check.note;
+    if (check.lost) line["lost"] = true;
+    if (!check.looked_for) line["looked_for"] = false;
     if (!given.nonce.empty()) line["nonce"] = given.nonce;
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
@@ -36,6 +38,7 @@ void print_check(const ExerciseCheck& exercise, const Check& check) {
 bool check(const ExerciseCheck& exercise, bool solution) {
     const auto report = [&exercise](const std::string& message) {
         Check check;
+        check.lost = true;
         check.expect(false, message, "try that one call on paper, line by line");
         print_check(exercise, check);
     };

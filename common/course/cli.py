@@ -3,7 +3,7 @@
 Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest holds
 unknown arguments; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
 Of a module that says ALONE, two at once in one tree run one after the other; with SHARDS_APART, two shards do not wait.
-Exit codes: 0; 1 it failed; 2 it was asked wrongly; 130 it was interrupted, 143 it was ended.
+Exit codes: 0; 1 it failed; 2 it was asked wrongly; 3 this machine cannot judge; 130 it was interrupted, 143 it was ended.
 """
 
 import argparse
@@ -15,7 +15,7 @@ import sys
 
 from build.build import alone
 from commands import COMMANDS, MOVED, names, selected
-from tree import BUILD, Failure, UsageError, nearest, warn
+from tree import BUILD, Failure, Unjudged, UsageError, keep_environment, nearest, warn
 
 
 class Parser(argparse.ArgumentParser):
@@ -54,6 +54,14 @@ def on_one_line(message: str) -> str:
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in message)
 
 
+def forget_output():
+    """Where it cannot be written: Python would try once more at its end."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 class Ended(BaseException):
     """SIGTERM: children are ended on the way out, as after Ctrl+C."""
 
@@ -63,6 +71,7 @@ def end(*_):
 
 
 if __name__ == "__main__":
+    keep_environment()
     signal.signal(signal.SIGTERM, end)
     for stream in (sys.stdout, sys.stderr):  # a name on the command line need not be text
         stream.reconfigure(errors="backslashreplace")
@@ -71,6 +80,9 @@ if __name__ == "__main__":
     except UsageError as error:
         warn(f"course: {on_one_line(str(error))}")
         sys.exit(2)
+    except Unjudged as error:
+        warn(f"course: {on_one_line(str(error))}")
+        sys.exit(3)
     except Failure as error:
         if str(error):
             warn(f"course: {error}")
@@ -80,10 +92,11 @@ if __name__ == "__main__":
     except Ended:
         sys.exit(143)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        forget_output()
         sys.exit(128 + signal.SIGPIPE)
     except OSError as error:  # a disk that is full, a folder that is another's: no fault of the course
         where = f"{error.filename}: " if error.filename is not None else ""
+        forget_output()
         closed = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
         advice = "; what is built goes below the course, so copy it to a folder of yours" if closed else ""
         warn(f"course: {where}{error.strerror or error}{advice}")

@@ -72,7 +72,7 @@ def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int
     """The shard's frames as a film of their own, in a shard's file. The exit code."""
     film = find_film(option(options, "scene", "films/ambiance.film"))
     frames = frame_count(options)
-    said = json.loads(film.read_text())
+    said = json.loads(film.read_text(encoding="utf-8"))
     head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0),
             "music_from_s": version(said, options)[1], "options": options,
             "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
@@ -102,7 +102,7 @@ def cut(frames: int, number: int, count: int) -> tuple[int, int]:
 
 def frame_count(options: list[str]) -> int:
     film, fps = find_film(option(options, "scene", "films/ambiance.film")), float(option(options, "fps", "30"))
-    return round(version(json.loads(film.read_text()), options)[0] * fps)
+    return round(version(json.loads(film.read_text(encoding="utf-8")), options)[0] * fps)
 
 
 def version(said: dict, options: list[str]) -> tuple[float, float]:
@@ -163,7 +163,7 @@ def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0, m
                     shutil.copyfileobj(part, whole)
         return
     listed = parts[0].with_name("list.txt")
-    listed.write_text("".join(f"file '{path.name}'\n" for path in parts))
+    listed.write_text("".join(f"file '{path.name}'\n" for path in parts), encoding="utf-8")
     sound = ["-ss", f"{music_from_s:g}", "-i", find_film(music), "-map", "0:v", "-map", "1:a", "-af", f"volume={gain_db:g}dB,apad", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
     try:
         done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
@@ -180,7 +180,7 @@ def read_systems(names: list[str]) -> list[dict]:
     systems = {}
     for name in names:
         try:
-            one = json.loads(Path(name).read_text())
+            one = json.loads(Path(name).read_text(encoding="utf-8"))
             systems[one["device"], tuple(one["size"])] = one
             if not all("gpu_sum" in scene for scene in one["scenes"]):
                 raise KeyError("scenes")
@@ -208,5 +208,5 @@ def write_page(names: list[str]) -> int:
     if not names[0].endswith(".html") or len(names) < 2:
         raise UsageError("--page takes the page's name, which ends with .html, and benchmarks")
     from pages.film_page import page
-    Path(names[0]).write_text(page(read_systems(names[1:])))
+    Path(names[0]).write_text(page(read_systems(names[1:])), encoding="utf-8")
     return 0

@@ -15,7 +15,7 @@ from build.programs import Programs
 from many import shards, slurm
 from progress import Progress
 from shots.rendering import Drawing
-from tree import (BUILD, ROOT, UsageError, best_first, chapter_program, chapters, cores, has_display,
+from tree import (BUILD, ROOT, UsageError, best_first, chapter_program, chapters, cores, display_words, has_display,
                   relative, say, warn, write_atomically)
 
 SAMPLES = "4"  # of a finished picture; the first one of a chapter has one sample
@@ -105,7 +105,7 @@ def finish_gallery(pictures: list[dict], folder: Path, best_only: bool = False) 
     write_gallery(pictures, folder / "index.html", all_of_them=len(gallery_pictures()) if best_only else 0)
     failed = say_failed(pictures)
     if not has_display():
-        warn("there is no display to open a window on")
+        warn(display_words() or "every chapter's pictures are drawn")
     say(f"{relative(folder / 'index.html')}: {sum(not picture['error'] for picture in pictures)} pictures")
     return failed
 
@@ -280,7 +280,7 @@ class Drawer:
 def read_drawn(folder: Path) -> dict:
     """Sources of each picture, as noted when it was drawn."""
     try:
-        return json.loads((folder / "drawn.json").read_text())
+        return json.loads((folder / "drawn.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
 

@@ -128,7 +128,7 @@ def wrong_thing(case: dict, picture: Picture, draw) -> str:
 
 
 def verdicts(names: list[str], folder: Path) -> list[dict]:
-    cases = json.loads((SET / "conformance.json").read_text())["cases"]
+    cases = json.loads((SET / "conformance.json").read_text(encoding="utf-8"))["cases"]
     drawn = {}
 
     def draw(case):

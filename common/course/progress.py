@@ -1,5 +1,6 @@
 """Progress of long work: one line that is drawn over on a terminal, a plain line every tenth and every ten seconds elsewhere."""
 
+import shutil
 import sys
 import time
 
@@ -20,7 +21,7 @@ class Progress:
         if self.terminal:
             filled = 24 * done // max(total, 1)
             line = f"{self.label} [{'#' * filled}{' ' * (24 - filled)}] {done}/{total} {note}"
-            self.stream.write(f"\r{line[:110]}\033[K")
+            self.stream.write(f"\r{line[:shutil.get_terminal_size().columns - 1]}\033[K")
             self.drawn = True
         elif 10 * done // max(total, 1) != self.tenth or time.monotonic() > self.said_s + QUIET_S:
             self.tenth = 10 * done // max(total, 1)

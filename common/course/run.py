@@ -26,6 +26,8 @@ def run_words(words: list[str]) -> int:
     if words and words[0] in ("--help", "-h"):
         say(HELP)
         return 0
+    if words and words[0].partition("=")[0] == "--device" and has_display():
+        return open_menu(words)
     if words and words[0].startswith("-") and words[0] not in ("--gallery", "--menu"):
         raise UsageError(f"name the chapter first, as in ./course run 01 {' '.join(words)}")
     if words[1:] and words[0] == "--gallery":
@@ -59,7 +61,7 @@ def open_menu(options: list[str]) -> int:
         lines = [f"{chapter} {state.name} {state.done} {state.total}\n" for chapter, state in programs.states.items()]
         write_atomically(folder / "states", "".join(lines))
 
-    programs = Programs(say_states, lambda: wanted.read_text().strip() if wanted.exists() else None)
+    programs = Programs(say_states, lambda: wanted.read_text(encoding="utf-8").strip() if wanted.exists() else None)
     say_states()
     try:
         menu = subprocess.Popen([BUILD / "menu", "--programs", folder, *options])

@@ -1,11 +1,15 @@
 """The course's tree: where things lie, which chapters and shots there are, and how a command says that it cannot."""
 
+import contextlib
 import difflib
+import functools
 import json
 import os
 import re
+import socket
 import subprocess
 import sys
+import tempfile
 import threading
 from collections.abc import Iterable
 from pathlib import Path
@@ -17,6 +21,26 @@ LIBRARIES = tuple(BUILD / f"lib{name}.so" for name in ("lightwalk", "lightwalk_c
 SHADER_CACHE = Path(os.environ.get("LIGHTWALK_CACHE", ROOT / "build" / "shader_cache"))  # as common/base/kept.h says
 
 
+# Python as ./course starts it (sys.executable has Debian's packages): PYTHON* and the locale's encoding change nothing.
+PYTHON = (sys.executable, "-E", "-X", "utf8")
+
+# What programs that the course starts have of the environment: who and where the user is, the display, proxies, which driver and
+# card are used, sanitizers' options, and the course's own. Flags of compilers, CMake, ninja, layers and loaders change nothing.
+KEPT = re.compile(r"""PATH|HOME|USER|LOGNAME|SHELL|TERM|COLORTERM|COLUMNS|LINES|NO_COLOR|LANG|LANGUAGE|LC_\w+|TZ|TMPDIR|PWD|HOSTNAME
+|DISPLAY|WAYLAND_\w+|XAUTHORITY|XDG_\w+|DBUS_\w+|PULSE_\w+|PIPEWIRE_\w+|ALSA_\w+|SSH_\w+|WSL\w*|BROWSER|EDITOR|VISUAL|PAGER
+|\w+_proxy|\w+_PROXY|SSL_CERT_\w+|CI|GITHUB_\w+|RUNNER_\w+|SLURM_\w+|SBATCH_\w+|SOURCE_DATE_EPOCH|CCACHE_DIR|LD_LIBRARY_PATH|LD_PRELOAD
+|VK_DRIVER_FILES|VK_ICD_FILENAMES|VK_ADD_DRIVER_FILES|DRI_PRIME|MESA_VK_DEVICE_SELECT|MESA_SHADER_CACHE_DIR|MESA_SHADER_CACHE_DISABLE
+|__NV_PRIME_RENDER_OFFLOAD|__VK_LAYER_NV_optimus|NVIDIA_\w+|CUDA_VISIBLE_DEVICES|GALLIUM_OVERRIDE_CPU_CAPS|GALLIVM_PERF|LP_NUM_THREADS
+|MALLOC_PERTURB_|[AL]SAN_OPTIONS|UBSAN_OPTIONS|ENABLE_VULKAN_RENDERDOC_CAPTURE|RENDERDOC_\w+|DEBIAN_FRONTEND|npm_\w+|NODE_PATH|FONTCONFIG_\w+
+|MOZ_\w+|LIGHTWALK_\w+""".replace("\n", ""))
+
+
+def keep_environment():
+    """Forgets what is not in the list."""
+    for name in [name for name in os.environ if not KEPT.fullmatch(name)]:
+        del os.environ[name]
+
+
 class UsageError(Exception):
     """An impossible command: one line with the remedy. Exit code 2."""
 
@@ -25,9 +49,86 @@ class Failure(Exception):
     """It was tried and failed: one line. Exit code 1. An empty line where all is said already."""
 
 
+class Unjudged(Failure):
+    """A known answer has no verdict here. Exit code 3; nothing is kept."""
+
+
+def unjudged(exercise: str, why: str) -> Unjudged:
+    return Unjudged(f"this machine cannot judge {exercise}: {why}{machine_words()}")
+
+
+def machine_words() -> str:
+    """What is known to keep a machine from judging, with the way out; empty for nothing."""
+    folder, found = Path(tempfile.gettempdir()), ""
+    try:
+        at = os.statvfs(folder)
+        if at.f_flag & os.ST_NOEXEC:
+            found = f"; no program runs in the temporary folder {folder} (it is mounted noexec): TMPDIR=FOLDER names another"
+        elif at.f_bavail * at.f_frsize < 1 << 26 or at.f_files and not at.f_favail:
+            found = f"; the temporary folder {folder} is full: make room, or TMPDIR=FOLDER names another"
+    except OSError:
+        pass
+    return found
+
+
+SOURCE = re.compile(r"[A-Za-z0-9]\w*(\.[A-Za-z0-9]+)+")
+MANIFEST = Path("tests/starters.txt")  # of the exercises, with digests of their starters
+
+
+def is_source(path: Path) -> bool:
+    """False for an editor's lock, a backup, a resource fork, a copy with a blank in its name, a link to nothing."""
+    return SOURCE.fullmatch(path.name) is not None and path.is_file()
+
+
+def manifest() -> dict[str, list[Path]]:
+    """The exercises' files by chapter, from the root."""
+    try:
+        at = (ROOT / MANIFEST).stat()
+    except OSError:
+        return {}
+    return read_manifest(ROOT / MANIFEST, at.st_mtime_ns, at.st_size)
+
+
+@functools.lru_cache(4)
+def read_manifest(path: Path, *_) -> dict[str, list[Path]]:
+    found = {}
+    for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+        name = Path(line.partition(" ")[2])
+        if len(name.parts) == 4:
+            found.setdefault(name.parts[1], []).append(name)
+    return found
+
+
 def chapters() -> list[str]:
-    """The chapters' names, "01_obj" and so on, in order."""
-    return sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir())
+    """The chapters' names, "01_obj" and so on, in order. Of several folders of one number those in the manifest."""
+    folders = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if re.fullmatch(r"\w+", path.name) and path.is_dir())
+    numbers = {name[:2] for name in folders if name in manifest()}
+    return [name for name in folders if name in manifest() or name[:2] not in numbers]
+
+
+def left_alone() -> list[str]:
+    """What lies among the exercises and chapters and takes part in nothing."""
+    known = {path for chapter in chapters() for path in exercises(chapter).values()}
+    found = [path for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir() and path.name not in chapters()]
+    for chapter in chapters():
+        for folder in (ROOT / "chapters" / chapter / "exercise", ROOT / "shaders" / chapter / "exercise"):
+            if folder.is_dir():
+                found += [path for path in folder.iterdir() if path not in known and path.suffix != ".old"]
+    return [relative(path) for path in sorted(found)]
+
+
+@functools.cache
+def say_left_alone():
+    """Once for each command."""
+    if found := left_alone():
+        more = f" and {len(found) - 3} more" if len(found) > 3 else ""
+        warn(f"left alone: {', '.join(found[:3])}{more}, not in {MANIFEST}")
+
+
+def shader_files() -> list[Path]:
+    """All shaders of the course; of its exercises those in the manifest."""
+    known = {path for chapter in chapters() for path in exercises(chapter).values()}
+    return [path for path in sorted((ROOT / "shaders").rglob("*.*")) if is_source(path) and (path.parent.name != "exercise" or path in known)]
 
 
 def lesson_pages(chapter: str) -> list[Path]:
@@ -96,7 +197,7 @@ def shots(chapter: str) -> list[dict]:
     if not path.exists():
         return []
     try:
-        return json.loads(path.read_text())["shots"]
+        return json.loads(path.read_text(encoding="utf-8"))["shots"]
     except (ValueError, KeyError, TypeError) as error:
         raise Failure(f"{path.relative_to(ROOT)} is not a list of shots: {error}") from None
 
@@ -105,7 +206,7 @@ def best_first(chapter: str) -> list[dict]:
     """The chapter's shots, the one that shows it best first: "best" in shots.json, without it the first."""
     found = shots(chapter)
     path = ROOT / "tests" / chapter / "shots.json"
-    best = json.loads(path.read_text()).get("best") if found else None
+    best = json.loads(path.read_text(encoding="utf-8")).get("best") if found else None
     return sorted(found, key=lambda shot: shot["name"] != best)
 
 
@@ -125,12 +226,9 @@ def find_shots(word: str) -> list[tuple[str, dict]]:
 
 def exercises(chapter: str) -> dict[str, Path]:
     """The chapter's exercises by id, "02.phong", and the one file of each."""
-    found = {}
-    for folder in (ROOT / "chapters" / chapter / "exercise", ROOT / "shaders" / chapter / "exercise"):
-        for path in folder.glob("*.*"):
-            if path.suffix in (".cpp", ".glsl"):
-                found[f"{chapter[:2]}.{path.stem}"] = path
-    return dict(sorted(found.items()))
+    paths = [ROOT / name for name in manifest().get(chapter, [])] or [
+        path for kind in ("chapters", "shaders") for path in (ROOT / kind / chapter / "exercise").glob("*.*")]  # a new chapter's
+    return dict(sorted((f"{chapter[:2]}.{path.stem}", path) for path in paths if path.suffix in (".cpp", ".glsl") and is_source(path)))
 
 
 def has_solutions() -> bool:
@@ -175,7 +273,7 @@ def walk(root: Path) -> list[Path]:
     for folder, folders, names in os.walk(root):
         built = ("__pycache__", ".git", *(["build"] if Path(folder) == root else []))
         folders[:] = [name for name in folders if name not in built]
-        found += [(Path(folder) / name).relative_to(root) for name in names]
+        found += [path.relative_to(root) for name in names if (path := Path(folder) / name).is_file()]
     return sorted(found)
 
 
@@ -200,7 +298,37 @@ def write_atomically(path: Path, data: bytes | str, mode: int | None = None):
 
 
 def has_display() -> bool:
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    """Whether somebody answers there. A display that was is said, once."""
+    return display_words() == ""
+
+
+@functools.cache
+def display_words() -> str:
+    """Why there is no display; empty where there is one."""
+    x, wayland = os.environ.get("DISPLAY", ""), os.environ.get("WAYLAND_DISPLAY", "")
+    if not x and not wayland:
+        return "there is no display to open a window on"
+    if wayland and answers(socket.AF_UNIX, os.path.join(os.environ.get("XDG_RUNTIME_DIR", "/"), wayland)):
+        return ""
+    if found := re.fullmatch(r"(?:unix)?:(\d+)(\.\d+)?", x):
+        place = f"/tmp/.X11-unix/X{found[1]}"
+        if answers(socket.AF_UNIX, place) or answers(socket.AF_UNIX, f"\0{place}"):
+            return ""
+    elif found := re.fullmatch(r"([\w.:-]+):(\d+)(\.\d+)?", x):  # as ssh -X has it
+        if answers(socket.AF_INET, (found[1], 6000 + int(found[2]))):
+            return ""
+    elif x:  # of another kind
+        return ""
+    named = " and ".join(filter(None, (x and f"DISPLAY={x}", wayland and f"WAYLAND_DISPLAY={wayland}")))
+    return f"nobody answers at {named}: a display that is gone"
+
+
+def answers(family, address) -> bool:
+    with contextlib.suppress(OSError, ValueError), socket.socket(family, socket.SOCK_STREAM) as one:
+        one.settimeout(1)
+        one.connect(address)
+        return True
+    return False
 
 
 def cores() -> int:

@@ -89,12 +89,21 @@ std::string lower(std::string text) {
     return text;
 }
 
-VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::string& wanted) {
-    std::string known;
+VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, VkInstance instance, const DeviceOptions& options) {
+    const std::string& wanted = options.name;
+    std::string known, passed;
     for (const VkPhysicalDevice physical : all) {
         const DeviceInfo info = describe_device(physical);
         const bool named = lower(info.name).find(lower(wanted)) != std::string::npos || info.type == lower(wanted);
-        if (named && info.lacks.empty()) return physical;
+        const bool usable = named && info.lacks.empty();
+        if (usable && wanted.empty() && options.presents &&
+            !options.presents(instance, physical, *graphics_family(physical))) {
+            passed += (passed.empty() ? "" : ", ") + info.name;  // a card beside a remote desktop
+            continue;
+        }
+        if (usable && !passed.empty())
+            fmt::print(stderr, "{} cannot draw into this window; {} does\n", passed, info.name);
+        if (usable) return physical;
         known += fmt::format("{}{} ({}{})", known.empty() ? "" : ", ", info.name, info.type,
                              info.lacks.empty() ? "" : ", lacks " + info.lacks);
     }
@@ -103,6 +112,9 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, const std::str
             "--capture: RenderDoc hides Vulkan 1.3 of drivers that cannot replay the addresses of buffers, as "
             "lavapipe: {}",
             known);
+    if (!passed.empty())
+        throw InputError("no device can draw into this window, neither {}; --screenshot FILE writes the picture",
+                         passed);
     if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
@@ -146,7 +158,7 @@ Device::Device(const DeviceOptions& options) : Device() {
         check(create_messenger(instance, &create, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
     }
     timeout_ns();  // rejects an invalid value early
-    physical = choose(physical_devices(instance), options.name);
+    physical = choose(physical_devices(instance), instance, options);
     vkGetPhysicalDeviceProperties(physical, &properties);
     const Limits limits(physical);
     software_paths = options.software_paths.value_or(software());

@@ -36,6 +36,8 @@ struct DeviceOptions {
     bool validate = false;                 ///< core and synchronisation validation
     std::optional<bool> software_paths{};  ///< forces Device::software_paths, so that tests run both sides
     std::vector<const char*> surface_extensions;  ///< GLFW's extensions; empty: headless
+    /// Whether a device can draw into the window: the first that can is taken where none is named.
+    std::function<bool(VkInstance, VkPhysicalDevice, uint32_t queue_family)> presents = {};
 
     std::function<void(const char*)> on_message;  ///< receives every message until the device is destroyed
 };

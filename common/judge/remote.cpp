@@ -44,7 +44,7 @@ class Asking {
         // A trial looks after the time of its calls itself.
         const bool trial = id.find(' ') != id.npos;
         deadline_ =
-            std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * call_limit_s() + 1500);
+            std::chrono::steady_clock::now() + std::chrono::milliseconds(trial ? 20000 : 1000 * most_wait_s() + 1500);
         channel::Request request{.nonce = nonce(), .id = id, .commas = writes_commas(), .arguments = arguments};
         const std::string bytes = channel::packed(request);
         // A copy: guard_call changes what guarded() refers to. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)

@@ -168,6 +168,15 @@ VkSurfaceKHR Display::make_surface(VkInstance instance) const {
     return surface;
 }
 
+bool Display::takes(VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family) const {
+    const VkSurfaceKHR surface = make_surface(instance);
+    VkBool32 supported = VK_FALSE;
+    if (vkGetPhysicalDeviceSurfaceSupportKHR(physical, queue_family, surface, &supported) != VK_SUCCESS)
+        supported = VK_FALSE;
+    vkDestroySurfaceKHR(instance, surface, nullptr);
+    return supported == VK_TRUE;
+}
+
 Input Display::poll(double wait_s) {
     if (wait_s > 0.0)
         unlocked([&] { glfwWaitEventsTimeout(wait_s); });

@@ -47,6 +47,8 @@ class Display {
 
     static std::vector<const char*> surface_extensions();
     VkSurfaceKHR make_surface(VkInstance instance) const;
+    /// Whether a device's queues can draw into this window.
+    bool takes(VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family) const;
 
     /// Input since the last call; waits up to `wait_s` for some.
     Input poll(double wait_s);

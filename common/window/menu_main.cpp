@@ -246,7 +246,10 @@ int run_menu(std::vector<std::string> options) {
     Display display("Lightwalk", {.scaled = {1040, 720}}, "without one: ./course run draws every chapter's pictures");
     Gpu gpu({.name = value_of("--device"),
              .validate = value_of("--validate") == "on",
-             .surface_extensions = Display::surface_extensions()});
+             .surface_extensions = Display::surface_extensions(),
+             .presents = [&display](VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family) {
+                 return display.takes(instance, physical, queue_family);
+             }});
     Menu(gpu, display, programs, options).run();
     gpu.device.check_validation();
     return 0;

@@ -43,10 +43,14 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
         options.size_given ? WindowSize{panels, glm::ivec2(options.size)} : WindowSize{.scaled = default_size};
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
                     "without one: --screenshot FILE writes the picture");
-    holder = std::make_unique<Gpu>(DeviceOptions{.name = options.device,
-                                                 .validate = options.validate,
-                                                 .software_paths = options.software_paths,
-                                                 .surface_extensions = Display::surface_extensions()});
+    holder = std::make_unique<Gpu>(
+        DeviceOptions{.name = options.device,
+                      .validate = options.validate,
+                      .software_paths = options.software_paths,
+                      .surface_extensions = Display::surface_extensions(),
+                      .presents = [&display](VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family) {
+                          return display.takes(instance, physical, queue_family);
+                      }});
     Gpu& gpu = *holder;
     gpu.pipelines.keep_last_good = true;
     LiveChapter live(chapter, gpu, scene);

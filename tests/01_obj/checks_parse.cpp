@@ -159,7 +159,6 @@ void check_parse_face(Check& check, std::vector<Corner> (*attempt)(std::string_v
     refuse("f 99999999999999999999999 1 2", "there are 10 positions", wraps);
     refuse("f 1 2 x", "x is no index");
     refuse("f 1 2 3.5", "an index is whole");
-    refuse("f 1/ 2/ 3/", "nothing stands after the /");
     refuse("f 1/2/3/4 1 2", "a corner has three indices at most");
 }
 

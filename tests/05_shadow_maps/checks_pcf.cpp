@@ -8,7 +8,7 @@ CHECK_EXERCISE("05.pcf", "begin at floor(uv * texels - kernel / 2), advance by t
     for (const int field : {1, 3, 2}) {
         Probe probe{
             .include = "../tests/05_shadow_maps/known_map.glsl",
-            .signature = "vec3 pcf_counted(vec2 uv, float depth, vec2 slope, int kernel)",
+            .signature = "vec3 check_pcf_counted(vec2 uv, float depth, vec2 slope, int kernel)",
             .truth =
                 [field](std::span<const double> in) {
                     const int kernel = static_cast<int>(in[5]);

@@ -82,7 +82,7 @@ CHECK_EXERCISE(
     for (const int bits : {8, 12, 16, 2, 4, 5}) {
         const double most = (1 << (bits - 1)) - 1;
         Probe probe{.include = "../tests/06_deferred/round_trip.glsl",
-                    .signature = "RoundTrip round_trip(vec2 code, int bits, int other)",
+                    .signature = "CheckRoundTrip check_round_trip(vec2 code, int bits, int other)",
                     .truth =
                         [](auto in) {
                             return Row{std::clamp(in[0], -1.0, 1.0), std::clamp(in[1], -1.0, 1.0), 0};

@@ -1,12 +1,12 @@
 // For the check of 06.quantise: a code's way into a word and out of it, with other bits above.
 #include "06_deferred/quantise.glsl"
 
-struct RoundTrip {
+struct CheckRoundTrip {
     vec2 code;
     float beyond;  // how many bits of the word that are not the code's
 };
 
-RoundTrip round_trip(vec2 code, int bits, int other) {
+CheckRoundTrip check_round_trip(vec2 code, int bits, int other) {
     uint word = quantise(code, bits), above = bits < 16 ? ~0u << uint(2 * bits) : 0u;
-    return RoundTrip(dequantise((word & ~above) | (uint(other) & above), bits), float(bitCount(word & above)));
+    return CheckRoundTrip(dequantise((word & ~above) | (uint(other) & above), bits), float(bitCount(word & above)));
 }

@@ -214,6 +214,10 @@ CHECK_EXERCISE("09.tone_curve", "Matrix, curve, matrix; then a clamp at both end
                    {50, 0, 0},
                    {0, 50, 0},
                    {0, 0, 50},
+                   {65504, 0, 0},
+                   {0, 65504, 0},
+                   {0, 0, 65504},
+                   {65504, 65504, 0},
                    {1e-4, 0, 1e-4}},
         .truth = [](std::span<const double> in) { return row_of(truth::hill(vector3(in))); },
         .bound = {.absolute = 2e-5},
@@ -228,5 +232,11 @@ CHECK_EXERCISE("09.tone_curve", "Matrix, curve, matrix; then a clamp at both end
     for (int i = 0; i < 300; ++i)
         probe.inputs.push_back(
             {random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100), random.logarithmic(1e-4, 100)});
+    for (int i = 0; i < 150; ++i) {  // up to the brightest, single colours too
+        Row row(3, 0.0);
+        row[size_t(i % 3)] = random.logarithmic(1, 65504);
+        if (i % 2) row[size_t(i + 1) % 3] = random.logarithmic(1e-4, 65504);
+        probe.inputs.push_back(row);
+    }
     check.probe(probe);
 }

@@ -51,7 +51,12 @@ CHECK_EXERCISE("10.place_at",
         const double slope = double(float(along.y)), sun = double(float(to_sun.y));
         probe.inputs.push_back({way, height, slope, sun, double(float(glm::dot(along, to_sun))), 0});
     }
-    check.probe(probe);
+    for (int i = 0; i < 200; ++i)  // straight up, to the sun or away from it, where rounding leads beyond 1 and -1
+        probe.inputs.push_back(
+            {random.logarithmic(100, 5e6), random.logarithmic(1, 1e6), 1, i % 2 ? 1.0 : -1.0, i % 2 ? 1.0 : -1.0, 0});
+    const Table results = check.probe(probe);
+    check.property(probe, results, "but a cosine is from -1 to 1",
+                   [](auto, auto got) { return got[1] >= -1 && got[1] <= 1; });
 }
 
 CHECK_EXERCISE("10.height_fog", "Use the density at the lower end, and x of 0 or more; use a series for a small x.") {

@@ -34,16 +34,16 @@ inline const char* const with_known_air = "#include \"../tests/10_atmosphere/kno
 /// The air for it; with the phase function that Atmosphere's knob says by default.
 inline Macros known_air(const Air& air) {
     const auto vec = [](glm::vec3 v) { return fmt::format("vec3({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); };
-    return {
-        {"KNOWN_AIR", fmt::format("Air({}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), "
-                                  "float({:.9g}), float({:.9g}), float({:.9g}), {}, float({:.9g}), {})",
-                                  vec(air.rayleigh), air.rayleigh_height, vec(air.mie), air.mie_height,
-                                  vec(air.mie_extinction), air.mie_g, vec(air.layer), air.layer_center, air.layer_width,
-                                  air.radius, air.top, vec(air.sun), air.sun_rad, vec(air.ground))},
-        {"ATMOSPHERE_PHASE", "2"},
-        {"ATMOSPHERE_PHASE_ISOTROPIC", "0"},
-        {"ATMOSPHERE_PHASE_HENYEY_GREENSTEIN", "1"},
-        {"ATMOSPHERE_PHASE_CORNETTE_SHANKS", "2"}};
+    return {{"CHECK_KNOWN_AIR",
+             fmt::format("Air({}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), {}, float({:.9g}), "
+                         "float({:.9g}), float({:.9g}), float({:.9g}), {}, float({:.9g}), {})",
+                         vec(air.rayleigh), air.rayleigh_height, vec(air.mie), air.mie_height, vec(air.mie_extinction),
+                         air.mie_g, vec(air.layer), air.layer_center, air.layer_width, air.radius, air.top,
+                         vec(air.sun), air.sun_rad, vec(air.ground))},
+            {"ATMOSPHERE_PHASE", "2"},
+            {"ATMOSPHERE_PHASE_ISOTROPIC", "0"},
+            {"ATMOSPHERE_PHASE_HENYEY_GREENSTEIN", "1"},
+            {"ATMOSPHERE_PHASE_CORNETTE_SHANKS", "2"}};
 }
 
 // The least slope that clears the ground, and a little more.

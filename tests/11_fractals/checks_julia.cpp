@@ -151,16 +151,17 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
                             {"a grain at the end", {{4, 3, 1}, {9.94, 0, 0.04}, {0, 0, 0}}},
                             {"nothing", {{50, 30, 1}, {0, 0, 0}, {0, 0, 0}}}};
     for (const Balls& balls : scenes) {
-        Probe probe{.include = "../tests/11_fractals/march_counted.glsl",
-                    .signature =
-                        "MarchCounted march_counted(float start, float end, float epsilon, float slope, float "
-                        "relaxation, int most)",
-                    .truth =
-                        [](auto) {
-                            return Row{0, 0, 0, 0, 0};
-                        },
-                    .bound = {.absolute = 1e30},
-                    .macros = {{"BALLS", balls.glsl()}}};
+        Probe probe{
+            .include = "../tests/11_fractals/march_counted.glsl",
+            .signature =
+                "CheckMarchCounted check_march_counted(float start, float end, float epsilon, float slope, float "
+                "relaxation, int most)",
+            .truth =
+                [](auto) {
+                    return Row{0, 0, 0, 0, 0};
+                },
+            .bound = {.absolute = 1e30},
+            .macros = {{"BALLS", balls.glsl()}}};
         for (const double relaxation : {1.0, 1.2, 1.5, 1.8, 2.0})
             for (const double start : {0.0, 0.35, 0.7})
                 for (const double slope : {0.0, 0.004})
@@ -245,7 +246,8 @@ CHECK_EXERCISE("11.march", "Remember the distance at the previous point and the 
     // The point of relaxation: fewer distances along an edge.
     Probe edge{.include = "../tests/11_fractals/march_counted.glsl",
                .signature =
-                   "MarchCounted march_counted(float start, float end, float epsilon, float slope, float relaxation, "
+                   "CheckMarchCounted check_march_counted(float start, float end, float epsilon, float slope, float "
+                   "relaxation, "
                    "int most)",
                .inputs = {{0, 10, 1e-4, 0, 1, 400}, {0, 10, 1e-4, 0, 1.6, 400}},
                .truth =

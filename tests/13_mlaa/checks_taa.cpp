@@ -25,7 +25,9 @@ CHECK_EXERCISE("13.reproject", "Pixels to -1 to 1, the matrix, the division by w
                         return "The camera has moved: the surface was elsewhere.";
                     return "";
                 }};
-    // A surface right before the camera, and one right behind it.
+    // A surface beside the camera, where w is exactly 0; then one right before it, and one right behind it.
+    probe.inputs.push_back({50, 40, 0.3, 200, 300, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0});
+    probe.inputs.push_back({100, 150, 0.3, 200, 300, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0});
     for (const double w : {0.004, -0.004})
         probe.inputs.push_back({50, 40, 0.3, 200, 300, w, 0, 0, 0, 0, w, 0, 0, 0, 0, w, 0, 0, 0, 0, w});
     Random random;

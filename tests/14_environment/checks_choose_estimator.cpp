@@ -84,6 +84,6 @@ CHECK_EXERCISE("14.choose_estimator",
                          .error_unit = "%",
                          .cost_unit = "directions",
                          .scenes = {scene("the matt one under clouds", {1, false, false}, 0.4, 16),
-                                    scene("the polished one", {0.04, true, false}, 1, 8),
+                                    scene("the polished one", {0.04, true, false}, 2.5, 8),
                                     scene("the matt one in the sun", {1, false, true}, 1, 16)}});
 }

@@ -20,18 +20,22 @@ namespace {
 // Shared memory is full of something else; the block comes from the group. Each invocation stands for another one
 // (common/check/workgroup.h): as numbered, the last first, scattered, and neighbours far apart.
 constexpr const char* harness = R"(
-uint check_stands_for;
 #include "16_volume/skip_empty.glsl"
 layout(scalar) writeonly buffer PassedBuffer { uint passed[]; };
+layout(scalar) writeonly buffer RacedBuffer { uint raced[]; };
 layout(scalar) uniform OrderBlock { int order; };
 void main() {
     uint i = gl_LocalInvocationID.x + 4u * gl_LocalInvocationID.y + 16u * gl_LocalInvocationID.z;
     uint[] places = uint[](i, 63u - i, (29u * i + 5u) % 64u, bitfieldReverse(i) >> 26u);
     check_stands_for = places[order];
-    thread_ranges[check_stands_for] = vec2(-9.0, 9.0);
-    check_barrier();
+    thread_ranges[check_stands_for] = check_kept[check_stands_for] = vec2(-9.0, 9.0);
+    check_named_by[check_stands_for] = 0u;
+    if (check_stands_for == 0u) check_raced = false;
+    check_wait();
     skip_empty(ivec3(gl_WorkGroupID));
+    check_barrier();
     uint group = gl_WorkGroupID.x + gl_NumWorkGroups.x * (gl_WorkGroupID.y + gl_NumWorkGroups.y * gl_WorkGroupID.z);
+    if (check_stands_for == 0u) raced[group] = uint(check_raced);
     passed[64u * group + check_stands_for] = check_barriers_passed;
 }
 )";
@@ -46,7 +50,8 @@ std::string source() {
     exercise = std::regex_replace(exercise, index, "check_stands_for");
     exercise = std::regex_replace(exercise, id,
                                   "(uvec3(check_stands_for, check_stands_for / 4u, check_stands_for / 16u) % 4u)");
-    return traced_barriers() + exercise + text.substr(mine);
+    const Raced raced = traced_races(exercise, "thread_ranges", "vec2", 64);
+    return raced.before + raced.text + raced.after + text.substr(mine);
 }
 
 struct Voxels {
@@ -108,12 +113,13 @@ void try_blocks(Check& check, const std::string& what, const Voxels& voxels, int
                                     .kept = true});
     const size_t groups = size_t(blocks.x) * size_t(blocks.y) * size_t(blocks.z);
     const Buffer passed(gpu.device, {.name = "passed", .bytes = 64 * 4 * groups});
+    const Buffer races(gpu.device, {.name = "races", .bytes = 4 * groups});
     for (int order = 0; order < orders; ++order) {
         Frame frame(gpu);
         frame.begin({4, 4}, 0);
-        frame.compute("blocks", {.reads = {image}, .writes = {ranges, passed}}, [&](Compute& pass) {
+        frame.compute("blocks", {.reads = {image}, .writes = {ranges, passed, races}}, [&](Compute& pass) {
             pass.use(pipeline).set("voxels", image, nearest_clamp).set("ranges", ranges).set("border", border);
-            pass.set("order", order).set("passed", passed).dispatch(glm::uvec3(blocks));
+            pass.set("order", order).set("passed", passed).set("raced", races).dispatch(glm::uvec3(blocks));
         });
         frame.end();
         const auto bytes = gpu.read_back(ranges);
@@ -129,6 +135,16 @@ void try_blocks(Check& check, const std::string& what, const Voxels& voxels, int
                          got == right ? "" : hint_for(voxels, block, border, got, order > 0));
             if (check.failed) return;
         }
+        std::vector<uint32_t> raced(groups);
+        const auto noted = gpu.read_back(races);
+        std::memcpy(raced.data(), noted.data(), 4 * groups);
+        check.expect(std::ranges::count(raced, 0u) == std::ptrdiff_t(groups),
+                     what +
+                         ": one thread writes an element of thread_ranges that another one names before the next "
+                         "barrier(): which of the two comes first is left to the device",
+                     "the result too is read by other threads than the one that wrote it: after a barrier(), or by "
+                     "thread 0 alone");
+        if (check.failed) return;
         const auto raw = gpu.read_back(passed);
         std::vector<uint32_t> barriers(64 * groups);
         std::memcpy(barriers.data(), raw.data(), raw.size());
@@ -153,7 +169,7 @@ CHECK_EXERCISE("16.skip_empty",
                     voxels.values.push_back(glm::unpackHalf1x16(glm::packHalf1x16(value(glm::ivec3(x, y, z)))));
         return voxels;
     };
-    const glm::ivec3 odd(19, 16, 9);
+    const glm::ivec3 odd(19, 16, 11);
     // One voxel alone beside a face: only a border lets the block on the other side know of it.
     const glm::ivec3 alone(8, 3, 3), diagonal(8, 8, 8);
     for (const int border : {1, 2, 3}) {
@@ -166,6 +182,22 @@ CHECK_EXERCISE("16.skip_empty",
         try_blocks(check, "one full voxel beyond the corner of a block",
                    volume(odd, [&](glm::ivec3 p) { return p == diagonal ? 1.0f : 0.5f; }), border);
         if (check.failed) return;
+        // The outermost voxel that counts along two and three axes, and the one behind it.
+        for (const int beyond : {0, 1}) {
+            for (const glm::ivec3 axes :
+                 {glm::ivec3(1, 1, 0), glm::ivec3(0, 1, 1), glm::ivec3(1, 0, 1), glm::ivec3(1)}) {
+                for (const bool before : {true, false}) {
+                    const glm::ivec3 outermost =
+                        glm::ivec3(BLOCK_VOXELS) + axes * (before ? -border - beyond : border - 1 + beyond);
+                    if (outermost.z >= odd.z) continue;
+                    try_blocks(check,
+                               fmt::format("one full voxel {} {}", beyond ? "behind the border" : "at the border's end",
+                                           before ? "before a block" : "after a block"),
+                               volume(odd, [&](glm::ivec3 p) { return p == outermost ? 1.0f : 0.5f; }), border);
+                    if (check.failed) return;
+                }
+            }
+        }
         try_blocks(check, "random voxels", volume(odd, [&](glm::ivec3) { return float(random.uniform(0, 1)); }),
                    border);
         if (check.failed) return;

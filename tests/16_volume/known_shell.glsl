@@ -4,15 +4,15 @@
 #pragma replaces "16_volume/surroundings.glsl"
 #include "16_volume/volume_data.h"
 
-struct KnownShell {
+struct CheckKnownShell {
     float shell_strength, shell_bumps, shell_scale;
 };
-struct KnownVolume {
+struct CheckKnownVolume {
     float radius_m;
     NoiseMoment moment;
 };
-const KnownShell volume = KnownShell(1.0, 2.0, 3.0);
-const KnownVolume volume_now = KnownVolume(1.0, NoiseMoment(0, 0.0, 0, 0.0, 0));
+const CheckKnownShell volume = CheckKnownShell(1.0, 2.0, 3.0);
+const CheckKnownVolume volume_now = CheckKnownVolume(1.0, NoiseMoment(0, 0.0, 0, 0.0, 0));
 
 #ifdef EVEN_SLOPE
 float moving_noise(vec3 at, NoiseMoment moment) { return EVEN_SLOPE * at.x; }

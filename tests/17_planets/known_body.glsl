@@ -28,14 +28,14 @@
 #define map_texel(map, uv, footprint_rad) vec4(footprint_rad)
 #endif
 
-struct KnownPlanets {
+struct CheckKnownPlanets {
     int air_steps;
     float relief, clouds, night, waves;
 };
 #ifndef KNOWN_RELIEF
 #define KNOWN_RELIEF 0.0
 #endif
-const KnownPlanets planets = KnownPlanets(8, KNOWN_RELIEF, 1.0, 0.0, 0.0);
+const CheckKnownPlanets planets = CheckKnownPlanets(8, KNOWN_RELIEF, 1.0, 0.0, 0.0);
 BodyNow body;
 
 vec3 sunlight_on(Place place) { return vec3(0.0); }
@@ -46,11 +46,11 @@ float limb_fade(float opacity, float mu, float width) { return opacity; }
 vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad) { return vec3(footprint_rad); }
 
 // A white body of that radius, lit from where it is seen best.
-void known_body(float radius) {
+void check_known_body(float radius) {
     body.radius = radius;
     body.flattening = body.other_radius = body.cloud_turn = 0.0;
     body.surface.relief = body.surface.gloss = body.surface.ice = 0.0;
     body.sunlight = body.surface.tint = body.surface.terminator = vec3(1.0);
 }
-vec3 to_eye_at(float mu) { return vec3(sqrt(1.0 - mu * mu), 0.0, mu); }
-const vec3 overhead = vec3(0.0, 0.0, 1.0);
+vec3 check_to_eye_at(float mu) { return vec3(sqrt(1.0 - mu * mu), 0.0, mu); }
+const vec3 check_overhead = vec3(0.0, 0.0, 1.0);

@@ -56,12 +56,15 @@ Probe slanting(const std::string& kind, const std::string& covered) {
 }  // namespace
 
 TEST_CASE_METHOD(DeviceTest, "near the limb a pixel covers more of a body: of its ground, of its clouds, of the Sun") {
-    const std::string ground = "known_body(1.0); return seen_surface(overhead, to_eye_at(mu), overhead, pixel).x;";
-    const Probe probes[] = {slanting("", ground), slanting("#define BODY_STAR\n", ground),
-                            slanting("",
-                                     "known_body(6.4e6); float shell = body.radius + cloud_m; return seen_clouds(shell "
-                                     "* overhead + 3e7 * to_eye_at(mu), -to_eye_at(mu), 1e30, overhead, pixel * shell "
-                                     "/ 3e7).a;")};
+    const std::string ground =
+        "check_known_body(1.0); return seen_surface(check_overhead, check_to_eye_at(mu), check_overhead, pixel).x;";
+    const Probe probes[] = {
+        slanting("", ground), slanting("#define BODY_STAR\n", ground),
+        slanting(
+            "",
+            "check_known_body(6.4e6); float shell = body.radius + cloud_m; return seen_clouds(shell "
+            "* check_overhead + 3e7 * check_to_eye_at(mu), -check_to_eye_at(mu), 1e30, check_overhead, pixel * shell "
+            "/ 3e7).a;")};
     for (const Probe& probe : probes) CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
     // Beyond a cosine of 0.04 no more: the limb would be the mean of the whole map.
     Probe limb = slanting("", "return footprint_of(pixel, 2.0, mu);");
@@ -74,22 +77,23 @@ TEST_CASE_METHOD(DeviceTest, "near the limb a pixel covers more of a body: of it
 TEST_CASE_METHOD(DeviceTest, "a cloud's shadow falls where the ray to the sun meets the clouds' sphere",
                  "[17.cloud_shadow]") {
     constexpr double radius = 6378e3, height = 9e3, turn = 2 * glm::pi<double>();
-    Probe probe{.include = "common/srgb.glsl",
-                .before = std::string(with_known_air) +
-                          "#define MAP_BY_PLACE\n#include \"../tests/17_planets/known_body.glsl\"\n"
-                          "#include \"17_planets/body.glsl\"\nfloat shadow(float across, float high) { "
-                          "known_body(6378e3); return cloud_shadow(overhead, vec3(across, 0.0, high), 0.001); }\n",
-                .signature = "float shadow(float across, float high)",
-                .inputs = {},
-                .truth =
-                    [](auto in) {
-                        // The triangle of the centre, the place and the cloud: its sides are the two radii.
-                        const double elevation = std::atan2(in[1], in[0]);
-                        const double away = std::acos(std::cos(elevation) * radius / (radius + height)) - elevation;
-                        return Row{1 - 0.75 * (0.5 + away / turn)};
-                    },
-                .bound = {.absolute = 3e-6},
-                .macros = known_air(earth_air())};
+    Probe probe{
+        .include = "common/srgb.glsl",
+        .before = std::string(with_known_air) +
+                  "#define MAP_BY_PLACE\n#include \"../tests/17_planets/known_body.glsl\"\n"
+                  "#include \"17_planets/body.glsl\"\nfloat shadow(float across, float high) { "
+                  "check_known_body(6378e3); return cloud_shadow(check_overhead, vec3(across, 0.0, high), 0.001); }\n",
+        .signature = "float shadow(float across, float high)",
+        .inputs = {},
+        .truth =
+            [](auto in) {
+                // The triangle of the centre, the place and the cloud: its sides are the two radii.
+                const double elevation = std::atan2(in[1], in[0]);
+                const double away = std::acos(std::cos(elevation) * radius / (radius + height)) - elevation;
+                return Row{1 - 0.75 * (0.5 + away / turn)};
+            },
+        .bound = {.absolute = 3e-6},
+        .macros = known_air(earth_air())};
     for (const double elevation : {90.0, 30.0, 10.0, 2.0, 0.5})
         probe.inputs.push_back(
             {double(float(std::cos(glm::radians(elevation)))), double(float(std::sin(glm::radians(elevation))))});
@@ -106,7 +110,7 @@ TEST_CASE_METHOD(DeviceTest,
                                "#define BODY_RINGS\n#include \"../tests/17_planets/known_body.glsl\"\n"
                                "#include \"../tests/17_planets/known_rings.glsl\"\n"
                                "#include \"17_planets/body.glsl\"\nfloat width(float high, float pixel) { "
-                               "known_body(0.01); body.rings = Rings(1.0, 2.5, 1.0); body.to_body = mat3(1.0); "
+                               "check_known_body(0.01); body.rings = Rings(1.0, 2.5, 1.0); body.to_body = mat3(1.0); "
                                "body.center = -" +
                                eye + "; body.to_sun = vec3(0.0, 1.0, 0.0); return seen_body(normalize(" + way +
                                "), pixel).a; }\n",

@@ -62,28 +62,28 @@ TEST_CASE_METHOD(DeviceTest, "a normal is tilted to the east and the north, and 
 
 // The lobe's factor is that by which a mirror of all light would send back as much as it receives.
 TEST_CASE_METHOD(DeviceTest, "ice mirrors as much of an overhead sun as water ice reflects", "[17.ice]") {
-    Probe probe{
-        .include = "common/srgb.glsl",
-        .before = std::string(with_known_air) +
-                  "#include \"../tests/17_planets/known_body.glsl\"\n#include \"17_planets/body.glsl\"\n"
-                  "float glossy(float part) { known_body(1.0); body.surface.gloss = part; "
-                  "body.surface.tint = vec3(0.0); return seen_surface(overhead, overhead, overhead, 1.0).x; }\n",
-        .signature = "float glossy(float part)",
-        .inputs = {{1}, {0.25}},
-        .truth =
-            [](auto in) {
-                double sent = 0;  // of cos^40 of half the angle, over a hemisphere
-                constexpr int steps = 20000;
-                for (int i = 0; i < steps; ++i) {
-                    const double angle = (i + 0.5) * glm::half_pi<double>() / steps;
-                    sent += glm::two_pi<double>() * std::pow(std::cos(0.5 * angle), 40) * std::cos(angle) *
-                            std::sin(angle) * glm::half_pi<double>() / steps;
-                }
-                const double index = 1.31, root = (index - 1) / (index + 1);
-                return Row{in[0] * root * root * glm::pi<double>() / sent};
-            },
-        .bound = {.relative = 0.06},
-        .macros = known_air(earth_air())};
+    Probe probe{.include = "common/srgb.glsl",
+                .before = std::string(with_known_air) +
+                          "#include \"../tests/17_planets/known_body.glsl\"\n#include \"17_planets/body.glsl\"\n"
+                          "float glossy(float part) { check_known_body(1.0); body.surface.gloss = part; "
+                          "body.surface.tint = vec3(0.0); return seen_surface(check_overhead, check_overhead, "
+                          "check_overhead, 1.0).x; }\n",
+                .signature = "float glossy(float part)",
+                .inputs = {{1}, {0.25}},
+                .truth =
+                    [](auto in) {
+                        double sent = 0;  // of cos^40 of half the angle, over a hemisphere
+                        constexpr int steps = 20000;
+                        for (int i = 0; i < steps; ++i) {
+                            const double angle = (i + 0.5) * glm::half_pi<double>() / steps;
+                            sent += glm::two_pi<double>() * std::pow(std::cos(0.5 * angle), 40) * std::cos(angle) *
+                                    std::sin(angle) * glm::half_pi<double>() / steps;
+                        }
+                        const double index = 1.31, root = (index - 1) / (index + 1);
+                        return Row{in[0] * root * root * glm::pi<double>() / sent};
+                    },
+                .bound = {.relative = 0.06},
+                .macros = known_air(earth_air())};
     CHECK(worst_of(probe, run_probe(gpu, probe, 1)) == "");
 }
 
@@ -92,8 +92,8 @@ TEST_CASE_METHOD(DeviceTest, "a slope towards the sun is dark where the ground b
     Probe probe{.include = "common/srgb.glsl",
                 .before = std::string(with_known_air) +
                           "#define KNOWN_RELIEF 1.0\n#include \"../tests/17_planets/known_body.glsl\"\n"
-                          "#include \"17_planets/body.glsl\"\nfloat lit(float high) { known_body(1.0); "
-                          "body.surface.relief = 1.0; return seen_surface(overhead, overhead, "
+                          "#include \"17_planets/body.glsl\"\nfloat lit(float high) { check_known_body(1.0); "
+                          "body.surface.relief = 1.0; return seen_surface(check_overhead, check_overhead, "
                           "vec3(sqrt(1.0 - high * high), 0.0, high), 0.75).x; }\n",
                 .signature = "float lit(float high)",
                 .inputs = {{-0.2}, {-0.05}, {0.1}, {0.5}},

@@ -15,7 +15,7 @@ REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
 from grading import sandbox  # noqa: E402
 from grading.grade import grade  # noqa: E402
-from grading.judge import Judge  # noqa: E402
+from grading.judge import HANDED_IN, Judge  # noqa: E402
 from grading.submission import find  # noqa: E402
 from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
 from check.variants import handed_in  # noqa: E402
@@ -36,10 +36,8 @@ def why_not() -> str:
 
 def right(exercise: str, place: str = "") -> str:
     """An answer that is right: the reference, as a student would write it."""
-    place = REAL / (place or PLACES[exercise]).replace("/exercise/", "/solution/")
-    if exercise == "01.parse_vertex_line":  # the reference calls functions that the handout has only compiled
-        place = REAL / "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"
-    return handed_in(place.read_text())
+    place = REAL / HANDED_IN.get(exercise, (place or PLACES[exercise]).replace("/exercise/", "/solution/"))
+    return handed_in(place.read_text(encoding="utf-8"))
 
 
 @unittest.skipIf(why_not(), why_not())

@@ -10,6 +10,7 @@ import json
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -207,6 +208,15 @@ class Course(unittest.TestCase):
     def restore_afterwards(self, path: Path):
         before = path.read_bytes() if path.exists() else None
         self.addCleanup(lambda: path.unlink(missing_ok=True) if before is None else path.write_bytes(before))
+
+    def display(self) -> dict[str, str]:
+        """Variables of a display at which somebody answers."""
+        one = socket.socket(socket.AF_UNIX)
+        self.addCleanup(one.close)
+        place = Path(self.enterContext(tempfile.TemporaryDirectory())) / "wayland-9"
+        one.bind(str(place))
+        one.listen(8)
+        return {"WAYLAND_DISPLAY": place.name, "XDG_RUNTIME_DIR": str(place.parent)}
 
     def accept(self):
         return self.course("accept", "--yes")

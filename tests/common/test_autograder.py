@@ -113,6 +113,7 @@ class Written(unittest.TestCase):
 
     def test_the_workflow_is_one_that_classroom_reads(self):
         text = (self.folder / "classroom/.github/workflows/classroom.yml").read_text()
+        self.assertRegex(text, r"results\.jsonl \|\| \[ \$\? = 1 \]")  # 3: this machine cannot judge, and there are no points
         self.assertRegex(text, r"(?m)^name: Autograding Tests$")
         self.assertRegex(text, r"(?m)^jobs:\n  run-autograding-tests:$")
         self.assertRegex(text, r"(?m)^permissions:\n  contents: read$")

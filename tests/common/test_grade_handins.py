@@ -111,6 +111,41 @@ class HandIns(unittest.TestCase):
                 self.assertEqual(read(rows[name], set(WANTED)), {LAMBERT: RIGHT})
         self.assertEqual(rows["BEN.ZIP"].student, "BEN")
 
+    def test_of_two_courses_the_outermost_is_read_and_a_row_says_so(self):
+        starter = {LAMBERT: (graded_class.REAL / LAMBERT).read_bytes()}
+        other = RIGHT + b"// another\n"
+
+        def read_of(members: dict[str, bytes]):
+            with tempfile.NamedTemporaryFile(suffix=".zip") as file:
+                file.write(zip_of(members))
+                file.flush()
+                notes = []
+                return read(find([Path(file.name)])[0], set(WANTED), starter, notes), notes
+
+        for members, right_one, words in (
+                ({f"a/old/{LAMBERT}": other, f"work/{LAMBERT}": RIGHT}, RIGHT, "work/ was judged, a/old/ was not"),
+                ({f"z/z/{LAMBERT}": other, LAMBERT: RIGHT}, RIGHT, "the outermost was judged, z/z/ was not"),
+                ({f"a/{LAMBERT}": starter[LAMBERT], f"b/c/{LAMBERT}": RIGHT}, RIGHT, ""),
+                ({f"course/{LAMBERT}": starter[LAMBERT], "lambert.glsl": RIGHT}, RIGHT, "in its place lies the starter"),
+                ({f"__MACOSX/course/{LAMBERT}": other, f"course/{LAMBERT}": RIGHT}, RIGHT, ""),
+                ({"__MACOSX/._lambert.glsl": other, "lambert.glsl": RIGHT}, RIGHT, ""),
+                ({f"1/2/3/4/5/6/7/{LAMBERT}": RIGHT}, RIGHT, "")):
+            with self.subTest(str(list(members))):
+                found, notes = read_of(members)
+                self.assertEqual(found, {LAMBERT: right_one})
+                self.assertIn(words, "; ".join(notes))
+                self.assertEqual(bool(words), bool(notes))
+        with self.assertRaisesRegex(Failure, "course_backup/ and old/, and which is meant is open"):
+            read_of({f"old/{LAMBERT}": other, f"course_backup/{LAMBERT}": RIGHT})
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory())) / "ann"
+        for name, data in ((f"1/2/3/4/5/6/7/{LAMBERT}", RIGHT), (f"__MACOSX/{LAMBERT}", other)):
+            (folder / name).parent.mkdir(parents=True)
+            (folder / name).write_bytes(data)
+        self.assertEqual(read(find([folder.parent])[0], set(WANTED)), {LAMBERT: RIGHT})
+
+    def test_form_feeds_are_white_space(self):
+        self.assertEqual(plain(b"a\f\x0bb", graded_class.REAL / LAMBERT), "a  b")
+
     def test_what_cannot_be_read_says_why(self):
         rows = {one.path.name: one for one in find([self.at])}
         for name, words in (("Eve Example_1005_assignsubmission_onlinetext_", "holds no exercise"), ("essay.docx", "neither a folder nor"),

@@ -38,6 +38,13 @@ class Handout(unittest.TestCase):
             self.assertTrue((REAL / name).exists())
             self.assertNotIn(Path(name), self.contents)
 
+    def test_each_source_that_is_compiled_has_a_command(self):
+        """In this build, whether or not it compiles several together."""
+        commands = handout.compiled_by()
+        hidden = [name for name in handout.tracked() if any(name.match(pattern) for pattern in handout.COMPILED)]
+        self.assertGreater(len(hidden), 30)
+        self.assertEqual([str(name) for name in hidden if REAL / name not in commands], [])
+
     def test_what_is_right_cannot_be_called(self):
         """A student's file that is linked with a check finds no function of the truth in it, nor a second time what all
         objects share (kind u): outside of its group it would be a definition of its own."""

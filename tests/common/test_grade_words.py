@@ -17,7 +17,7 @@ from grading.alike import alike
 from check.check import note_what_grading_refuses
 from check.glsl_answer import Refused, macros_of_checks, plain
 from grading.grade import groups
-from grading.judge import Judge
+from grading.judge import Judge, Turns
 from grading.submission import cell, find, printable
 from tree import Failure, UsageError
 
@@ -60,12 +60,29 @@ class Words(unittest.TestCase):
             with self.assertRaisesRegex(Refused, name):
                 plain(f"#define {name} 1".encode(), path)
 
+    def test_names_of_checks_files_are_nobodys_macros(self):
+        """Each name in tests/*/*.glsl, of variables too."""
+        for shader in sorted((REAL / "tests").glob("*/*.glsl")):
+            for name in sorted(set(re.findall(r"^\s*(?:int|float|vec\d)\s+(\w+)", shader.read_text(), re.M)))[:3]:
+                with self.subTest(f"{shader.name}: {name}"), self.assertRaisesRegex(Refused, name):
+                    plain(f"#define {name} 0".encode(), REAL / LAMBERT)
+        with self.assertRaisesRegex(Refused, "check_texels_read"):
+            plain(b"float lambert() { check_texels_read = 0; return 1.0; }", REAL / LAMBERT)
+
+    def test_the_preprocessor_is_asked_for_own_names_alone(self):
+        for text in ("#ifdef pow", "#ifndef sqrt", "#if defined(min)", "#define MY_A normalize\n#if MY_A == 0", "#define MY_A MY_B\n#define MY_B clamp\n#if MY_A",
+                     "#if 0\n#elif defined max", "int a = __LINE__;", "int a = __VERSION__;", "#ifdef GL_EXT_scalar_block_layout", "#ifdef VULKAN"):
+            with self.subTest(text), self.assertRaisesRegex(Refused, "defines"):
+                plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
+        for text in ("#define MINE 2\n#if MINE > 1", "#define MINE\n#ifdef MINE", "#define MY_A 1\n#define MY_B MY_A\n#if MY_B && defined(MY_A)", "#if 0"):
+            plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
+
     def test_what_is_right_is_not_refused(self):
         for exercise, chapter in OF.items():
             if (place := REAL / PLACES[exercise]).suffix == ".glsl":
                 for text in (right(exercise), place.read_text(), right(exercise).replace("\n", "\r\n")):
                     self.assertEqual(len(plain(text.encode(), place).split("\n")), text.count("\n") + 1)
-        for name in ("KNOWN_DISTANCES", "KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
+        for name in ("KNOWN_DISTANCES", "CHECK_KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
             self.assertIn(name, macros_of_checks())
 
     def test_plain_is_what_the_compiler_reads(self):
@@ -74,7 +91,7 @@ class Words(unittest.TestCase):
                             ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
                             ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
             self.assertEqual(plain(text.encode(), path), meant)
-        for text in ("a \0 b", "a \x0b b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
+        for text in ("a \0 b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
             with self.assertRaises(Refused, msg=text):
                 plain(text.encode(), path)
 
@@ -106,34 +123,79 @@ class Words(unittest.TestCase):
         found = groups([one("a", "b"), one("b", "a"), one("c"), one("d", "e", "f"), one("e", "d"), one("f", "d")])
         self.assertEqual(found, ["a, b: all", "d, e, f: grades.json says what"])
 
-    def test_what_goes_wrong_with_one_answer_is_that_ones(self):
-        """For any failure: the grading of the others goes on, and the same command tries this one again."""
+    def judge_of(self, *verdicts, **more):
+        """A judge with these verdicts, one after the other."""
         judge = Judge.__new__(Judge)
         judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
-        judge.verdicts, judge.judge = Path(self.enterContext(tempfile.TemporaryDirectory())), mock.Mock(side_effect=RecursionError("too deep"))
+        judge.verdicts, judge.fresh = Path(self.enterContext(tempfile.TemporaryDirectory())), frozenset()
         judge.stopped, judge.budget_s, judge.spent, judge.lock = False, 600, {}, threading.Lock()
-        with mock.patch("grading.judge.TRIES_S", (0, 0, 0)):
-            found = judge.verdict("02.lambert", b"x")  # the starter is not judged either
-            self.assertEqual((found["state"], found["ok"]), ("failed", False))
-            self.assertIn("too deep", found["first_failure"])
-            judge.is_well = lambda _: True
-            found = judge.verdict("02.lambert", b"x")
+        judge.turns, judge.controlled = Turns(), {"02.lambert": [threading.Lock(), False]}
+        judge.reference, judge.reference_is_right = lambda _: b"reference", lambda _: True
+        judge.judge = mock.Mock(side_effect=lambda _, data, **__: self.said(judge, data))
+        judge.said = {b"reference": [{"ok": True, "passed": 1, "failed": 0}], b"": [{"ok": False, "first_failure": "x"}], b"x": list(verdicts)} | more
+        self.enterContext(mock.patch("grading.judge.TRIES_S", (0, 0, 0)))
+        return judge
+
+    @staticmethod
+    def said(judge, data):
+        verdicts = judge.said[data]
+        found = verdicts.pop(0) if len(verdicts) > 1 else verdicts[0]
+        if isinstance(found, Exception):
+            raise found
+        return dict(found)
+
+    RIGHT, WRONG = {"ok": True, "passed": 1, "failed": 0}, {"ok": False, "first_failure": "f(1) gave 2", "passed": 0, "failed": 1}
+    ENDED = WRONG | {"suspect": "ended", "first_failure": "it ended"}
+
+    def test_what_goes_wrong_with_one_answer_is_that_ones(self):
+        """For any failure: the grading of the others goes on, and somebody looks at this one."""
+        found = self.judge_of(RecursionError("too deep")).verdict("02.lambert", b"x")
         self.assertEqual((found["state"], found["ok"]), ("undecided", False))
         self.assertIn("too deep", found["first_failure"])
 
-    def test_what_a_busy_machine_cut_off_is_judged_once_more(self):
+    def test_no_verdict_without_a_control(self):
+        """Where the reference does not pass, the starter passes or reaches no verdict, or either no longer does after a process
+        has ended: nothing is given, and nothing kept."""
+        full = OSError(28, "No space left on device")
+        for verdict in (self.RIGHT, self.WRONG, self.ENDED):
+            for control in ({b"reference": [self.WRONG]}, {b"reference": [self.ENDED]}, {b"reference": [full]}, {b"": [self.RIGHT]},
+                            {b"": [self.ENDED]}, {b"": [full]}):
+                with self.subTest(f"{verdict} {control}"):
+                    judge = self.judge_of(verdict)
+                    judge.said |= control
+                    found = judge.verdict("02.lambert", b"x")
+                    self.assertEqual(found["state"], "failed", found)
+                    self.assertRegex(found["first_failure"], "^this machine cannot judge 02.lambert: its (reference|starter)")
+                    self.assertEqual(list(judge.verdicts.iterdir()), [])
+        judge = self.judge_of(self.ENDED)
+        judge.said[b"reference"] = [self.RIGHT, self.ENDED]
+        self.assertEqual((judge.verdict("02.lambert", b"x")["state"], list(judge.verdicts.iterdir())), ("failed", []))
+
+    def test_what_ended_is_judged_once_more_alone(self):
+        judge = self.judge_of(self.ENDED, self.RIGHT)
+        self.assertTrue(judge.verdict("02.lambert", b"x")["ok"])
+        judge = self.judge_of(self.ENDED)  # and again, while the control is well: its own fault
+        found = judge.verdict("02.lambert", b"x")
+        self.assertEqual((found["state"], found["first_failure"], len(list(judge.verdicts.iterdir()))), ("judged", "it ended", 1))
+        judge = self.judge_of(self.ENDED | {"killed": True})  # perhaps from outside: somebody looks, and it is not kept
+        found = judge.verdict("02.lambert", b"x")
+        self.assertEqual((found["state"], "killed" in found, list(judge.verdicts.iterdir())), ("undecided", False, []))
+
+    def test_a_control_is_run_once(self):
+        judge = self.judge_of(self.WRONG)
+        for data in (b"x", b"y"):
+            judge.said[data] = [self.WRONG]
+            judge.verdict("02.lambert", data)
+        self.assertEqual([call.args[1] for call in judge.judge.call_args_list], [b"reference", b"", b"x", b"y"])
+
+    def test_what_was_late_or_ended_is_suspect(self):
         judge = Judge.__new__(Judge)
         judge.call_s, judge.judge_mounts = 5, lambda *_: None
-        running = mock.Mock(finish=lambda: sandbox.Done(137, "", True, False))
-        judge.started = lambda *_, **__: contextlib.nullcontext(running)
-        found = judge.decide("02.lambert", 0, None)
-        self.assertEqual((found["ok"], "suspect" in found), (False, True), found)
-        judge.wanted, judge.starters, judge.versions = {"02.lambert": "02"}, {"02.lambert": b""}, {"02": "1"}
-        judge.stopped, judge.verdicts = False, Path(self.enterContext(tempfile.TemporaryDirectory()))
-        judge.budget_s, judge.spent, judge.lock, judge.is_well = 600, {}, threading.Lock(), lambda _: True
-        judge.judge, judge.fresh = mock.Mock(side_effect=[found, {"ok": True, "passed": 1, "failed": 0}]), frozenset()
-        with mock.patch("grading.judge.TRIES_S", (0, 0, 0)):
-            self.assertTrue(judge.verdict("02.lambert", b"x")["ok"])
+        for done, killed in ((sandbox.Done(137, "", True, False), False), (sandbox.Done(137, "", False, False), True),
+                             (sandbox.Done(137, "", False, False, True), False), (sandbox.Done(139, "", False, False), False)):
+            judge.started = lambda *_, done=done, **__: contextlib.nullcontext(mock.Mock(finish=lambda: done))
+            found = judge.decide("02.lambert", 0, None)
+            self.assertEqual((found["ok"], "suspect" in found, "killed" in found), (False, True, killed), found)
 
     def test_without_a_sandbox_it_refuses(self):
         """And names the package, before a submission is opened or anything is built."""

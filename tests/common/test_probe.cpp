@@ -79,7 +79,12 @@ TEST_CASE("every division becomes a call, with both operands whole") {
     CHECK(body("a / 2.0; // b / c\n#define H d / e\n/* f / g */ int v[3];") ==
           "a/2.0;//b/c\n#defineHd/e\n/*f/g*/intv[3];");
     CHECK(body("const float k = 1.0;\nfloat f(const float x) { return x / k; }") ==
-          "floatk=1.0;\nfloatf(constfloatx){returnundefined_divide(x,k);}");
+          "constfloatk=1.0;\nfloatf(constfloatx){returnundefined_divide(x,k);}");
+    // Sizes of arrays stay constants; what is initialised by a call, or by such a one, cannot.
+    CHECK(body("const int n = 2 * 4 / m; float q[n];") == "constintn=2*4/m;floatq[n];");
+    CHECK(body("const vec2 v = vec2(1.0, 2.0);") == "constvec2v=vec2(1.0,2.0);");
+    CHECK(body("const float r = sqrt(2.0); const float s = 2.0 * r, t = 1.0 / r;") ==
+          "floatr=sqrt(2.0);floats=2.0*r,t=undefined_divide(1.0,r);");
     CHECK_THROWS(instrumented("float f() { return (1.0; }"));
     // A directive goes on after a backslash: braces opened in it are never closed.
     CHECK_NOTHROW(instrumented("#define BEGIN \\\n namespace x {\nfloat f(float a) { return g(a) * 2.0; }"));

@@ -13,8 +13,9 @@ namespace lightwalk::exercise {
 // [parse_face]
 // Returns the corners on one line `f c c c ...`. Each corner is `v`, `v/vt`, `v//vn` or
 // `v/vt/vn`. The returned indices count from 0; an index that a corner leaves out is `none`,
-// and a slash may end it (`v//`). Spaces and tabs separate words. A word that begins with #
-// starts a comment, which runs to the end of the line.
+// and the slash before a normal may end it (`v//`, `v/vt/`); `v/` may be read or refused.
+// Spaces and tabs separate words. A word that begins with # starts a comment, which runs to
+// the end of the line.
 // In the file, 1 is the first element, and -1 is the last element read so far: `so_far`
 // counts the elements before this line. `total` counts those of the whole file: a positive
 // index may refer to an element that comes later. Throws InputError with the reason alone

@@ -4,11 +4,13 @@ import contextlib
 import fcntl
 import os
 import re
+import shlex
 import subprocess
+import time
 from pathlib import Path
 
 from progress import Progress
-from tree import ROOT, SHADER_CACHE, Failure, UsageError, chapters, relative, warn
+from tree import ROOT, SHADER_CACHE, Failure, UsageError, chapters, is_source, relative, say_left_alone, warn
 
 
 class BuildFailure(Failure):
@@ -17,6 +19,7 @@ class BuildFailure(Failure):
     said = ""
 
 
+SPEAKING = {"LC_ALL": "C.UTF-8"}  # of compilers, whose messages are read
 STATUS = re.compile(r"\[(\d+)/(\d+)\] ")
 
 
@@ -29,7 +32,7 @@ def alone(folder: Path, what: str = "build"):
     """Two commands at once in one tree that do the same do it one after the other. Yields the lock's file descriptor: a
     process that has it keeps the lock when we are gone."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / f".lock.{what}", "w") as lock:
+    with open(folder / f".lock.{what}", "w", encoding="utf-8") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -47,6 +50,8 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
     if special := sorted(set(str(ROOT)) & set(SPECIAL)):
         raise UsageError(f"the course lies in {str(ROOT)!r}: a build takes {' and '.join(map(repr, special))} in a path for a "
                          "command; move the course to another folder")
+    say_left_alone()
+    refuse_future()
     with alone(folder) as lock:
         if not is_configured(folder):
             configure(preset, folder, lock)
@@ -80,14 +85,14 @@ def is_configured(folder: Path) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
     return all(begins_as_written(folder / name) for name in ("build.ninja", "CMakeFiles/rules.ninja")) and \
-        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace") and \
+        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace", encoding="utf-8") and \
         all(included(chapter) <= linked(folder).get(chapter, set()) for chapter in chapters())
 
 
 def linked(folder: Path) -> dict[str, set[str]]:
     """The chapters that cmake found included by each, which it is linked with."""
     with contextlib.suppress(OSError):
-        return {words[0]: set(words[1:]) for words in map(str.split, (folder / "chapters.links").read_text().splitlines())}
+        return {words[0]: set(words[1:]) for words in map(str.split, (folder / "chapters.links").read_text(encoding="utf-8").splitlines())}
     return {}
 
 
@@ -96,8 +101,8 @@ INCLUDED = re.compile(r'^#include "(\d\d_[a-z0-9_]+)/', re.M)
 
 def included(chapter: str) -> set[str]:
     """The chapters that files of this one include, of those before it: what cmake links it with."""
-    found = {name for path in (ROOT / "chapters" / chapter).rglob("*.[ch]*")
-             for name in INCLUDED.findall(path.read_text(errors="replace")) if path.suffix in (".cpp", ".h")}
+    found = {name for path in (ROOT / "chapters" / chapter).rglob("*.[ch]*") if is_source(path)
+             for name in INCLUDED.findall(path.read_text(errors="replace", encoding="utf-8")) if path.suffix in (".cpp", ".h")}
     return {name for name in found if name < chapter and (ROOT / "chapters" / name).is_dir()}
 
 
@@ -109,6 +114,27 @@ def used(chapter: str) -> set[str]:
         found |= new
         asked += new
     return found
+
+
+SLACK_S = 5  # clocks of network file systems
+
+
+def refuse_future():
+    """Raises Failure for sources from the future: ninja would run cmake again and again."""
+    now_s = time.time() + SLACK_S
+    newest = max(((one.stat().st_mtime, one) for folder in (".", "chapters", "common", "shaders", "tests")
+                  for one in configured_by(ROOT / folder)), default=(0, None), key=lambda pair: pair[0])
+    if newest[0] > now_s:
+        hours = (newest[0] - now_s) / 3600
+        raise Failure(f"{relative(newest[1])} is from the future, by {hours:.1f} h, or the clock is wrong: set the clock, or type "
+                      f"find {shlex.quote(str(ROOT))} -newermt now -exec touch {{}} +")
+
+
+def configured_by(folder: Path) -> list[Path]:
+    """Files that cmake reads: those that make ninja run it again."""
+    here = [ROOT / name for name in ("CMakeLists.txt", "CMakePresets.json")] if folder == ROOT / "." else []
+    found = here or [*folder.glob("*.cmake"), *folder.glob("*/*.cmake"), *folder.glob("*/shots.json"), *folder.glob("*.txt")]
+    return [path for path in found if path.is_file()]
 
 
 def begins_as_written(path: Path) -> bool:
@@ -123,7 +149,7 @@ def begins_as_written(path: Path) -> bool:
 def configure(preset: str, folder: Path, lock: int | None = None):
     warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
     # --fresh: a tree that was moved or half configured starts again.
-    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace",
+    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:
         warn(done.stdout.rstrip())
@@ -134,7 +160,7 @@ def run_ninja(folder: Path, targets: list[str], lock: int, show, give_way, start
     """Whether there was something to do, and whether it is done. Two ninjas never build in one folder, even if we are
     killed: a ninja that outlives us holds the lock."""
     said = []
-    ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=dict(os.environ, NINJA_STATUS="[%f/%t] "), text=True,
+    ninja = subprocess.Popen(["ninja", "-C", folder, *targets], env=os.environ | SPEAKING | {"NINJA_STATUS": "[%f/%t] "}, text=True,
                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              pass_fds=(lock,))
     started(ninja)

@@ -30,4 +30,4 @@ def is_ours(folder) -> bool:
     if folder == (ROOT / "build").resolve() or (folder.is_relative_to(ROOT / "build")):
         return True
     cache = folder / "CMakeCache.txt"
-    return cache.is_file() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace")
+    return cache.is_file() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace", encoding="utf-8")

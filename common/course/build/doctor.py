@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from tree import BUILD, ROOT, chapter_program, chapters, relative, say
@@ -10,7 +11,7 @@ from tree import BUILD, ROOT, chapter_program, chapters, relative, say
 HELP = """Prints the versions of the tools, the Vulkan devices, the packages that a command would install, and the free disk space.
 Include it when you report a problem."""
 TOOLS = [["uname", "-sr"], ["c++", "--version"], ["cmake", "--version"], ["ninja", "--version"],
-         ["python3", "--version"]]
+         [sys.executable, "--version"]]  # the one that runs the course, not the first in PATH
 PACKAGES = ROOT / "common" / "course" / "packages"
 NEEDS_GB = {"./course run": 1, "./course test": 2}  # of disk, packages not counted
 
@@ -21,7 +22,7 @@ def add_arguments(parser):
 
 def run(_arguments, _rest) -> int:
     for command in TOOLS:
-        say(f"{command[0]:10} {first_line(command)}")
+        say(f"{Path(command[0]).name:10} {first_line(command)}")
     say(f"{'display':10} {os.environ.get('WAYLAND_DISPLAY') or os.environ.get('DISPLAY') or 'none'}")
     say(f"{'disk':10} {disk()}")
     say(f"{'packages':10} {packages()}")
@@ -42,7 +43,7 @@ def packages() -> str:
     """Which packages are missing, by the list that has them."""
     if not shutil.which("dpkg-query"):
         return "not a Debian system: the lists in common/course/packages say what is needed"
-    groups = {path.name: path.read_text().split() for path in sorted(PACKAGES.iterdir())}
+    groups = {path.name: path.read_text(encoding="utf-8").split() for path in sorted(PACKAGES.iterdir())}
     named = sorted({package for group in groups.values() for package in group})
     asked = output(["dpkg-query", "-W", "-f", "${db:Status-Status} ${Package}\\n", *named])
     there = {line.split()[1] for line in asked.splitlines() if line.startswith("installed ")}

@@ -44,7 +44,7 @@ def fuzz(folder: Path, source: Path, seconds: int) -> bool:
         made.mkdir(parents=True, exist_ok=True)
     log = folder / f"{name}.log"
     before = set(found.iterdir())
-    with open(log, "w") as out:
+    with open(log, "w", encoding="utf-8") as out:
         process = subprocess.Popen([folder / "tests" / source.stem, f"-max_total_time={seconds}", "-timeout=10",
                                     "-rss_limit_mb=2048", "-print_final_stats=1", f"-artifact_prefix={found}/{name}-",
                                     learned, *([seeds] if seeds.is_dir() else [])],
@@ -55,7 +55,7 @@ def fuzz(folder: Path, source: Path, seconds: int) -> bool:
             process.wait()
             raise
     new = sorted(set(found.iterdir()) - before)
-    lines = log.read_text(errors="replace").splitlines()
+    lines = log.read_text(errors="replace", encoding="utf-8").splitlines()
     if not code:
         runs = [line.split()[-1] for line in lines if "executed_units" in line]
         say(f"{name}: {runs[0] if runs else '?'} runs, nothing found")

@@ -7,11 +7,10 @@ import json
 import os
 import re
 import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from tree import BUILD, ROOT, Failure, cores, write_atomically
+from tree import PYTHON, BUILD, ROOT, Failure, cores, write_atomically
 
 STUDIES = ROOT / "docs" / "studies"
 DRAWN = BUILD / "charts"
@@ -33,11 +32,11 @@ def draw_charts(studies) -> None:
     """Draws the charts of these studies that are not drawn as things stand. Raises Failure."""
     code = b"".join(path.read_bytes() for path in sorted(Path(__file__).parent.glob("*.py")))
     keys = {path: hashlib.sha256(code + path.read_bytes()).hexdigest() for path in sorted(set(studies))}
-    known = json.loads((DRAWN / "drawn.json").read_text()) if (DRAWN / "drawn.json").exists() else {}
+    known = json.loads((DRAWN / "drawn.json").read_text(encoding="utf-8")) if (DRAWN / "drawn.json").exists() else {}
     stale = [path for path, key in keys.items() if known.get(path.name) != key]
 
     def draw(path: Path) -> str:
-        done = subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", path, "--out", DRAWN], text=True,
+        done = subprocess.run([*PYTHON, ROOT / "common/course", "charts.chart", path, "--out", DRAWN], text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               env=os.environ | {"OMP_NUM_THREADS": "1"})
         return done.stdout.strip().splitlines()[-1] if done.returncode else ""

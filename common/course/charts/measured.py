@@ -55,7 +55,7 @@ def here(chapter: str, request: str = "") -> str:
     if (chapter, request) not in _here:
         listed = [str(path.relative_to(ROOT)) for folder in ("chapters", "shaders", "assets/scenes")
                   for path in sorted((ROOT / folder).rglob("*")) if path.is_file()]
-        _here[chapter, request] = version_of(listed, lambda name: (ROOT / name).read_text(), chapter, request)
+        _here[chapter, request] = version_of(listed, lambda name: (ROOT / name).read_text(encoding="utf-8"), chapter, request)
     return _here[chapter, request]
 
 
@@ -80,7 +80,7 @@ def is_of_earlier(study: Path, key: str = "measured") -> bool:
     """True if a study's JSON measured other sources than the current ones. False if it does not say. Timings of several chapters'
     programs have the version of each (timings.py). The key "errors_measured" is that of errors alone."""
     try:
-        said = json.loads(study.read_text())
+        said = json.loads(study.read_text(encoding="utf-8"))
         names = said.get("programs", [said["chapter"]])
         return (key in said and all((ROOT / "chapters" / name).is_dir() for name in names) and
                 said[key] != "+".join(here(name, request_of(said)) for name in names))
@@ -91,7 +91,7 @@ def is_of_earlier(study: Path, key: str = "measured") -> bool:
 def has_old_times_alone(study: Path) -> bool:
     """True where only the times are of an earlier version: errors were measured again without them."""
     try:
-        return "errors_measured" in json.loads(study.read_text()) and not is_of_earlier(study, "errors_measured")
+        return "errors_measured" in json.loads(study.read_text(encoding="utf-8")) and not is_of_earlier(study, "errors_measured")
     except (OSError, ValueError):
         return False
 

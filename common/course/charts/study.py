@@ -22,7 +22,7 @@ from charts.measured import here
 from charts.study_charts import chart_paths
 from charts.study_file import SOFTWARE
 from many import shards, slurm
-from tree import (BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
+from tree import (PYTHON, BUILD, ROOT, Failure, UsageError, chapter_program, chapters, find_chapter, relative, say, warn,
                   write_atomically)
 
 ALONE = True
@@ -116,7 +116,7 @@ def measure_shard(arguments, named: list[str]) -> int:
         generate(study.get("generate", {}))
         part = study_shards.part_of(chapter, study, labels, shard)
         measured = measure(chapter, arguments, part, f".{shard.number}-of-{shard.of}")
-        entries |= study_shards.entries(chapter, json.loads(measured.read_text()))
+        entries |= study_shards.entries(chapter, json.loads(measured.read_text(encoding="utf-8")))
     head = {"chapters": named, "size": arguments.size, "course": shards.course_version()}
     shards.write(file, "study", shard, head, entries)
     say(f"{relative(file)}: {len(entries)} of {sum(len(study_shards.labels(study_of(chapter))) for chapter in named)} scenes")
@@ -160,7 +160,7 @@ def generate(files: dict):
         file.parent.mkdir(parents=True, exist_ok=True)
         beside = file.with_name(f".{file.name}.{os.getpid()}")
         try:
-            if subprocess.run([sys.executable, ROOT / script, *words, beside], cwd=ROOT).returncode:
+            if subprocess.run([*PYTHON, ROOT / script, *words, beside], cwd=ROOT).returncode:
                 raise Failure(f"{script} could not make {name}")
             os.replace(beside, file)
         finally:
@@ -197,7 +197,7 @@ def measure(chapter: str, arguments, study: Path | None = None, part: str = "") 
 def errors_into(file: Path, study: dict) -> dict:
     """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times."""
     try:
-        old = json.loads(file.read_text())
+        old = json.loads(file.read_text(encoding="utf-8"))
     except OSError:
         return study
     def key(point: dict) -> str:
@@ -221,10 +221,10 @@ def device_slug(study: dict) -> str:
 
 def draw(chapter: str, measured: Path, folder: Path, errors: bool = False):
     """Puts the result into the folder under the device's name, with the chart and the table beside it."""
-    study = json.loads(measured.read_text()) | {"measured": here(chapter)}
+    study = json.loads(measured.read_text(encoding="utf-8")) | {"measured": here(chapter)}
     file = folder / f"{chapter}.{device_slug(study)}.json"
     write_atomically(file, json.dumps(errors_into(file, study) if errors else study, indent=1, ensure_ascii=False) + "\n")
-    if subprocess.run([sys.executable, ROOT / "common/course", "charts.chart", file]).returncode:
+    if subprocess.run([*PYTHON, ROOT / "common/course", "charts.chart", file]).returncode:
         raise Failure(f"the chart of {chapter} was not drawn")
     beside = [path.with_name(path.name + ".svg") for path in chart_paths(study, file.with_suffix(""))]
     drawn = [path if path.exists() else BUILD / "charts" / path.name for path in beside]

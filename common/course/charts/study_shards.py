@@ -56,7 +56,7 @@ def machine(measured: dict) -> str:
     device = f"{measured.get('device', '')}, {measured.get('driver', '')}".strip(", ")
     if device and not any(name in device.lower() for name in SOFTWARE):
         return device
-    found = re.search(r"^model name\s*:\s*(.*)$", Path("/proc/cpuinfo").read_text(), re.M)
+    found = re.search(r"^model name\s*:\s*(.*)$", Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.M)
     return ", ".join(word for word in (device, found[1] if found else "") if word)
 
 

@@ -30,7 +30,7 @@ def request_of(chapter: str, file: str = "timings.json") -> dict:
     """What such a file of a chapter says; {} where it has none. Raises Failure where it cannot be used."""
     path = ROOT / "chapters" / chapter / file
     try:
-        return json.loads(path.read_text())
+        return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         return {}
     except ValueError as error:
@@ -74,7 +74,7 @@ def measure(chapter: str, device: str | None, size: str | None) -> dict:
                            *(["--device", device] if device else [])]
                 if subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode:
                     raise Failure(f"it failed: {shlex.join(map(str, command))}")
-                found = json.loads(out.read_text())
+                found = json.loads(out.read_text(encoding="utf-8"))
             points.append(point_of(run["scene"], method, found))
     asked = f" --size {size}" if size else ""
     measured = "+".join(here(name, f"chapters/{chapter}/timings.json") for name in programs(chapter))

@@ -14,6 +14,10 @@ first_failure and hint are null or missing if there is none; "note" lists skippe
 that does not compile is a failure like any other; first_failure then holds the compiler's line. Exit code 0 if all are
 right, 1 if not, 2 if there is no such exercise. A program that prints nothing, or dies, or runs for more than half a minute per exercise, counts as open.
 
+No verdict without a control: where an exercise that was worked on is open, its reference passes and its starter fails by the
+same program, on the same driver, or this machine cannot judge it: exit code 3, and nothing is kept. "lost" marks a verdict
+that rests on a process that ended or was late; it is tried once more.
+
 The numbers come first. If they are right the exercise's pictures are drawn too (shots that name it in
 "exercises", shots.py), twice: with the student's version of this one exercise, and with the references alone. Both are
 drawn here and now, so that no processor and no driver makes a difference. The limits are wide: a right answer's
@@ -31,6 +35,7 @@ import json
 import os
 import re
 import subprocess
+import tempfile
 from pathlib import Path
 
 from build.build import build
@@ -40,8 +45,8 @@ from check.verdicts import Verdicts, version
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
-from tree import (BUILD, ROOT, Failure, UsageError, chapters, exercises, find_chapter, has_solutions, lesson_pages, nearest, relative,
-                  say, shots)
+from tree import (BUILD, ROOT, Failure, Unjudged, UsageError, chapters, exercises, find_chapter, has_solutions, lesson_pages, nearest,
+                  relative, say, shots, unjudged)
 
 ALONE = True
 HELP = """Checks your exercises: lists the solved ones, and the first error of each of the others.
@@ -53,7 +58,7 @@ HELP = """Checks your exercises: lists the solved ones, and the first error of e
   ./course check --progress    one line per chapter: how many exercises are solved
   ./course check --next        one next step: the first unsolved exercise
 
-Exit code 1 while an exercise is unsolved."""
+Exit code 1 while an exercise is unsolved, 3 where this machine cannot judge: where the reference does not pass here."""
 TIMEOUT_S = 30  # of a whole check; a call that does not return is found after 5 s
 # For a picture with correct numbers. A light more or less per object, which 03.light_reaches_box leaves open, is
 # 0.0018 and 0.055; of the starters' pictures the nearest to the reference is 0.013.
@@ -71,6 +76,7 @@ def add_arguments(parser):
 def run(arguments, _rest) -> int:
     selected = select(arguments.what)
     named = sorted({chapter for chapter, _ in selected})
+    forget_ended_compilers(named)
     build([f"check_{chapter}" for chapter in named])
     results, verdicts = [], Verdicts()
     with Progress("checking") as progress:
@@ -78,7 +84,7 @@ def run(arguments, _rest) -> int:
             if progress.terminal or arguments.progress:  # elsewhere each result is a line
                 progress.show(number, len(selected), exercise)
             of = version(exercises(chapter)[exercise].read_bytes())
-            results.append(check(chapter, exercise))
+            results.append(judged(chapter, exercise))
             verdicts.keep(exercise, of, results[-1])
             if not arguments.progress:
                 progress.clear()
@@ -120,6 +126,69 @@ def in_order(chapter: str) -> list[str]:
     return sorted(exercises(chapter), key=lambda name: order.index(name) if name in order else len(order))
 
 
+def judged(chapter: str, exercise: str) -> dict:
+    """The verdict, after a control. Raises Unjudged."""
+    if said := ended_compiler(chapter, exercise):
+        raise unjudged(exercise, f"its compiler was ended: {said}; ./course check {exercise} compiles it again")
+    result = check(chapter, exercise)
+    if result.pop("lost", False):
+        control(chapter, exercise)
+        result = check(chapter, exercise)
+        result.pop("lost", None)
+        control(chapter, exercise)
+    elif not result["ok"] and exercise not in untouched():
+        control(chapter, exercise)
+    elif result["ok"] and chapter not in controlled:
+        control(chapter, exercise)
+    return result
+
+
+controlled = set()  # chapters of which a control passed in this run
+
+
+def control(chapter: str, exercise: str):
+    """Raises Unjudged unless the reference passes and the starter fails, as far as this tree has them."""
+    path = exercises(chapter)[exercise]
+    if (path.parent.parent / "solution" / path.name).exists() and not (found := check_numbers(chapter, exercise, "solution")).get("ok"):
+        raise unjudged(exercise, f"its reference does not pass: {found['first_failure']}")
+    if path.suffix == ".glsl":
+        from check.reset import starter_of
+        try:
+            starter = starter_of(path)
+        except Failure:  # neither a handout nor a history
+            starter = None
+        if starter is not None:
+            with tempfile.TemporaryDirectory(prefix="lightwalk.") as made:
+                place = Path(made) / path.relative_to(ROOT)
+                place.parent.mkdir(parents=True)
+                place.write_bytes(starter)
+                found = check_numbers(chapter, exercise, LIGHTWALK_OVERLAY=made)
+            if found.get("ok") or found.get("lost"):
+                raise unjudged(exercise, f"its starter {'passes' if found.get('ok') else 'reaches no verdict'}: {found['first_failure']}")
+    controlled.add(chapter)
+
+
+# What a compiler that the machine ended leaves beside the object (compile_exercise.sh).
+ENDED = ".ended"
+
+
+def forget_ended_compilers(named: list[str]):
+    """Their objects are made again."""
+    for chapter in named:
+        for path in (BUILD / "CMakeFiles" / f"exercises_{chapter}.dir").rglob(f"*{ENDED}"):
+            path.with_suffix("").unlink(missing_ok=True)
+            path.unlink(missing_ok=True)
+
+
+def ended_compiler(chapter: str, exercise: str) -> str:
+    path = exercises(chapter)[exercise]
+    try:
+        said = (BUILD / "CMakeFiles" / f"exercises_{chapter}.dir" / f"{relative(path)}.o{ENDED}").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return ""
+    return (said.strip().splitlines() or ["without a word"])[-1]
+
+
 def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
     """The verdict on one exercise: the protocol's object, with "file" and "chapter"."""
     result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
@@ -147,7 +216,7 @@ def compiler_said(chapter: str, exercise: str, root: Path) -> str:
     folder = (BUILD if root == ROOT else root / "build") / "CMakeFiles" / f"exercises_{chapter}.dir"
     file = relative(exercises(chapter)[exercise])
     try:
-        lines = (folder / f"{file}.o.error").read_text(errors="replace").splitlines()
+        lines = (folder / f"{file}.o.error").read_text(errors="replace", encoding="utf-8").splitlines()
     except OSError:
         return ""
     wrong = next((line for line in lines if "error" in line), lines[0] if lines else "no word why")
@@ -163,9 +232,9 @@ def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                               env=os.environ | environment, timeout=TIMEOUT_S)
     except OSError as error:
-        raise Failure(f"{relative(program)}: {error.strerror}") from None
+        raise Unjudged(f"this machine cannot judge: {relative(program)}: {error.strerror}") from None
     except subprocess.TimeoutExpired:
-        return {"first_failure": f"it did not end within {TIMEOUT_S} s"}
+        return {"first_failure": f"it did not end within {TIMEOUT_S} s", "lost": True}
     for line in done.stdout.splitlines():
         try:
             found = json.loads(line)
@@ -176,7 +245,7 @@ def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT,
     words = done.stderr.strip().splitlines()
     why = f"it was ended by signal {-done.returncode}" if done.returncode < 0 else \
         f"its check ended with {done.returncode}"
-    return {"first_failure": f"{why}: {words[-1]}" if words else why}
+    return {"first_failure": f"{why}: {words[-1]}" if words else why, "lost": True}
 
 
 @functools.cache

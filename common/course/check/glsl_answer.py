@@ -2,19 +2,23 @@
 
 An answer is compiled together with its check. So that both read the same, the compiler gets plain() of
 the file: without comments, continued lines and other line ends, in which "#define" could hide. In that text an
-answer defines no macro that others use, uses no name of a check (check_, probe_ or undefined_ in front)
-and no macro that only checks define, declares no buffers, and includes only files that its starter or the framework does.
+answer defines no macro that others use, asks the preprocessor for no name but its own and its starter's, uses no name of a
+check (check_, probe_ or undefined_ in front) and no macro that only checks define, declares no buffers, and includes only
+files that its starter or the framework does.
 """
 
 import functools
 import re
 from pathlib import Path
 
-from tree import ROOT
+from tree import ROOT, shader_files
 
 WORD = re.compile(r"[A-Za-z_]\w*")
-RESERVED = re.compile(r"check_|probe_|undefined_|Probe[A-Z]")
+RESERVED = re.compile(r"(check|probe|undefined)_|(Check|Probe)[A-Z]|CHECK_")
+PREDEFINED = re.compile(r"__|GL_|VULKAN$")
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"\s*')
+CONDITION = re.compile(r"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif)\b(.*)", re.M)
+DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)(.*)", re.M)
 DIRECTIVES = ("define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif", "include", "")
 # Keywords that reach memory by binding or address.
 DECLARING = ("uniform", "buffer", "layout", "subroutine", "buffer_reference")
@@ -36,6 +40,8 @@ def plain(data: bytes, path: Path) -> str:
     """The text that is compiled, with the lines of the file. Raises Refused."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise Refused("error: it is UTF-16 text; save it as UTF-8")
+    # White space too, by GLSL's specification, 3.1.
+    data = data.replace(b"\f", b" ").replace(b"\v", b" ")
     text = without_comments(spliced(data.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "replace")))
     starter, reference = given(path)
     known, allowed = set(WORD.findall(starter)), reached(path, starter) | reached(path, reference)
@@ -48,6 +54,10 @@ def plain(data: bytes, path: Path) -> str:
             raise Refused(f"it has the name {name}, and such names are the checks' own")
         if name in macros_of_checks():
             raise Refused(f"it asks for the macro {name}, by which shaders know that they are checked")
+        if PREDEFINED.match(name):
+            raise Refused(f"it has the name {name}, which the compiler defines, and which differs where an answer is checked")
+    if asked := sorted(asked_for(text) - asked_for(starter) - asked_for(reference)):
+        raise Refused(f"its #if asks for {asked[0]}, which neither it nor its starter defines: it would be another answer elsewhere")
     for name in sorted((names & written_buffers(path)) - known - set(WORD.findall(reference))):
         raise Refused(f"it names {name}, into which the functions of its starter write for it")
     for name in DECLARING:
@@ -58,6 +68,20 @@ def plain(data: bytes, path: Path) -> str:
     if why := foreign_macro(text, path):
         raise Refused(why)
     return text
+
+
+def asked_for(text: str) -> set[str]:
+    """Names on which a text's conditions depend that it does not define itself."""
+    own = {}
+    for name, body in DEFINE.findall(text):
+        own.setdefault(name, set()).update(WORD.findall(body))
+    asked, waiting = set(), [name for line in CONDITION.findall(text) for name in WORD.findall(line) if name != "defined"]
+    while waiting:
+        name = waiting.pop()
+        if name not in asked:
+            asked.add(name)
+            waiting += own.get(name, ())
+    return asked - set(own)
 
 
 def spliced(text: str) -> str:
@@ -126,7 +150,7 @@ def id_of(path: Path) -> str:
 def given(path: Path) -> tuple[str, str]:
     """The starter as it lies here, and the reference; empty where there is none."""
     def text_of(one):
-        return without_comments(spliced(one.read_text(errors="replace"))) if one.exists() else ""
+        return without_comments(spliced(one.read_text(errors="replace", encoding="utf-8"))) if one.exists() else ""
     return text_of(path), text_of(path.parent.parent / "solution" / path.name)
 
 
@@ -158,7 +182,7 @@ def files_behind(names: tuple[str, ...]) -> set[Path]:
         for file in (place, place.parent / "exercise" / place.name, place.parent / "solution" / place.name):
             if file.is_file() and file not in seen:
                 seen.add(file)
-                waiting += includes_of(code_of(file.read_text(errors="replace")))
+                waiting += includes_of(code_of(file.read_text(errors="replace", encoding="utf-8")))
     return seen
 
 
@@ -166,7 +190,7 @@ def files_behind(names: tuple[str, ...]) -> set[Path]:
 def written_buffers(path: Path) -> frozenset[str]:
     """Written members of the buffers that this exercise's includes declare."""
     names = set()
-    for text in (code_of(file.read_text(errors="replace")) for file in files_behind(tuple(includes_of(given(path)[0])))):
+    for text in (code_of(file.read_text(errors="replace", encoding="utf-8")) for file in files_behind(tuple(includes_of(given(path)[0])))):
         for before, inside in re.findall(r"([^;{}]*)\bbuffer\s+\w+\s*\{([^}]*)\}", text):
             if "readonly" not in before:
                 names |= set(re.findall(r"(\w+)\s*(?:\[[^\]]*\]\s*)?;", inside))
@@ -178,10 +202,10 @@ def macros_of_checks() -> frozenset[str]:
     """Macros defined only by checks: a handout has no list of them."""
     named, asked = set(), set()
     for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "tests").glob("*/*.h")):
-        text = source.read_text(errors="replace")
+        text = source.read_text(errors="replace", encoding="utf-8")
         named |= set(re.findall(r'(?:\{|macros\.set\()"([A-Z][A-Z0-9_]+)"|^#define ([A-Z][A-Z0-9_]+)', text, re.M))
-    for shader in (*(ROOT / "shaders").rglob("*.*"), *(ROOT / "tests").glob("*/*.glsl")):
-        asked |= set(WORD.findall(code_of(shader.read_text(errors="replace"))))
+    for shader in (*shader_files(), *(ROOT / "tests").glob("*/*.glsl")):
+        asked |= set(WORD.findall(code_of(shader.read_text(errors="replace", encoding="utf-8"))))
     return frozenset(name for pair in named for name in pair if name in asked)
 
 
@@ -201,11 +225,13 @@ def foreign_macro(text: str, path: Path) -> str:
 def words_elsewhere(path: Path) -> frozenset[str]:
     """The words of all shaders but this exercise, and of the GLSL within the checks."""
     words = set()
-    for shader in (ROOT / "shaders").rglob("*.*"):
+    for shader in shader_files():
         if shader.name != path.name or shader.parent.parent != path.parent.parent:
-            words |= set(WORD.findall(code_of(shader.read_text(errors="replace"))))
+            words |= set(WORD.findall(code_of(shader.read_text(errors="replace", encoding="utf-8"))))
+    for shader in (ROOT / "tests").glob("*/*.glsl"):
+        words |= set(WORD.findall(code_of(shader.read_text(encoding="utf-8", errors="replace"))))
     for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "common" / "check").glob("*.cpp")):
-        for quoted in re.findall(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', source.read_text(errors="replace"), re.S):
+        for quoted in re.findall(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', source.read_text(errors="replace", encoding="utf-8"), re.S):
             words |= set(WORD.findall(" ".join(quoted)))
     return frozenset(words)
 

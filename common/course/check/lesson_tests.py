@@ -36,7 +36,7 @@ def cases(program: str) -> list[tuple[str, str]]:
     """(name, tags) of a test program's cases, from the sources of its folder."""
     folder = ROOT / "tests" / program.removeprefix("test_")
     return [(joined(name), joined(tags or "").lower()) for path in sorted(folder.glob("*.cpp"))
-            for name, tags in CASE.findall(path.read_text())]
+            for name, tags in CASE.findall(path.read_text(encoding="utf-8"))]
 
 
 def parts(spec: str) -> list[str]:
@@ -58,7 +58,7 @@ def matched(program: str, part: str) -> list[str]:
 
 def named_in(lesson: Path) -> list[Named]:
     """The names in a lesson, in its order."""
-    text = (ROOT / lesson).read_text()
+    text = (ROOT / lesson).read_text(encoding="utf-8")
     own = next((f"test_{chapter}" for chapter in chapters() if chapter[:2] == lesson.stem[:2]), "")
     found = [(match.start(), match[1], match[2]) for match in COMMAND.finditer(text)]
     if own:
@@ -76,6 +76,6 @@ def check_named(lesson: Path) -> list[str]:
     """A line for each name that no test has, and for each sentence where a tag belongs."""
     wrong = [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{part}\""
              for one in named_in(lesson) for part in parts(one.spec) if not matched(one.program, part)]
-    text = (ROOT / lesson).read_text()
+    text = (ROOT / lesson).read_text(encoding="utf-8")
     return wrong + [f"{lesson}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}: name the test by its tag, such as `[14.furnace]`"
                     for match in SENTENCE.finditer(text)]

@@ -39,7 +39,7 @@ def run(arguments, _rest) -> int:
 def starter_of(path: Path) -> bytes:
     """The starter: from the handout's own copy, else the version in the history that the list names."""
     name = relative(path)
-    wanted = next((line.split()[0] for line in (ROOT / LIST).read_text().splitlines() if line.endswith(f" {name}")), None)
+    wanted = next((line.split()[0] for line in (ROOT / LIST).read_text(encoding="utf-8").splitlines() if line.endswith(f" {name}")), None)
     if (ROOT / KEPT).exists():
         with zipfile.ZipFile(ROOT / KEPT) as kept:
             return kept.read(name)

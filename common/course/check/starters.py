@@ -4,11 +4,14 @@ A student's own commits do not matter to it, and a handout without git has it to
 because an editor may end lines or the file in its own way."""
 
 import functools
+import os
+import re
 from pathlib import Path
 
-from tree import ROOT, chapters, exercises, relative, write_atomically
+from tree import MANIFEST, ROOT, chapters, exercises, git, is_source, relative, write_atomically
 
-LIST = Path("tests/starters.txt")
+LIST = MANIFEST
+EXERCISE = re.compile(r"(chapters|shaders)/\d\d_\w+/exercise/\w+\.(cpp|glsl)")
 
 
 @functools.lru_cache(1024)
@@ -26,13 +29,17 @@ def listed(texts: dict[Path, bytes]) -> str:
 
 
 def as_they_stand() -> dict[Path, bytes]:
-    return {Path(relative(path)): path.read_bytes() for chapter in chapters() for path in exercises(chapter).values()}
+    """Those of the list, and what git tracks beside them: a new exercise, before it is in the list."""
+    names = {Path(relative(path)) for chapter in chapters() for path in exercises(chapter).values()}
+    if (ROOT / ".git").exists():
+        names |= {Path(name) for name in os.fsdecode(git("ls-files", "-z", "--cached")).split("\0") if EXERCISE.fullmatch(name)}
+    return {name: (ROOT / name).read_bytes() for name in names if name.parts[1] in chapters() and is_source(ROOT / name)}
 
 
 def untouched() -> set[str]:
     """The ids of the exercises that are still as they were handed out."""
     try:
-        known = dict(reversed(line.split(" ", 1)) for line in (ROOT / LIST).read_text().splitlines())
+        known = dict(reversed(line.split(" ", 1)) for line in (ROOT / LIST).read_text(encoding="utf-8").splitlines())
     except (OSError, ValueError):
         return set()
     return {name for chapter in chapters() for name, path in exercises(chapter).items()
@@ -41,7 +48,7 @@ def untouched() -> set[str]:
 
 def check_starters(write: bool = False) -> list[str]:
     """Compares the list with the starters, or writes it."""
-    there, is_so = (ROOT / LIST).read_text() if (ROOT / LIST).exists() else "", listed(as_they_stand())
+    there, is_so = (ROOT / LIST).read_text(encoding="utf-8") if (ROOT / LIST).exists() else "", listed(as_they_stand())
     if there == is_so:
         return []
     if write:

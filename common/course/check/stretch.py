@@ -42,7 +42,7 @@ def run(arguments, _rest) -> int:
         raise UsageError(f"chapter {chapter[:2]} has no stretch task")
     if not has_solutions():
         raise UsageError("this copy of the course has no reference to compare with")
-    task = json.loads(path.read_text())
+    task = json.loads(path.read_text(encoding="utf-8"))
     if task["exercise"] not in exercises(chapter):
         raise Failure(f"{path.relative_to(ROOT)}: there is no exercise '{task['exercise']}'")
     build([chapter, "compare"])
@@ -77,7 +77,7 @@ def measure(chapter: str, task: dict, rounds: int = ROUNDS, frames: int = FRAMES
                                 "--timings", out])
             if done.returncode:
                 raise Failure(done.stderr.strip())
-            timings = json.loads(out.read_text())
+            timings = json.loads(out.read_text(encoding="utf-8"))
             times = [one["gpu_ms"] for one in timings["passes"] if one["name"] == task["pass"]]
             if not times:
                 raise Failure(f"there is no pass '{task['pass']}' in {chapter}")

@@ -79,7 +79,7 @@ def variants(chapter: str) -> tuple[list[Variant], list[str]]:
 
 
 def whole(path: Path) -> Variant:
-    text = path.read_text()
+    text = path.read_text(encoding="utf-8")
     return Variant(path.name, f"{relative(path)}:1", text.partition("\n")[0].removeprefix("// "), text)
 
 
@@ -88,9 +88,9 @@ def listed(chapter: str, path: Path, mistakes: list[str]) -> list[Variant]:
     exercise = exercises(chapter).get(f"{chapter[:2]}.{path.stem}")
     if not exercise:
         raise Failure(f"{relative(path)}:1: there is no exercise {chapter[:2]}.{path.stem}")
-    solution = handed_in((exercise.parents[1] / "solution" / exercise.name).read_text())
+    solution = handed_in((exercise.parents[1] / "solution" / exercise.name).read_text(encoding="utf-8"))
     found = []
-    for number, what, verdict, changes in entries(path.read_text(), relative(path)):
+    for number, what, verdict, changes in entries(path.read_text(encoding="utf-8"), relative(path)):
         try:
             found.append(Variant(f"{path.stem}.{what}{exercise.suffix}", f"{relative(path)}:{number}", verdict,
                                  changed(solution, changes, relative(path))))
@@ -168,7 +168,7 @@ def program(chapter: str) -> str:
     for mistake in mistakes:
         warn(mistake)  # its test fails for it; meanwhile all else is built
     header = f"{chapter}/exercises.h"
-    declared = re.findall(r'EXERCISE\("\d\d\.(\w+)",[^,]+,\s*(\w+),', (ROOT / "chapters" / header).read_text())
+    declared = re.findall(r'EXERCISE\("\d\d\.(\w+)",[^,]+,\s*(\w+),', (ROOT / "chapters" / header).read_text(encoding="utf-8"))
     text = f'#include "common/check/variants.h"\n\n#include "{header}"\n'
     for variant in (variant for variant in found if variant.name.endswith(".cpp")):
         name = variant.name.removesuffix(".cpp")

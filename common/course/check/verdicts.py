@@ -15,7 +15,7 @@ class Verdicts:
     def __init__(self):
         self.path = BUILD / "live" / "verdicts.json"
         try:
-            self.known = json.loads(self.path.read_text())
+            self.known = json.loads(self.path.read_text(encoding="utf-8"))
             if not isinstance(self.known, dict):
                 raise ValueError
         except (OSError, ValueError, RecursionError):

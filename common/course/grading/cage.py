@@ -30,8 +30,18 @@ class Cage:
             for controller in controllers:
                 file = FILES[controller] if (folder / FILES[controller]).exists() else f"{controller}.max"
                 with contextlib.suppress(OSError):
-                    (folder / file).write_text(str(limits[controller]))
+                    (folder / file).write_text(str(limits[controller]), encoding="utf-8")
         self.joins = [folder / "cgroup.procs" for folder in self.folders]
+
+    def was_full(self) -> bool:
+        """Whether a process was killed because the group had come to its limit of memory."""
+        for folder in self.folders:
+            for name in ("memory.events", "memory.oom_control"):
+                with contextlib.suppress(OSError, ValueError):
+                    words = dict(line.split() for line in (folder / name).read_text(encoding="utf-8").splitlines())
+                    if int(words.get("oom_kill", 0)):
+                        return True
+        return False
 
     def close(self):
         """When all in it have ended: the kernel lets go of a group a moment after its last process."""
@@ -51,8 +61,8 @@ def hierarchies() -> dict[tuple[str, ...], Path]:
     """By controllers: the folder of this process's own group, where groups can be made in it."""
     found = {}
     with contextlib.suppress(OSError):
-        mounts = [line.split() for line in Path("/proc/self/mounts").read_text().splitlines()]
-        for line in Path("/proc/self/cgroup").read_text().splitlines():
+        mounts = [line.split() for line in Path("/proc/self/mounts").read_text(encoding="utf-8").splitlines()]
+        for line in Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines():
             number, names, path = line.split(":", 2)
             words = tuple(name for name in names.split(",") if name in FILES)
             for _, place, kind, options, *_ in mounts:
@@ -60,7 +70,7 @@ def hierarchies() -> dict[tuple[str, ...], Path]:
                 if kind == "cgroup" and words and set(words) <= set(options.split(",")):
                     usable(found, words, folder)
                 elif kind == "cgroup2" and number == "0":
-                    have = (folder / "cgroup.subtree_control").read_text().split()
+                    have = (folder / "cgroup.subtree_control").read_text(encoding="utf-8").split()
                     usable(found, tuple(name for name in FILES if name in have), folder)
     return found
 

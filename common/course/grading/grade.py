@@ -24,7 +24,7 @@ from grading.rules import Rules
 from grading.submission import cell, find, printable, read, time_of
 from many import shards, slurm
 from progress import Progress
-from tree import (BUILD, Failure, UsageError, chapters, cores, exercises, find_chapter, has_solutions, nearest, say,
+from tree import (BUILD, Failure, Unjudged, UsageError, chapters, cores, exercises, find_chapter, has_solutions, nearest, say,
                   warn, write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
@@ -41,15 +41,16 @@ Prints a table, and writes grades.csv and grades.json (the failures of each exer
 that was judged before is not judged again: an interrupted run continues where it stopped. marks.json keeps each mark: the same
 answer has the same mark whenever it is graded again, until --regrade names its exercise.
 
-A ? in grades.csv and "look at" in the table mark an exercise whose numbers are right, but whose picture crashed the driver:
-it has no mark until you have looked at it.
+A ? in grades.csv and "look at" in the table mark an exercise without a mark until you have looked at it: its numbers are right,
+but its picture crashed the driver, or operations that GLSL leaves undefined were not looked for; or its process was killed twice.
 
 A folder's time is that of its newest file, which a student can set: --rules states others ("handed_in"), and a Moodle worksheet
 as --roster has the platform's own.
 
 Students' code is compiled and run in a sandbox (bubblewrap): it has no access to the network, other
-students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. What this machine fails at (no
-space, no memory) is tried again, then said as "not judged" and never kept. The exit code is 0 for any grades."""
+students, references or checks, and limits on time, memory and output. Without bubblewrap nothing runs. Before the first verdict on
+an exercise its reference passes and its starter fails by the same path; where they do not, "this machine cannot judge" it: it is
+"not judged" in all tables, nothing of it is kept, and the exit code is 3. The exit code is 0 for any grades."""
 
 MOST_NAMES = 12  # on one line
 UNTOUCHED = ("missing", "unchanged")  # states of exercises not begun
@@ -168,9 +169,10 @@ def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, 
 def refuse_failed(grades: list[dict]):
     failed = [(one["student"], result) for one in grades for result in one["results"] if result["state"] == "failed"]
     for student, result in failed[:5]:
-        warn(f"{student}, {result['exercise']}: {result['first_failure']}")
+        warn(f"{printable(student)}, {result['exercise']}: {result['first_failure']}")
     if failed:
-        raise Failure(f"{len(failed)} exercises could not be judged; the same command tries them again")
+        machine = any(result["first_failure"].startswith("this machine cannot judge") for _, result in failed)
+        raise (Unjudged if machine else Failure)(f"{len(failed)} exercises could not be judged; the same command tries them again")
 
 
 def grade_shard(arguments, submissions, wanted: dict[str, str]) -> int:
@@ -235,6 +237,7 @@ def check_entry(student: str, entry, shard: Path):
         one = entry["grade"]
         right = (type(entry["at"]) is int and isinstance(entry["read"], bool) and one["student"] == student
                  and isinstance(one["path"], str) and isinstance(one["error"], str | None) and one["alike"] == []
+                 and isinstance(one.get("note", ""), str)
                  and isinstance(one["handed_in_s"], int | float | None)
                  and all(isinstance(name, str) for name in [*entry["answers"], *map(shards.safe, entry["answers"].values())]))
         for result in one["results"]:
@@ -258,7 +261,10 @@ def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[s
                 grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,
                                        "handed_in_s": time_of(one.path, judge.names), "results": [], "alike": []}
                 try:
-                    found = read(one, set(judge.names))
+                    notes = []
+                    found = read(one, set(judge.names), {place: judge.starters[name] for place, name in judge.names.items()}, notes)
+                    if notes:
+                        grades[one.student]["note"] = "; ".join(notes[:MOST_NAMES])
                 except Failure as failure:
                     grades[one.student]["error"] = str(failure)
                     continue
@@ -298,13 +304,13 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n", 0o600)
     text = io.StringIO()
     rows = csv.writer(text, quoting=csv.QUOTE_ALL)
-    rows.writerow(["student", "right", "of", *wanted, "error", "alike"])
+    rows.writerow(["student", "right", "of", *wanted, "error", "alike", "note"])
     for one in grades:
-        given = {result["exercise"]: "?" if result["state"] == "undecided" else "missing" if result["state"] in UNTOUCHED else
+        given = {result["exercise"]: "?" if result["state"] == "undecided" else "not judged" if result["state"] == "failed" else "missing" if result["state"] in UNTOUCHED else
                  int(result["ok"]) for result in one["results"]}
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
         rows.writerow([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
-                       cell(one["error"] or ""), cell(same)])
+                       cell(one["error"] or ""), cell(same), cell(one.get("note", ""))])
     write_atomically(out / "grades.csv", text.getvalue(), 0o600)
 
 
@@ -317,7 +323,7 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
         for chapter in named:
             results = [result for result in one["results"] if result["chapter"] == chapter]
             counts.append(f"{sum(result['ok'] for result in results)}/{len(results)}" if results else "-")
-        said = one["error"] or ("" if any(result["state"] in ("judged", "undecided") for result in one["results"]) else
+        said = one["error"] or one.get("note") or ("" if any(result["state"] in ("judged", "undecided") for result in one["results"]) else
                                 "nothing was changed")
         lines.append(f"{printable(one['student'], width):{width}}  {one['right']:3}/{one['of']:<2} " +
                      " ".join(f"{count:>5}" for count in counts) + (f"  {said}" if said else ""))

@@ -113,7 +113,7 @@ def tests_that_include(left_out: set[Path], contents) -> set[Path]:
     found = set()
     while more := {name for name in contents if name.parts[0] == "tests" and name.suffix in (".cpp", ".h")
                    and name not in left_out | found
-                   and any(meant_by(name, one) & (left_out | found) for one in includes((ROOT / name).read_text()))}:
+                   and any(meant_by(name, one) & (left_out | found) for one in includes((ROOT / name).read_text(encoding="utf-8")))}:
         found |= more
     return found
 
@@ -166,9 +166,9 @@ def objects(names: list[Path]) -> dict[Path, bytes]:
 def compiled_by() -> dict[Path, dict]:
     """The entry of compile_commands.json for each source, of several compiled together the same."""
     found = {}
-    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+    for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
         unit = Path(entry["file"])
-        sources = re.findall('#include "(.*)"', unit.read_text()) if "Unity" in unit.parts else [unit]
+        sources = re.findall('#include "(.*)"', unit.read_text(encoding="utf-8")) if "Unity" in unit.parts else [unit]
         found |= {Path(source): entry for source in sources}
     return found
 

@@ -6,8 +6,10 @@ question has a number that the answer must repeat. A student's GLSL is data that
 from which that exercise's reference is missing. The random inputs of the checks are shifted by a seed that is drawn for
 the class, and judge_NN's own line is known by a word that is drawn for the run.
 
-A tool's failure is no verdict. If a process ended without a result, the starter runs too, and its result is known: if it
-fails as well, the machine is at fault, and the request is repeated. If only the answer fails again, the failure is its own.
+No verdict without a control. Before the first verdict on an exercise in a run, its reference passes and its starter fails by the
+same path: compiler, sandbox, driver, limits. A tool's failure is no verdict either: where a process ended, was late or was not
+started, the control runs again, and then the answer once more, alone. If the control fails, this machine cannot judge the
+exercise; if only the answer fails again, the failure is its own, and one that was killed is for a person to look at.
 """
 
 import contextlib
@@ -16,6 +18,7 @@ import json
 import os
 import secrets
 import shlex
+import signal
 import subprocess
 import tempfile
 import threading
@@ -24,6 +27,7 @@ from pathlib import Path
 
 from build.build import build
 from check.glsl_answer import Refused, plain
+from check.variants import handed_in
 from grading import sandbox
 from grading.handout import starters
 from grading.judge_compile import compile_answer
@@ -32,13 +36,16 @@ from grading.judge_tree import KEPT, copy_without_answers, library, objects
 from grading.meter import Meter, current
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
-from tree import BUILD, LIBRARIES, ROOT, Failure, exercises, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, Failure, Unjudged, exercises, shader_files, unjudged, write_atomically
 
 GIB = 1 << 30
-JUDGE_S = 60  # of a whole check, on a busy machine; a call that does not return is found before
+JUDGE_S = 60  # of a whole check; a call that does not return is found before
 FREE_S = 15  # per exercise (meter.py); time beyond that counts against a student's budget
 BUDGET_S = 600
 TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
+# A reference that calls functions which the handout has only compiled is none that a student could hand in.
+HANDED_IN = {"01.parse_vertex_line": "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"}
+NOT_LOOKED_FOR = "its numbers are right, and operations that GLSL leaves undefined were not looked for in it"
 CALL_S = 5  # of one call
 WORDS_MOST = 600
 NOT_DRAWN = "its numbers are right, and there is no picture"
@@ -60,9 +67,43 @@ def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
     return {name: committed.get(path.relative_to(ROOT), path.read_bytes()) for name, path in paths.items()}
 
 
+class Turns:
+    """Verdicts side by side, or one of them alone."""
+
+    def __init__(self):
+        self.changed, self.inside, self.waiting = threading.Condition(), 0, 0
+
+    @contextlib.contextmanager
+    def with_others(self):
+        with self.changed:
+            self.changed.wait_for(lambda: self.waiting == 0 and self.inside >= 0)
+            self.inside += 1
+        try:
+            yield
+        finally:
+            with self.changed:
+                self.inside -= 1
+                self.changed.notify_all()
+
+    @contextlib.contextmanager
+    def alone(self):
+        with self.changed:
+            self.waiting += 1
+            self.changed.wait_for(lambda: self.inside == 0)
+            self.waiting -= 1
+            self.inside = -1
+        try:
+            yield
+        finally:
+            with self.changed:
+                self.inside = 0
+                self.changed.notify_all()
+
+
 class Judge:
     """Shared state for all students. Raises Failure if nothing can be contained here."""
 
+    broken = False  # a control failed in this run, each time that it was tried
     fresh = frozenset()  # exercises to judge again despite a known verdict
 
     def __init__(self, wanted: dict[str, str], call_s: int = CALL_S, pictures: bool = True):
@@ -75,7 +116,7 @@ class Judge:
         self.paths = {name: path for chapter in self.chapters for name, path in exercises(chapter).items()}
         self.names = {str(path.relative_to(ROOT)): name for name, path in self.paths.items()}
         self.starters = starters_of(wanted)
-        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
         self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
         self.seed = self.draw_seed()
         self.versions = {chapter: self.version(chapter, pictures) for chapter in self.chapters}
@@ -83,6 +124,7 @@ class Judge:
         self.kept = contextlib.ExitStack()
         self.running, self.stopped = set(), False
         self.budget_s, self.spent, self.lock = BUDGET_S, {}, threading.Lock()
+        self.turns, self.controlled = Turns(), {name: [threading.Lock(), False] for name in self.wanted}
 
     def __enter__(self):
         # Files copied and drawn here are read by root's replacement user in the sandbox.
@@ -128,12 +170,12 @@ class Judge:
             with contextlib.suppress(FileExistsError):  # of two gradings that begin at once the first draws for both
                 os.link(own, path)
             own.unlink()
-        return int(path.read_text())
+        return int(path.read_text(encoding="utf-8"))
 
     def version(self, chapter: str, with_pictures: bool) -> str:
         """A hash of everything that affects verdicts of this chapter, except for the submission."""
         paths = [self.folder / f"judge_{chapter}", *LIBRARIES, *sorted((ROOT / "common/course").rglob("*.py")),
-                 *sorted((ROOT / "shaders").rglob("*.*")), *sorted(objects(f"serve_{chapter}"))]
+                 *shader_files(), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
 
@@ -152,21 +194,26 @@ class Judge:
         kept = self.verdicts / f"{key}.json"
         if exercise not in self.fresh:
             with contextlib.suppress(OSError, ValueError):
-                found = json.loads(kept.read_text())
+                found = json.loads(kept.read_text(encoding="utf-8"))
                 self.spend(student, found.pop("over_s", 0))
                 return base | found
         meter = Meter()
         try:
+            self.control(exercise)
             with meter:
                 found = self.judge_fairly(exercise, data)
             if self.stopped:  # an aborted run gives no verdict
                 raise Failure("grading was stopped")
+        except Unjudged as error:
+            return base | {"state": "failed", "first_failure": words_of(error)}
         except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
             return base | {"state": "failed", "first_failure": f"could not be judged: {words_of(error)}"}
         over_s = max(0, round(meter.seconds - FREE_S))
         self.spend(student, over_s)
         found = {name: clean(value) for name, value in found.items()
-                 if name in ("ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
+                 if name in ("killed", "ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
+        if "killed" in found:  # perhaps from outside: never kept
+            return base | {name: found[name] for name in found if name != "killed"} | {"unkept": True}
         with contextlib.suppress(OSError):  # only slower the next time
             write_atomically(kept, json.dumps(found | {"over_s": over_s}))
         return base | found
@@ -181,33 +228,74 @@ class Judge:
 
     def judge_fairly(self, exercise: str, data: bytes) -> dict:
         """A verdict on the answer. Raises Failure where this machine reaches none."""
-        found, well = {}, False
-        for wait_s in TRIES_S:
+        for number, wait_s in enumerate(TRIES_S):
             time.sleep(wait_s)
             try:
-                found = self.judge(exercise, data)
-                # With these inputs the reference itself may lie beside a bound.
-                if not found["ok"] and "suspect" not in found and found.get("state") != "undecided" and \
-                        not self.reference_is_right(exercise):
-                    found = self.judge(exercise, data, seed=0)
+                with self.turns.alone() if number else self.turns.with_others():
+                    found = self.judge(exercise, data)
+                    # With these inputs the reference itself may lie beside a bound.
+                    if not found["ok"] and "suspect" not in found and found.get("state") != "undecided" and \
+                            not self.reference_is_right(exercise):
+                        found = self.judge(exercise, data, seed=0)
             except Exception as error:
-                # The same again, and the starter is judged: the answer has found a fault of ours, and somebody looks at it.
+                # The same again, and the control is well: the answer has found a fault of ours, and somebody looks at it.
                 found = {"ok": False, "suspect": words_of(error), "state": "undecided",
                          "first_failure": f"the grader fails at it: {words_of(error)}"}
             if self.stopped or "suspect" not in found:
                 return found
-            if well:
-                return found  # it failed before, and the machine was well in between
-            well = self.is_well(exercise)
+            self.control(exercise, again=True)
+            if number:  # it failed before, too, and the machine was well in between
+                return found | ({"state": "undecided"} if "killed" in found else {})
         raise Failure(f"this machine fails at it: {found['suspect']}")
 
-    def is_well(self, exercise: str) -> bool:
-        """Whether the starter is judged here and now, right or wrong."""
+    def control(self, exercise: str, again: bool = False):
+        """Raises Unjudged where the reference does not pass or the starter does not fail, here and now; once a run, or again."""
+        entry = self.controlled[exercise]
+        with entry[0]:
+            if isinstance(entry[1], Unjudged) and not again:
+                raise entry[1]
+            if entry[1] is True and not again:
+                return
+            meter, current.meter = getattr(current, "meter", None), None  # no student's time
+            try:
+                for wait_s in TRIES_S:
+                    time.sleep(wait_s)
+                    try:
+                        with self.turns.alone() if again else self.turns.with_others():
+                            self.look_at_control(exercise)
+                        entry[1] = True
+                        return
+                    except Unjudged as why:
+                        entry[1] = why
+                    if self.broken or self.stopped:  # it was waited for already
+                        break
+                self.broken = True
+                raise entry[1]
+            finally:
+                current.meter = meter
+
+    def look_at_control(self, exercise: str):
+        if (reference := self.reference(exercise)) is not None:
+            found = self.attempt(exercise, reference)
+            if not found["ok"] and "suspect" not in found:  # with the class's inputs it may lie beside a bound
+                found = self.attempt(exercise, reference, seed=0)
+            if not found["ok"] and found.get("state") != "undecided":
+                raise unjudged(exercise, f"its reference does not pass: {found['first_failure']}")
+        found = self.attempt(exercise, self.starters[exercise], pictures=False)
+        if found["ok"] or "suspect" in found:
+            raise unjudged(exercise, f"its starter {'passes' if found['ok'] else 'reaches no verdict: ' + found['first_failure']}")
+
+    def attempt(self, exercise: str, data: bytes, **options) -> dict:
         try:
-            found = self.judge(exercise, self.starters[exercise], pictures=False)
-        except Exception:
-            return False
-        return "suspect" not in found
+            return self.judge(exercise, data, **options)
+        except Exception as error:
+            return {"ok": False, "suspect": words_of(error), "first_failure": words_of(error)}
+
+    def reference(self, exercise: str) -> bytes | None:
+        """As a student would hand it in; None without one."""
+        path = self.paths[exercise]
+        place = ROOT / HANDED_IN[exercise] if exercise in HANDED_IN else path.parent.parent / "solution" / path.name
+        return handed_in(place.read_text(encoding="utf-8")).encode() if place.exists() else None
 
     def reference_is_right(self, exercise: str) -> bool:
         chapter = self.wanted[exercise]
@@ -220,7 +308,7 @@ class Judge:
                 return True
             # Of a trial the reference has no process to run in.
             write_atomically(kept, "right" if done.returncode == 0 or b"no process to ask" in done.stdout else "wrong")
-        return kept.read_text() == "right"
+        return kept.read_text(encoding="utf-8") == "right"
 
     def judge(self, exercise: str, data: bytes, seed: int | None = None, pictures: bool = True) -> dict:
         """A verdict. Where it is "suspect", which says why, the fault may be the machine's."""
@@ -247,6 +335,8 @@ class Judge:
                     found |= self.keep_pictures(source.parent) | ({"suspect": why} if NOT_IN_TIME in why else {})
                 elif why is not None:
                     found["passed"] += 1
+            if found["ok"] and found.get("looked_for") is False:
+                found |= {"ok": False, "state": "undecided", "first_failure": NOT_LOOKED_FOR, "hint": found.get("note")}
             return found
 
     def keep_pictures(self, folder: Path) -> dict:
@@ -274,10 +364,13 @@ class Judge:
         with self.started(["/grade/worker", ends[0], ends[3]], self.worker_mounts(source.parent),
                           Limits((6 if draws else 1) * GIB, JUDGE_S + 5, device=draws),
                           {"LIGHTWALK_ROOT": ROOT, "LIGHTWALK_CACHE": "/tmp"} | limit,
-                          pass_fds=(ends[0], ends[3]), out=False):
+                          pass_fds=(ends[0], ends[3]), out=False) as running:
             found = self.decide(exercise, seed, None, worker=(ends[1], ends[2]), ours=ends)
-            if not found["ok"] and "suspect" not in found and " ended the program" in found["first_failure"]:
-                found["suspect"] = "the process with the answer has ended"
+            if not found["ok"] and found.pop("lost", False) and "suspect" not in found:
+                found["suspect"] = "the process with the answer has ended, or was late"
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    if running.process.wait(1) == 128 + signal.SIGKILL and not running.cage.was_full():
+                        found["killed"] = True
             return found
 
     def library(self, chapter: str) -> list[Path]:
@@ -285,7 +378,7 @@ class Judge:
 
     def has_trial(self, exercise: str) -> bool:
         path = ROOT / "tests" / self.wanted[exercise] / "trials.h"
-        return path.exists() and f'"{exercise}"' in path.read_text()
+        return path.exists() and f'"{exercise}"' in path.read_text(encoding="utf-8")
 
     def mounts(self) -> Mounts:
         """The tree without answers, at its usual place, and the libraries that all programs share."""
@@ -333,9 +426,13 @@ class Judge:
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)
                 if isinstance(found, dict) and found.get("nonce") == nonce and found.get("exercise") == exercise:
-                    return found | {"ok": found.get("ok") is True and done.code == 0}
+                    found |= {"ok": found.get("ok") is True and done.code == 0}
+                    if source and found.get("lost") and not found["ok"]:
+                        found["suspect"] = "its check was late, or the system failed"
+                    return found
         # Printed text is not trustworthy.
-        return {"ok": False, "first_failure": f"its check ended with {done.code}{sandbox.signal_words(done.code)}",
+        killed = {"killed": True} if done.code == 128 + signal.SIGKILL and not done.hoarded else {}
+        return killed | {"ok": False, "first_failure": f"its check ended with {done.code}{sandbox.signal_words(done.code)}",
                 "suspect": f"its check ended with {done.code}"}
 
 

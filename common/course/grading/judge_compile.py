@@ -3,6 +3,7 @@
 import re
 import shlex
 import shutil
+import signal
 from pathlib import Path
 
 from grading.judge_picture import ToolFailed
@@ -42,9 +43,10 @@ def compile_answer(judge, exercise: str, source: Path) -> str:
     with judge.started(["/bin/sh", "-c", script], mounts, COMPILER) as running:
         done = running.finish()
     name = str(place.relative_to(ROOT))
-    if done.late or done.long:
-        said = "it does not compile: the compiler " + ("did not end" if done.late else "complains without an end")
-        if done.late:
+    endless = done.late or "CPU time limit exceeded" in done.out or done.code == 128 + signal.SIGXCPU
+    if endless or done.long:
+        said = "it does not compile: the compiler " + ("did not end" if endless else "complains without an end")
+        if endless:
             raise ToolFailed(said)
         return said
     lines = done.out.replace(f"{ROOT}/", "").splitlines()

@@ -77,7 +77,7 @@ class Pictures:
                     sealed.mkdir(parents=True, exist_ok=True)
                     render(chapter, ["--shot", name, "--size", SIZE, "--shaders-into", sealed], picture)
                     write_atomically(took, f"{time.monotonic() - start_s:.3f}\n")
-                times_s[name] = float(took.read_text())
+                times_s[name] = float(took.read_text(encoding="utf-8"))
         return [(name, folder / f"{name}.png") for name in sorted(times_s, key=times_s.get)]
 
     def wrong(self, exercise: str, source: Path, judge) -> str | None:
@@ -118,8 +118,9 @@ class Pictures:
         if not 0 < picture.stat().st_size < MOST_PICTURE_BYTES:
             raise ToolFailed("the program that draws it wrote none")
         why = self.compare(expected, picture, judge)
-        # For the student's page: readable in a sandbox, and at most the size of a small picture.
-        if why and not why.startswith(NOT_COMPARED) and picture.stat().st_size < MOST_SHOWN_BYTES:
+        # For the student's page: readable in a sandbox, and at most the size of a small picture. Of GLSL alone: C++ reads its
+        # own program, the references of other exercises among it, and could write them into its picture.
+        if why and source.suffix == ".glsl" and not why.startswith(NOT_COMPARED) and picture.stat().st_size < MOST_SHOWN_BYTES:
             picture.replace(source.parent / THEIRS)
             shutil.copyfile(expected, source.parent / EXPECTED)
         return why

@@ -34,7 +34,7 @@ def library(folder: Path, chapter: str) -> Path:
 def object_files() -> list[Path]:
     """All compiled objects, including leftovers of an earlier build."""
     found = []
-    for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+    for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
         words = shlex.split(entry["command"])
         found.append(Path(entry["directory"]) / words[words.index("-o") + 1])
     return sorted(found)
@@ -57,6 +57,8 @@ def copy_without_answers(to: Path, starters: dict[Path, bytes]):
     kept = {".h", ".glsl", ".vert", ".frag", ".geom", ".comp"}
     for name in files():
         if name.parts[0] not in ("chapters", "common", "shaders", "tests") or name.suffix not in kept:
+            continue
+        if "exercise" in name.parts:  # the starters, below
             continue
         if "solution" in name.parts:
             (to / name.parent).mkdir(parents=True, exist_ok=True)

@@ -11,14 +11,14 @@ from pathlib import Path
 
 from tree import UsageError, write_atomically
 
-FINAL = ("judged", "undecided")  # states that are an answer's own
+FINAL = ("judged", "undecided")  # states that are an answer's own; "unkept": it was killed, perhaps from outside
 
 
 def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]], regraded: set[str]) -> list[str]:
     """Replaces new results by kept ones, keeps new answers' results, and reports changed marks of a regraded exercise.
     Raises UsageError for an unreadable file: a grade would be lost."""
     try:
-        kept = json.loads(file.read_text()) if file.exists() else {}
+        kept = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
         before = {(student, exercise): (answer_of(entry), checked(dict(entry["result"]), exercise))
                   for student, entries in kept.items() for exercise, entry in entries.items()}
     except (OSError, ValueError, TypeError, AttributeError, KeyError, RecursionError) as error:
@@ -28,7 +28,7 @@ def keep(file: Path, grades: list[dict], submitted: dict[str, dict[str, bytes]],
         student = one["student"]
         for i, result in enumerate(one["results"]):
             exercise, data = result["exercise"], submitted.get(student, {}).get(result["exercise"])
-            if data is None or result["state"] not in FINAL:
+            if data is None or result["state"] not in FINAL or result.get("unkept"):
                 continue
             answer = hashlib.sha256(data).hexdigest()
             old_answer, old = before.get((student, exercise), (None, None))

@@ -62,7 +62,7 @@ class Meter:
 
 def stat(path: Path) -> list[str]:
     """The fields behind the name, which may hold any character: the state first."""
-    return path.read_text(errors="replace").rpartition(")")[2].split()
+    return path.read_text(errors="replace", encoding="utf-8").rpartition(")")[2].split()
 
 
 def family(first: int) -> list[int]:
@@ -71,5 +71,5 @@ def family(first: int) -> list[int]:
     for process in found:
         with contextlib.suppress(OSError, ValueError):
             for task in Path(f"/proc/{process}/task").iterdir():
-                found += map(int, (task / "children").read_text().split())
+                found += map(int, (task / "children").read_text(encoding="utf-8").split())
     return found

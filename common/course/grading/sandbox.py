@@ -55,19 +55,25 @@ OWN_USERS = range(2_000_000_000, 2_000_060_000)  # for students' code, one after
 NUMBERS = itertools.count()
 THREADS = 64
 SUPERVISOR = Path(__file__).with_name("supervise.py")
+CLOCK_FACTOR = 4
 DATA_BYTES = 1 << 30  # of a process with a student's code, including reserved memory
 
 
 @dataclasses.dataclass
 class Limits:
-    """Of each process: address space, processor time, size of a file it writes. `wall_s` is the whole run's."""
+    """Of each process: address space, processor time, size of a file it writes. The whole run's time by the clock is
+    CLOCK_FACTOR times as long: a busy machine is not the answer's fault."""
 
     memory_bytes: int
-    wall_s: float
+    cpu_s: float
     processes: bool = False  # a compiler: it may start others, and write in /tmp
     # It draws. Mesa 25 keeps a device's memory in a file without a name (memfd_create), which a process without a
     # device may not have: unmapped data in it escapes all limits but that of a file's size, OPEN_FILES times.
     device: bool = False
+
+    @property
+    def wall_s(self) -> float:
+        return CLOCK_FACTOR * self.cpu_s
 
 
 class Mounts:
@@ -99,7 +105,7 @@ def parents(seen: Path) -> list[str]:
 @functools.cache
 def drops_root() -> bool:
     """Whether it is root that asks, of a system in which there is a NOBODY to become."""
-    return os.geteuid() == 0 and all(is_mapped(NOBODY, Path(f"/proc/self/{kind}_map").read_text()) for kind in ("uid", "gid"))
+    return os.geteuid() == 0 and all(is_mapped(NOBODY, Path(f"/proc/self/{kind}_map").read_text(encoding="utf-8")) for kind in ("uid", "gid"))
 
 
 def is_mapped(number: int, table: str) -> bool:
@@ -168,6 +174,7 @@ class Done:
     out: str
     late: bool  # it was ended because its time was over
     long: bool  # it was ended because it wrote without an end
+    hoarded: bool = False  # it came to the limit of its memory
 
     def said(self) -> str:
         lines = self.out.strip().splitlines()
@@ -236,11 +243,12 @@ class Running:
             late = True
         finally:
             ended = None if late or long else self.status("exit-code", wait=True)
+            hoarded = self.cage.was_full()
             self.close()
         code, text = self.process.returncode, found.decode("utf-8", "replace")
         if code == 1 and ended is None and not late and not long:
             raise Failure(f"the sandbox could not be made: {text.strip()[:300]}")
-        return Done(128 - code if code < 0 else code, text, late, long)
+        return Done(128 - code if code < 0 else code, text, late, long, hoarded)
 
     def kill(self):
         """Its first process takes all others with it. Not all of them end with bubblewrap: --die-with-parent forgets a
@@ -273,7 +281,7 @@ def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
 
 def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
     """The whole command line: limits, then the sandbox, then the command."""
-    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.wall_s) + 1}", f"--fsize={FILE_BYTES}", "--core=0",
+    words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.cpu_s) + 1}:{int(limits.cpu_s) + 3}", f"--fsize={FILE_BYTES}", "--core=0",
              "--memlock=0", "--msgqueue=0", "--sigpending=256", f"--nofile={OPEN_FILES if limits.device else 256}", "--", "bwrap",
              *own_world(), "--die-with-parent", "--new-session", "--as-pid-1", "--hostname", "grade", "--clearenv"]
     for name, value in ({"PATH": "/usr/bin:/bin", "HOME": "/tmp", "LANG": "C.UTF-8", "TMPDIR": "/tmp", "MESA_SHADER_CACHE_DISABLE": "true",
@@ -318,6 +326,6 @@ def becoming_nobody(limits: Limits) -> list[str]:
 
 def own_user() -> int:
     """Nobody's number, and of few sandboxes at a time."""
-    table = Path("/proc/self/uid_map").read_text()
+    table = Path("/proc/self/uid_map").read_text(encoding="utf-8")
     user = OWN_USERS[(os.getpid() * 64 + next(NUMBERS)) % len(OWN_USERS)]
-    return user if is_mapped(user, table) and is_mapped(user, Path("/proc/self/gid_map").read_text()) else NOBODY
+    return user if is_mapped(user, table) and is_mapped(user, Path("/proc/self/gid_map").read_text(encoding="utf-8")) else NOBODY

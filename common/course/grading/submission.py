@@ -1,8 +1,10 @@
 """Finds and reads submissions: untrusted folders and archives. Every entry of a class becomes a submission, or a reason for
 its refusal.
 
-An exercise is known by its path in the course, which may lie in folders of its own. Where there is none, a file is one by its
-name alone, and an archive within the submission, as Moodle hands it out, is looked into.
+An exercise is known by its path in the course, which may lie in folders of its own. Of several courses in a submission the one of
+the shortest path counts, then the one with more changed exercises, and a note says so. Where an exercise has no such path, or is
+the starter there, a file is one by its name alone. Without any, an archive within the submission, as Moodle hands it out, is
+looked into.
 
 Only regular files are opened, links are followed nowhere, and of an archive the exercises alone are read, as many bytes of
 each as an exercise may have. A fault of one submission is that one's Failure.
@@ -23,6 +25,8 @@ from tree import Failure, UsageError
 
 MOST_EXERCISE_BYTES = 1 << 18
 MOST_STUDENTS = 5000
+DEEPEST = 12  # folders around a course
+MOST_TREES = 20
 LITTER = {".DS_Store", "Thumbs.db", "desktop.ini", "__MACOSX"}  # of file managers
 LATEST_S = 253_370_764_800  # the year 9999: latest valid time of a file
 
@@ -119,59 +123,100 @@ def time_of(path: Path, wanted) -> float | None:
     return max((int(one) for one in times if 0 <= one < LATEST_S), default=None)
 
 
-def read(submission: Submission, wanted: set[str]) -> dict[str, bytes]:
-    """The exercises in it, by their path in the course. Raises Failure."""
+def read(submission: Submission, wanted: set[str], starters: dict[str, bytes] | None = None, notes: list[str] | None = None) -> dict[str, bytes]:
+    """The exercises in it, by their path in the course. `starters`, by path, tell what was changed; `notes` gets a line for each
+    choice between several. Raises Failure."""
     if submission.refused:
         raise Failure(submission.refused)
-    found = {}
     try:
-        for name, data in _exercises(submission.path, wanted):
-            # One archive may hold a file twice; unpacked the last one would be there.
-            found[name] = data.removeprefix(b"\xef\xbb\xbf")
+        found = _exercises(submission.path, Reading(wanted, starters or {}, [] if notes is None else notes))
     except Failure:
         raise
     except Exception as error:  # of a library that unpacks: any failure is this archive's
         raise Failure(printable(f"cannot be read: {error or type(error).__name__}")) from None
     if not found:
         raise Failure("holds no exercise")
+    return {name: data.removeprefix(b"\xef\xbb\xbf") for name, data in found.items()}
+
+
+@dataclasses.dataclass
+class Reading:
+    wanted: set[str]
+    starters: dict[str, bytes]
+    notes: list[str]
+
+    def is_changed(self, inside: str, data: bytes) -> bool:
+        return b"".join(data.split()) != b"".join(self.starters.get(inside, b"\0").split())
+
+
+def _exercises(path: Path, reading: Reading) -> dict[str, bytes]:
+    wanted = reading.wanted
+    if stat.S_ISDIR(os.stat(path).st_mode):
+        return _placed(_folder(path, wanted), reading)
+    if is_archive(path.name):
+        with open_regular(path) as file:
+            return _placed(members(file, path.name, limits(wanted), printable), reading)
+    # Canvas puts a name and two numbers before a file's own, and a number behind it where it was handed in again
+    own = re.sub(r"(-\d{1,3}| \(\d{1,3}\))(?=\.\w+$)", "", path.name)
+    name = next((one for one in by_name(wanted) if own == one or own.endswith(f"_{one}")), path.name)
+    return _placed([(name, lambda most: read_below(path.parent, path.name, most))], reading)
+
+
+def _placed(files, reading: Reading, within: int = 0) -> dict[str, bytes]:
+    """Of (name, reader) the exercises by path; without any, by name alone, and the contents of an archive among them."""
+    named = by_name(reading.wanted)
+    trees, loose, nested, texts = {}, {}, [], {}
+    with contextlib.ExitStack() as kept:  # on the disk: twenty of them would be a gigabyte of memory
+        for name, read_at_most in files:
+            words = name.split("/")
+            if LITTER & set(words) or words[-1].startswith("._"):
+                continue
+            if inside := place_of(name, reading.wanted):
+                data = bounded(read_at_most, inside)
+                # One archive may hold a file twice; unpacked the last one would be there.
+                trees.setdefault(name[:len(name) - len(inside)].removeprefix("./"), {})[inside] = texts.setdefault(data, data)
+                if len(trees) > MOST_TREES and len(texts) > MOST_TREES:
+                    raise Failure(f"holds more than {MOST_TREES} courses; hand in one")
+            elif words[-1] in named and ".." not in words and words[0]:
+                inside = named[words[-1]]
+                if inside not in loose or len(words) <= loose[inside][0].count("/") + 1:
+                    loose[inside] = (name, bounded(read_at_most, words[-1]))
+            elif is_archive(words[-1]) and not within and len(nested) < 20:
+                file = kept.enter_context(tempfile.TemporaryFile())
+                file.write(read_at_most(MOST_ARCHIVE_BYTES))
+                nested.append((words[-1], file))
+        found = chosen(trees, reading)
+        for inside, (name, data) in loose.items():
+            if inside not in found or not reading.is_changed(inside, found[inside]) and reading.is_changed(inside, data):
+                if inside in found:
+                    reading.notes.append(f"{printable(name)} was judged: in its place lies the starter")
+                found[inside] = data
+        if not trees:
+            for name, file in nested:
+                file.seek(0)
+                found |= _placed(members(file, name, limits(reading.wanted), printable), reading, within + 1)
+        return found
+
+
+def chosen(trees: dict[str, dict[str, bytes]], reading: Reading) -> dict[str, bytes]:
+    """One text for each exercise, of courses by the folders before them. Raises Failure where it is open which is meant."""
+    ranks = {top: (top.count("/"), -sum(reading.is_changed(*one) for one in files.items())) for top, files in trees.items()}
+    found, source, passed = {}, {}, {}
+    for top in sorted(trees, key=lambda top: (ranks[top], top)):
+        for inside, data in trees[top].items():
+            if inside not in found or not reading.is_changed(inside, found[inside]) and reading.is_changed(inside, data):
+                found[inside], source[inside] = data, top
+            elif data != found[inside] and reading.is_changed(inside, data):
+                if ranks[top] == ranks[source[inside]]:
+                    raise Failure(f"holds two courses, {shown(source[inside])} and {shown(top)}, and which is meant is open; hand in one")
+                passed[top] = source[inside]
+    for top, instead in passed.items():
+        reading.notes.append(f"holds more than one course: {shown(instead)} was judged, {shown(top)} was not")
     return found
 
 
-def _exercises(path: Path, wanted: set[str]):
-    """(path in the course, bytes) of each exercise."""
-    if stat.S_ISDIR(os.stat(path).st_mode):
-        yield from _placed(_folder(path, wanted), wanted)
-    elif is_archive(path.name):
-        with open_regular(path) as file:
-            yield from _placed(members(file, path.name, limits(wanted), printable), wanted)
-    else:  # Canvas puts a name and two numbers before a file's own, and a number behind it where it was handed in again
-        own = re.sub(r"(-\d{1,3}| \(\d{1,3}\))(?=\.\w+$)", "", path.name)
-        name = next((one for one in by_name(wanted) if own == one or own.endswith(f"_{one}")), path.name)
-        yield from _placed([(name, lambda most: read_below(path.parent, path.name, most))], wanted)
-
-
-def _placed(files, wanted: set[str], within: int = 0):
-    """Of (name, reader) the exercises by path; without any, by name alone, and the contents of an archive among them."""
-    named = by_name(wanted)
-    loose, nested, found = {}, [], False
-    with contextlib.ExitStack() as kept:  # on the disk: twenty of them would be a gigabyte of memory
-        for name, read_at_most in files:
-            last = name.rpartition("/")[2]
-            if inside := place_of(name, wanted):
-                found = True
-                yield inside, bounded(read_at_most, inside)
-            elif last in named and ".." not in name.split("/") and not name.startswith("/"):
-                loose[named[last]] = bounded(read_at_most, last)
-            elif is_archive(last) and not within and len(nested) < 20:
-                file = kept.enter_context(tempfile.TemporaryFile())
-                file.write(read_at_most(MOST_ARCHIVE_BYTES))
-                nested.append((last, file))
-        if found:
-            return
-        yield from loose.items()
-        for name, file in nested:
-            file.seek(0)
-            yield from _placed(members(file, name, limits(wanted), printable), wanted, within + 1)
+def shown(top: str) -> str:
+    return printable(top) or "the outermost"
 
 
 def place_of(name: str, wanted: set[str]) -> str | None:
@@ -179,7 +224,7 @@ def place_of(name: str, wanted: set[str]) -> str | None:
     words = name.removeprefix("./").split("/")
     if ".." in words or "." in words or not words[0]:
         return None
-    return next((inside for skipped in range(min(len(words), 5)) if (inside := "/".join(words[skipped:])) in wanted), None)
+    return next((inside for skipped in range(min(len(words), DEEPEST + 1)) if (inside := "/".join(words[skipped:])) in wanted), None)
 
 
 def by_name(wanted: set[str]) -> dict[str, str]:
@@ -217,13 +262,13 @@ def _folder(path: Path, wanted: set[str]):
                 yield top + one.name, lambda most, name=top + one.name: read_below(path, name, most)
 
 
-def folders_in(path: Path, most: int = 100, deep: int = 3) -> list[str]:
+def folders_in(path: Path, most: int = 300, deep: int = DEEPEST) -> list[str]:
     """The ways to those in which a course may lie, "" first, each with a slash."""
     found = [""]
     for top in found:
         if top.count("/") < deep and len(found) < most:
             found += sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
-                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders"))[:most - len(found)]
+                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders", *LITTER))[:most - len(found)]
     return found
 
 

@@ -31,7 +31,7 @@ def main(lifeline: int, words: list[str]) -> int:
 def end(child: int):
     os.kill(child, signal.SIGSTOP)  # it has no more children than it has
     try:
-        with open(f"/proc/{child}/task/{child}/children") as listed:
+        with open(f"/proc/{child}/task/{child}/children", encoding="utf-8") as listed:
             inside = [int(word) for word in listed.read().split()]
     except OSError:
         inside = []

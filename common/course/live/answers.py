@@ -6,12 +6,11 @@ import json
 import os
 import signal
 import stat
-import sys
 
 from check.check import TIMEOUT_S, grades, in_order
 from check.verdicts import Verdicts, version  # noqa: F401  (the server keeps them)
 from pages.made import cells, made
-from tree import BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
+from tree import PYTHON, BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
 
 MOST_BYTES = 1 << 18  # of an exercise; the longest starter has 4 KiB
 CHECK_S = 900  # with a build from nothing
@@ -111,7 +110,7 @@ async def run(words: list, say, limit_s: float = CHECK_S) -> tuple[int, str]:
 
 
 def course(*words: str) -> list:
-    return [sys.executable, ROOT / "common/course/cli.py", *words]
+    return [*PYTHON, ROOT / "common/course/cli.py", *words]
 
 
 async def check(exercise: str, say, build: bool = True) -> dict:
@@ -119,7 +118,10 @@ async def check(exercise: str, say, build: bool = True) -> dict:
     chapter, path = file_of(exercise)
     of = version(path.read_bytes())
     if build:
-        code, out = await run(course("check", exercise, "--json"), say)
+        words = []
+        code, out = await run(course("check", exercise, "--json"), lambda line: (words.append(line), say(line)))
+        if code in (3, -1):  # no verdict: this machine cannot judge, or it took too long
+            raise Refused(503, (words or [f"it did not end within {CHECK_S} s"])[-1])
     else:  # the numbers alone, by programs already built
         program = BUILD / "tests" / f"check_{chapter}"
         if program.exists():
@@ -139,6 +141,6 @@ async def check(exercise: str, say, build: bool = True) -> dict:
 
 async def build_chapter(chapter: str, say) -> bool:
     """Builds a chapter's program, in a process of its own, which has the lock of all builds."""
-    code, _ = await run([sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv[1]); from build.build import build; "
+    code, _ = await run([*PYTHON, "-c", "import sys; sys.path.insert(0, sys.argv[1]); from build.build import build; "
                          "build([sys.argv[2]])", ROOT / "common/course", chapter], say)
     return code == 0

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import sys
 import tempfile
 from pathlib import Path
 
@@ -10,7 +9,7 @@ from charts.points import can_draw, request_of
 from live import answers
 from live.answers import Refused
 from live.pages import Answer
-from tree import BUILD, ROOT, Failure
+from tree import PYTHON, BUILD, ROOT, Failure
 
 STUDIES = ROOT / "docs" / "studies"
 SIZE = [480, 270]
@@ -34,11 +33,11 @@ class Points(Answer):
             path = study_of(chart)
             known, at = self.application.charts, path.stat().st_mtime_ns
             if (path, at) not in known:
-                code, out = await answers.run([sys.executable, ROOT / "common/course", "live.chart_points", path], lambda line: None, DRAW_S)
+                code, out = await answers.run([*PYTHON, ROOT / "common/course", "live.chart_points", path], lambda line: None, DRAW_S)
                 if code:
                     raise Refused(500, "where the chart's points lie could not be found")
                 known[path, at] = json.loads(out)
-            study = json.loads(path.read_text())
+            study = json.loads(path.read_text(encoding="utf-8"))
             self.say({"points": known[path, at].get(chart, []), "draws": can_draw(study)})
         except Refused as why:
             self.refuse(why)
@@ -46,7 +45,7 @@ class Points(Answer):
 
 def requests_of(chart, number) -> tuple[str, dict, dict]:
     """The chapter, and the requests for a point's picture and for its truth. Raises Refused."""
-    study = json.loads(study_of(chart if isinstance(chart, str) else "").read_text())
+    study = json.loads(study_of(chart if isinstance(chart, str) else "").read_text(encoding="utf-8"))
     if not can_draw(study) or isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(study["points"]):
         raise Refused(404, "there is no picture of that point")
     requests = [request_of(study, study["points"][number], truth) for truth in (False, True)]

@@ -159,7 +159,7 @@ def finished(kind: str):
 def goes_on(folder: Path, about: dict) -> dict | None:
     """The unmerged job of the same command on the same course: it may still run."""
     try:
-        job = json.loads((folder / "job.json").read_text())
+        job = json.loads((folder / "job.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
     if {key: job.get(key) for key in about} != about:
@@ -209,7 +209,7 @@ def is_made(folder: Path, kind: str, number: int, of: int) -> bool:
 
 def last_line(folder: Path, kind: str, number: int) -> str:
     try:
-        lines = (folder / f"{kind}.{number}.log").read_text(errors="replace").strip().splitlines()
+        lines = (folder / f"{kind}.{number}.log").read_text(errors="replace", encoding="utf-8").strip().splitlines()
     except OSError:
         lines = []
     return lines[-1][:300] if lines else "it said nothing"

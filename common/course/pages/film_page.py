@@ -129,7 +129,7 @@ def ways_chart(measured: dict, command: str):
 
 def main(words: list[str]) -> int:
     file, out = Path(words[0]), Path(words[1])
-    measured = json.loads(file.read_text())
+    measured = json.loads(file.read_text(encoding="utf-8"))
     figure = ways_chart(measured, f"build/chapters/19_ambiance --ways {file.name} --size {'x'.join(map(str, measured['size']))}")
     figure.savefig(out.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
     figure.savefig(out.with_suffix(".png"), dpi=150, metadata={"Software": None})

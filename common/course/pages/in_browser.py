@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 from check.glsl_answer import Refused, includes_of, spliced, without_comments
-from tree import BUILD, LIBRARIES, ROOT, Failure, chapters, exercises, relative, warn, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, Failure, chapters, exercises, relative, warn, write_atomically, shader_files
 
 HEAD = "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D; precision highp sampler3D;\n"
 SCALARS = {"float": "uintBitsToFloat({})", "int": "int({})", "uint": "{}", "bool": "({} != 0u)"}
@@ -42,14 +42,14 @@ def of_chapter(chapter: str, program: Path) -> dict[str, dict]:
     """The probes that the program wrote, again where it or a shader is newer."""
     folder = BUILD / "tables" / chapter
     done = folder / "undefined.json"
-    sources = [program, *LIBRARIES, *(ROOT / "shaders").rglob("*.*")]
+    sources = [program, *LIBRARIES, *shader_files()]
     if not done.exists() or done.stat().st_mtime < max(path.stat().st_mtime for path in sources if path.exists()):
         shutil.rmtree(folder, ignore_errors=True)
         said = subprocess.run([program, "--tables", folder], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if said.returncode:
             warn(f"{relative(program)} wrote no tables, so pages do not check its exercises; ./course check {chapter[:2]} builds it")
             return {}
-    return {path.stem: json.loads(path.read_text()) for path in sorted(folder.glob("*.*.json"))}
+    return {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.*.json"))}
 
 
 def write(folder: Path) -> list[str]:
@@ -71,7 +71,7 @@ def write(folder: Path) -> list[str]:
             write_atomically(folder / f"{exercise}.js", f"Tables.take({json.dumps(script, separators=(',', ':'))});\n")
             fit.append(exercise)
     if fit:
-        undefined = next((BUILD / "tables").glob("*/undefined.json")).read_text()
+        undefined = next((BUILD / "tables").glob("*/undefined.json")).read_text(encoding="utf-8")
         write_atomically(folder / "undefined.js", f"Tables.undefined = {undefined.strip()};\n")
     write_atomically(folder / "list.json", json.dumps({"in_the_page": fit, "elsewhere": unfit}, indent=1) + "\n")
     return fit
@@ -82,12 +82,12 @@ def table(exercise: str, path: Path, recorded: dict) -> dict:
     if recorded["others"]:
         raise Unfit("its check asks for more than a function's results")
     solution = path.parent.parent / "solution" / path.name
-    text = bare(solution.read_text())
+    text = bare(solution.read_text(encoding="utf-8"))
     probes = [ported(probe, relative(solution)) for probe in recorded["probes"]]
     for probe in probes:
         if said := refused(HEAD + probe["before"] + without_includes(text) + probe["after"] + probe["main"]):
             raise Unfit(f"OpenGL ES refuses it: {said}")
-    starter = path.read_text()
+    starter = path.read_text(encoding="utf-8")
     includes = sorted({name for one in (starter, text) for name in includes_of(bare(one))})
     return {"exercise": exercise, "file": relative(path), "starter": starter, "hint": recorded["hint"], "includes": includes,
             "probes": probes}
@@ -220,7 +220,7 @@ def refused(text: str) -> str:
     validator = shutil.which("glslangValidator")
     if not validator:
         raise Failure("there is no glslangValidator; the packages are in common/course/packages/build")
-    with tempfile.NamedTemporaryFile("w", suffix=".frag") as file:
+    with tempfile.NamedTemporaryFile("w", suffix=".frag", encoding="utf-8") as file:
         file.write(text)
         file.flush()
         said = subprocess.run([validator, file.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -10,7 +10,7 @@ LIST = ROOT / "docs" / "images" / "pictures.json"
 def made() -> dict[str, dict]:
     """The pictures by name, as the file has them."""
     try:
-        return json.loads(LIST.read_text()) if LIST.exists() else {}
+        return json.loads(LIST.read_text(encoding="utf-8")) if LIST.exists() else {}
     except ValueError as error:
         raise Failure(f"docs/images/{LIST.name} is not a list of pictures: {error}") from None
 

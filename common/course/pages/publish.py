@@ -45,7 +45,7 @@ def write(folder: Path, film: bool = True) -> int:
 def start_film() -> Path | None:
     """The start page's film, kept until its sources change. None where it cannot be made, which is said."""
     build([CHAPTER])
-    cut = json.dumps(best_of(json.loads((docs.ROOT / FILM).read_text())))
+    cut = json.dumps(best_of(json.loads((docs.ROOT / FILM).read_text(encoding="utf-8"))))
     key = hashlib.sha256(repr((drawn_pictures.version(CHAPTER), cut, DRAWN_AS, ENCODED_AS)).encode()).hexdigest()[:16]
     out = drawn_pictures.KEPT / f"start.{key}.mp4"
     if out.exists():
@@ -57,7 +57,7 @@ def start_film() -> Path | None:
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent) as folder:
         film, drawn, made = (Path(folder, name) for name in ("start.film", "drawn.mp4", "made.mp4"))
-        film.write_text(cut)
+        film.write_text(cut, encoding="utf-8")
         # The film's own command, as a person would type it: it knows the codecs.
         for command in (["./course", "run", "19", "--film", drawn, "--scene", film, *DRAWN_AS], ["ffmpeg", "-v", "error", "-i", drawn, *ENCODED_AS, made]):
             if subprocess.run(command, cwd=docs.ROOT, stdout=subprocess.DEVNULL).returncode:
@@ -94,8 +94,8 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
         path.unlink()
     for name in ("offline.js", "worker.js"):
         shutil.copyfile(OWN / name, made / name)
-    (made / MARK).write_text("Written by ./course docs --site, which replaces this folder.\n")
-    (made / ".nojekyll").write_text("")  # GitHub's pages leave out names that begin with _
+    (made / MARK).write_text("Written by ./course docs --site, which replaces this folder.\n", encoding="utf-8")
+    (made / ".nojekyll").write_text("", encoding="utf-8")  # GitHub's pages leave out names that begin with _
     write_atomically(made / "kept.js", kept(made))
     size = sum(path.stat().st_size for path in made.rglob("*") if path.is_file())
     if size > MOST_BYTES:

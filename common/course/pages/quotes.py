@@ -54,7 +54,7 @@ def quoted(source: Path, marker: str) -> list[str]:
     if "solution" in source.parts:
         raise Failure(f"{source} would give the exercise away, and is in no handout")
     found, inside = [], False
-    for line in (ROOT / source).read_text().splitlines():
+    for line in (ROOT / source).read_text(encoding="utf-8").splitlines():
         match = MARKER.match(line)
         if match and match[2] == marker:
             if match[1]:
@@ -70,7 +70,7 @@ def quoted(source: Path, marker: str) -> list[str]:
 
 def check_quotes(lesson: Path, write: bool = False) -> list[str]:
     """Compares a lesson's quoted blocks with the source, or fills them."""
-    lines = (ROOT / lesson).read_text().splitlines()
+    lines = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
     wrong, out, i = [], [], 0
     while i < len(lines):
         out.append(lines[i])

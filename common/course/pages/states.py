@@ -11,7 +11,6 @@ import json
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 from charts.drawn import study_of
@@ -20,7 +19,7 @@ from pages import knob_links
 from pages.drawn_pictures import KEPT, SAMPLED_ONCE, Picture, draw, fine, put, shot_of, size_of
 from shots.golden import golden_path
 from shots.rendering import text
-from tree import ROOT, Failure, chapter_program, warn, write_atomically
+from tree import PYTHON, ROOT, Failure, chapter_program, warn, write_atomically
 
 MOST_STATES = 8
 SIZE = (480, 270)
@@ -158,7 +157,7 @@ def with_attribute(page: str, place: int, name: str, value) -> str:
 def points_of(chart: str) -> list[tuple[dict, Picture]]:
     """Points of a chart and their pictures: the first point of each method, at most eight."""
     path = study_of(chart)
-    study = json.loads(path.read_text()) if path else {}
+    study = json.loads(path.read_text(encoding="utf-8")) if path else {}
     if not path or not can_draw(study):
         return []
     found = {}
@@ -176,9 +175,9 @@ def places_of(study: Path) -> dict:
     code = b"".join(path.read_bytes() for path in sorted((ROOT / "common/course/charts").glob("*.py")))
     kept = KEPT / "points" / f"{study.stem}.{hashlib.sha256(code + study.read_bytes()).hexdigest()[:16]}.json"
     if not kept.exists():
-        said = subprocess.run([sys.executable, ROOT / "common/course", "live.chart_points", study], stdout=subprocess.PIPE, check=True)
+        said = subprocess.run([*PYTHON, ROOT / "common/course", "live.chart_points", study], stdout=subprocess.PIPE, check=True)
         write_atomically(kept, said.stdout)
-    return json.loads(kept.read_text())
+    return json.loads(kept.read_text(encoding="utf-8"))
 
 
 def with_points(made: Path, image: re.Match, points: list, wrong: dict) -> str:

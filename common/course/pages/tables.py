@@ -53,7 +53,7 @@ NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
 @functools.cache
 def load(name: str) -> dict:
     try:
-        return json.loads((ROOT / name).read_text())
+        return json.loads((ROOT / name).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise Failure(f"{name} cannot be read: {error}") from None
 
@@ -292,7 +292,7 @@ def found_in(file: str, rest: str) -> tuple[float, dict[str, str]]:
     if not file.endswith(".json"):
         pattern, _, options = rest.partition(";")
         wanted, path = selection(options), ROOT / file
-        found = printed(path.read_text(), pattern.strip()) if path.is_file() else None
+        found = printed(path.read_text(encoding="utf-8"), pattern.strip()) if path.is_file() else None
         if found is None:
             raise Missing(f"{file} has no such line")
     else:
@@ -305,7 +305,7 @@ def found_in(file: str, rest: str) -> tuple[float, dict[str, str]]:
 def check_figures(lesson: Path) -> list[str]:
     """Numbers in running text with a file as their source."""
     wrong = []
-    text = (ROOT / lesson).read_text()
+    text = (ROOT / lesson).read_text(encoding="utf-8")
     for line, number, unit, source in figures(text):
         file, _, rest = source.partition("#")
         if file.startswith("build/"):

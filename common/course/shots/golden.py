@@ -66,7 +66,7 @@ def recorded_distances(chapter: str) -> dict:
     """The contents of distances.json, by shot and driver or device. Empty without any."""
     path = distances_path(chapter)
     try:
-        return json.loads(path.read_text()) if path.exists() else {}
+        return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     except ValueError as error:
         raise Failure(f"{relative(path)} cannot be read: {error}; ./course accept {chapter[:2]} writes it") from None
 

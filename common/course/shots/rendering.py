@@ -92,7 +92,7 @@ class Asked:
     def ask(self, question) -> tuple[dict | None, str, int]:
         """(answer, text on stderr, exit code). Without an answer it has died or was late."""
         if not self.program:
-            self.stderr = tempfile.TemporaryFile("w+", errors="replace")
+            self.stderr = tempfile.TemporaryFile("w+", errors="replace", encoding="utf-8")
             try:
                 self.program = subprocess.Popen(self.command, cwd=ROOT, env=self.environment, text=True, errors="replace",
                                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)

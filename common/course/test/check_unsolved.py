@@ -52,7 +52,7 @@ def passed_with_bodies(chapter: str, body: str) -> dict[str, bool]:
                 if path.relative_to(ROOT) not in (inside, *inside.parents) and path not in glsl.values():
                     (Path(made) / level / path.name).symlink_to(path)
         for path in glsl.values():
-            (Path(made) / inside / path.name).write_text(with_bodies(path.read_text(), body))
+            (Path(made) / inside / path.name).write_text(with_bodies(path.read_text(encoding="utf-8"), body), encoding="utf-8")
         found = passed(chapter, "exercise", Path(made))
     return {exercise: ok for exercise, ok in found.items() if exercise in glsl}
 

@@ -96,7 +96,7 @@ def run_variant(chapter: str, variant: Variant, known: dict[str, Path], checks: 
         with tempfile.TemporaryDirectory(prefix="lightwalk.") as made:
             overlaid = Path(made) / known[exercise].relative_to(ROOT)
             overlaid.parent.mkdir(parents=True)
-            overlaid.write_text(variant.text)
+            overlaid.write_text(variant.text, encoding="utf-8")
             found = checks.ask(exercise, overlay=made)
             if found.get("ok") is True and variant.verdict == DRAWN and (why := drawn_wrong(chapter, exercise, made)):
                 return f"{variant.where}: {variant.name} is right, but {why}"

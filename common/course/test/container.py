@@ -63,11 +63,11 @@ def make_system(system: str, root: Path):
     shutil.rmtree(making, ignore_errors=True)
     making.mkdir(parents=True)
     log = root.with_name("debootstrap.log")
-    with open(log, "w") as out:
+    with open(log, "w", encoding="utf-8") as out:
         code = subprocess.run(["debootstrap", "--variant=minbase", system, making, MIRROR], stdin=subprocess.DEVNULL,
                               stdout=out, stderr=out).returncode
     if code:
-        said = [line for line in log.read_text(errors="replace").splitlines() if line.startswith(("E:", "W:"))]
+        said = [line for line in log.read_text(errors="replace", encoding="utf-8").splitlines() if line.startswith(("E:", "W:"))]
         raise UsageError(f"debootstrap could not make {SYSTEMS[system]} from {MIRROR}: "
                          f"{said[-1] if said else f'it ended with {code}'}; all it said is in {relative(log)}")
     making.rename(root)

@@ -61,7 +61,7 @@ def run(arguments, _rest) -> int:
 
 
 def commands(lesson: Path) -> list[tuple[int, str, str, str]]:
-    return [figure for figure in tables.figures((ROOT / lesson).read_text()) if figure[3].startswith("build/")]
+    return [figure for figure in tables.figures((ROOT / lesson).read_text(encoding="utf-8")) if figure[3].startswith("build/")]
 
 
 def program_of(source: str) -> str:
@@ -70,7 +70,7 @@ def program_of(source: str) -> str:
 
 def check(lesson: Path, only_list: bool) -> int:
     """Prints a lesson's figures beside their sources. How many are wrong."""
-    lines = (ROOT / lesson).read_text().splitlines()
+    lines = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
     problems = tables.check_tables(lesson, lines)[0] + tables.check_figures(lesson) + lesson_tests.check_named(lesson)
     for problem in problems:
         say(f"WRONG {problem}")

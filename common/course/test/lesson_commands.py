@@ -73,7 +73,7 @@ def printed_on(page: Path, text: str) -> list[Printed]:
 def printed() -> list[Printed]:
     """Those of all pages, each once."""
     once = {(one.chapter, one.words): one for page in reversed(lessons())
-            for one in reversed(printed_on(page, (ROOT / page).read_text()))}
+            for one in reversed(printed_on(page, (ROOT / page).read_text(encoding="utf-8")))}
     return sorted(once.values(), key=lambda one: (str(one.page), one.line))
 
 

@@ -68,7 +68,7 @@ def measure(chapter: str, needs: dict, crops: bool, of: str = "study.json") -> d
     folder.mkdir(parents=True, exist_ok=True)
     name = f"{chapter}.{Path(of).stem}.{'large' if crops else 'small'}"
     file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
-    file.write_text(json.dumps(asked, indent=1))
+    file.write_text(json.dumps(asked, indent=1), encoding="utf-8")
     return run_study(chapter, out, "--study-file", file)
 
 
@@ -80,7 +80,7 @@ def run_study(chapter: str, out: Path, *options: str, **environment) -> dict:
                        **environment)
     if done.returncode:
         raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
-    return json.loads(out.read_text())
+    return json.loads(out.read_text(encoding="utf-8"))
 
 
 def rows_of_study(measured: dict) -> list[dict]:
@@ -167,7 +167,7 @@ def measured_rows(chapter: str, needs: dict, everything: bool) -> list[dict]:
 
 
 def main(chapter: str, everything: bool = False) -> list[str]:
-    needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text())
+    needs = json.loads((ROOT / "tests" / chapter / "needs.json").read_text(encoding="utf-8"))
     if everything:
         needs["scenes"] += needs.get("more_scenes", [])
     else:

@@ -37,7 +37,7 @@ def check_order(names: list[Path]) -> list[str]:
 
 def later_parts(name: Path, pattern: re.Pattern, problem) -> list[str]:
     found = []
-    for number, line in enumerate((ROOT / name).read_text(errors="replace").splitlines(), 1):
+    for number, line in enumerate((ROOT / name).read_text(errors="replace", encoding="utf-8").splitlines(), 1):
         match = pattern.match(line)
         if match and (words := problem(match[1])):
             found.append(f"{name}:{number}: {words}")

@@ -72,7 +72,7 @@ def run_step(step: str) -> dict:
     log.parent.mkdir(parents=True, exist_ok=True)
     say(f"{step}: ./course {' '.join(words)}; its output goes to {relative(log)}")
     began_s, used_s = time.monotonic(), processor_s()
-    with open(log, "w") as out:
+    with open(log, "w", encoding="utf-8") as out:
         course = subprocess.Popen([ROOT / "course", *words], env=os.environ | environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
         try:
             code = course.wait()
@@ -81,7 +81,7 @@ def run_step(step: str) -> dict:
             course.wait()
             raise
     tests, failed = counted(junit)
-    last = (log.read_text(errors="replace").strip().splitlines() or [f"it ended with {code}"])[-1].removeprefix("course: ")
+    last = (log.read_text(errors="replace", encoding="utf-8").strip().splitlines() or [f"it ended with {code}"])[-1].removeprefix("course: ")
     result = "passed" if not code else f"not run: {last}" if code == 2 and not tests else \
         f"failed: {', '.join([*failed[:MOST_NAMED], *['…'] * (len(failed) > MOST_NAMED)]) or last}"
     return row_of(step, result, True if not code else None if code == 2 and not tests else False, command="./course " + " ".join(words),
@@ -148,13 +148,13 @@ def second_driver() -> tuple[Path, str]:
         shutil.rmtree(folder, ignore_errors=True)
         (folder / "lists" / "partial").mkdir(parents=True)
         sources = folder / "sources.list"
-        sources.write_text(f"deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] {MIRROR} bookworm-backports main\n")
+        sources.write_text(f"deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] {MIRROR} bookworm-backports main\n", encoding="utf-8")
         settings = {"Dir::Etc::sourcelist": sources, "Dir::Etc::sourceparts": "-", "Dir::State::lists": folder / "lists", "Dir::Cache": folder}
         apt = ["apt-get", "-q", *[f"-o{name}={value}" for name, value in settings.items()]]
         unpack(folder, [*apt, "update"])
         unpack(folder, [*apt, "download", "mesa-vulkan-drivers"])
         unpack(folder, ["dpkg", "-x", *folder.glob("*.deb"), "root"])
-        given = json.loads(next(folder.glob("root/usr/share/vulkan/icd.d/lvp_icd*.json")).read_text())
+        given = json.loads(next(folder.glob("root/usr/share/vulkan/icd.d/lvp_icd*.json")).read_text(encoding="utf-8"))
         given["ICD"]["library_path"] = str(next(folder.glob("root/usr/lib/*/libvulkan_lvp.so")))
         write_atomically(manifest, json.dumps(given))
     return manifest, next(folder.glob("*.deb")).name.split("_")[1].replace("%3a", ":")
@@ -172,13 +172,13 @@ def rows_of(commit: str) -> list[dict]:
     rows = []
     for step in STEPS:
         path = FOLDER / f"{step}.json"
-        row = json.loads(path.read_text()) if path.exists() else {}
+        row = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
         rows.append(row if row.get("commit") == commit else row_of(step, "not run yet", None))
     return rows
 
 
 def page(commit: str) -> str:
-    model = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.M)
+    model = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.M)
     memory_gb = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
     return f"""# Release
 

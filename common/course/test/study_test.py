@@ -39,7 +39,7 @@ def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
     options = []
     if study["scenes"] != study_of(chapter)["scenes"]:
         short = file.with_suffix(".study.json")
-        short.write_text(json.dumps({key: value for key, value in study.items() if key != "charts"}))
+        short.write_text(json.dumps({key: value for key, value in study.items() if key != "charts"}), encoding="utf-8")
         options = ["--study-file", short]
     return run_study(chapter, file, "--size", size, *options, **environment)
 

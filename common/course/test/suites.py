@@ -18,7 +18,7 @@ def lines() -> list[tuple[str, str, list[str]]]:
 
 def read() -> list[list[str]]:
     """The words of each line but comments."""
-    text = (ROOT / "tests" / "suites.txt").read_text()
+    text = (ROOT / "tests" / "suites.txt").read_text(encoding="utf-8")
     return [line.split() for line in text.splitlines() if line and not line.startswith("#")]
 
 

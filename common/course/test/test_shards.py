@@ -22,7 +22,7 @@ def words(folder: Path, selection: list[str], shard: shards.Shard | None) -> lis
         return ["-E", "."]
     chosen = folder / f"tests.{shard.number}-of-{shard.of}"
     # START, END, STRIDE, then numbers: the start lies behind the last one, so that only the named tests run.
-    chosen.write_text(",".join(["1", "0", "1", *mine]) + "\n")
+    chosen.write_text(",".join(["1", "0", "1", *mine]) + "\n", encoding="utf-8")
     return ["-I", str(chosen)]
 
 
@@ -31,12 +31,12 @@ def write(file: Path, shard: shards.Shard, results: Path, total: int, failed: in
     entries, pictures = {}, {}
     for path in sorted(results.iterdir()):
         if path.suffix == ".json":
-            entries[path.name] = json.loads(path.read_text())
+            entries[path.name] = json.loads(path.read_text(encoding="utf-8"))
             for one in entries[path.name].get("pictures") or []:
                 for name in filter(None, (one.get("actual"), one.get("heatmap"))):
                     pictures[name] = ROOT / name
         elif path.suffix == ".xml":
-            entries[f"{path.stem}.{shard.number}-of-{shard.of}.xml"] = path.read_text()
+            entries[f"{path.stem}.{shard.number}-of-{shard.of}.xml"] = path.read_text(encoding="utf-8")
     head = {"selection": selection, "course": shards.course_version(), "counts": [total, failed]}
     shards.write(file, "test", shard, head, entries, {name: path for name, path in pictures.items() if path.exists()})
     say(f"\n{relative(file)}: {total} tests of shard {shard}")

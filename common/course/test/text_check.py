@@ -33,7 +33,7 @@ PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home",
 def prose(name: Path) -> list[tuple[int, str]]:
     """(line number, text) of a Markdown file without its code."""
     found, fence = [], None
-    for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
+    for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
         match = FENCE.match(line)
         if fence:
             fence = None if line.strip() == fence else fence
@@ -47,7 +47,7 @@ def prose(name: Path) -> list[tuple[int, str]]:
 def anchors(name: Path) -> set[str]:
     """The headings' anchors as GitHub makes them."""
     found = set()
-    text = (ROOT / name).read_text()
+    text = (ROOT / name).read_text(encoding="utf-8")
     for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
         title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title)
         base = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
@@ -172,7 +172,7 @@ def check_chapters() -> list[str]:
         wrong += [f"{file}: {name} is no earlier chapter" for name in earlier if name not in chapters()[:number]]
         # A scene that sets knobs, or includes one that does, cannot be read by chapters that lack them.
         scenes = {shot["scene"] for shot in found if "scene" in shot}
-        readable = not scenes or any(not re.search('"(knobs|include)"', (ROOT / scene).read_text()) for scene in scenes)
+        readable = not scenes or any(not re.search('"(knobs|include)"', (ROOT / scene).read_text(encoding="utf-8")) for scene in scenes)
         if found and number and readable and not earlier:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
         goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
@@ -190,7 +190,7 @@ def check_chapters() -> list[str]:
 
 def check_private_paths(name: Path) -> list[str]:
     try:
-        lines = (ROOT / name).read_text().splitlines()
+        lines = (ROOT / name).read_text(encoding="utf-8").splitlines()
     except UnicodeDecodeError:
         return []
     return [f"{name}:{number}: a path of one machine: {line.strip()[:80]}"
@@ -202,7 +202,7 @@ def check_lesson(chapter: str) -> list[str]:
     pages, wrong = lesson_pages(chapter), []
     if not pages:
         return []
-    name, lines = pages[0], [line for page in pages for line in (ROOT / page).read_text().splitlines()]
+    name, lines = pages[0], [line for page in pages for line in (ROOT / page).read_text(encoding="utf-8").splitlines()]
     text = "\n".join(lines)
     if "## Exercises" in lines:
         graded = grades(chapter)
@@ -210,11 +210,11 @@ def check_lesson(chapter: str) -> list[str]:
                   for exercise in exercises(chapter) if exercise not in graded]
         harder = ["easy", "medium", "hard"]
         for page in pages:
-            on_page = [grade for exercise, grade in graded.items() if f"\n### {exercise} (" in (ROOT / page).read_text()]
+            on_page = [grade for exercise, grade in graded.items() if f"\n### {exercise} (" in (ROOT / page).read_text(encoding="utf-8")]
             if sorted(on_page, key=harder.index) != on_page:
                 wrong.append(f"{page}: a harder exercise stands before an easier one")
         wrong += [f"{name}: it does not quote {relative(path)}#{marker[2]}, what the exercise asks for"
-                  for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text().splitlines())
+                  for path in exercises(chapter).values() for marker in map(MARKER.match, path.read_text(encoding="utf-8").splitlines())
                   if marker and not marker[1] and f"<!-- quote: {relative(path)}#{marker[2]} -->" not in text]
     there = {other[:2] for other in chapters()}
     return wrong + [f"{page}:{number}: there is no chapter {other}" for page in pages for number, line in prose(page)
@@ -257,8 +257,8 @@ def check_index() -> list[str]:
 def check_figures() -> list[str]:
     """docs/images/NAME.svg is the drawing of docs/figures/NAME.py, and a lesson shows it."""
     folder, wrong = ROOT / "docs/figures", []
-    shown = "".join((ROOT / name).read_text() for name in lessons())
-    scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(), re.M)}
+    shown = "".join((ROOT / name).read_text(encoding="utf-8") for name in lessons())
+    scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(encoding="utf-8"), re.M)}
     for image in (name for name in files() if name.match("docs/images/*.svg")):
         if image.stem not in scripts:
             wrong.append(f"{image}: no docs/figures/{image.stem}.py draws it")
@@ -295,8 +295,8 @@ def check_variables() -> list[str]:
     if not (ROOT / page).exists():
         return []
     code = [name for name in files() if name.suffix in (".cpp", ".h", ".py", ".sh") or str(name) in ("course", ".ci/run")]
-    read = {"".join(found): name for name in code for found in VARIABLE.findall((ROOT / name).read_text(errors="replace"))}
-    named = set(re.findall(r"^\| `(LIGHTWALK_\w+)`", (ROOT / page).read_text(), re.M))
+    read = {"".join(found): name for name in code for found in VARIABLE.findall((ROOT / name).read_text(errors="replace", encoding="utf-8"))}
+    named = set(re.findall(r"^\| `(LIGHTWALK_\w+)`", (ROOT / page).read_text(encoding="utf-8"), re.M))
     return [f"{page}: {len(named)} environment variables, at most {MOST_VARIABLES}; a test's own is an option of the program"] * \
            (len(named) > MOST_VARIABLES) + \
            [f"{read[variable]}: {page} does not name {variable}" for variable in sorted(read.keys() - named)] + \
@@ -319,7 +319,7 @@ def check_credits() -> list[str]:
     if not (ROOT / credits).exists():
         return [f"{credits}: it is missing"] if present else []
     wrong, credited = [], set()
-    for number, line in enumerate((ROOT / credits).read_text().splitlines(), 1):
+    for number, line in enumerate((ROOT / credits).read_text(encoding="utf-8").splitlines(), 1):
         cells = line.split("|")
         if len(cells) < 4 or cells[1].strip() in ("file", "") or set(cells[1].strip()) <= set("-: "):
             continue
@@ -339,7 +339,7 @@ def check_all() -> list[str]:
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name) + claims.check_claims(name)
             if name.parts[0] == "docs" and name.parts[:2] != ("docs", "studies"):
                 wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
-            wrong += wrong_words(name, (ROOT / name).read_text())
+            wrong += wrong_words(name, (ROOT / name).read_text(encoding="utf-8"))
         wrong += check_private_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]

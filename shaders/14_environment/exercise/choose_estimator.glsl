@@ -15,7 +15,7 @@
 // - 4: half of them evenly over the sun's disc, and for the sky without the sun the others as the
 //   cosine. Without a sun it is method 2 with n / 2.
 //
-// Limits: surface 0 may cost 16 directions and err by 0.4%, surface 1 8 directions and 1%, surface
+// Limits: surface 0 may cost 16 directions and err by 0.4%, surface 1 8 directions and 2.5%, surface
 // 2 16 directions and 1%. The check measures both and prints them.
 // [/choose_estimator]
 ivec2 choose_estimator(int surface) {

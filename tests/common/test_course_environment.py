@@ -1,0 +1,192 @@
+"""Tests of ./course with what people have beside it: copies and locks of editors, environments, clocks, displays."""
+
+import os
+import shutil
+import socket
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from small_course import Course, clean_environment
+
+ONE = "chapters/01_obj/exercise/one.cpp"
+STOPPED = "#!/bin/sh\necho 'c++: fatal error: Killed signal terminated program cc1plus' >&2\nexit 1\n"
+
+
+class Beside(Course):
+    """What lies among the sources and is none of them."""
+
+    def test_copies_and_locks_take_part_in_nothing(self):
+        self.put(ONE, "right")
+        self.put("no_teeth")
+        before = self.course("check", "01")
+        names = ("one (copy).cpp", "backup_one.cpp", "._one.cpp", ".one.cpp.swp", "one.cpp~", "one.cpp.orig", "one_old.glsl", "one.o")
+        for name in names:
+            self.put(f"chapters/01_obj/exercise/{name}", "open")
+        lock = self.root / "chapters/01_obj/exercise/.#one.cpp"
+        lock.symlink_to("me@host.1:17")
+        self.addCleanup(lock.unlink)
+        shutil.copytree(self.root / "chapters/02_lambert", self.root / "chapters/02_lambert_backup")
+        self.addCleanup(shutil.rmtree, self.root / "chapters/02_lambert_backup")
+        for words, code in ((["check", "01"], 0), (["check"], 1), (["check", "--progress"], 1), (["run", "01"], 7)):
+            printed = self.course(*words, code=None)
+            with self.subTest(words):
+                self.assertNotIn("Traceback", printed)
+                self.assertNotIn("No such file", printed)
+                if words[0] == "check":
+                    self.assertEqual(printed.count("left alone: "), 1, printed)
+                    self.assertNotIn("backup_one ", printed)
+        self.assertIn("left alone: chapters/01_obj/exercise/.#one.cpp, ", printed := self.course("check", "01"))
+        self.assertEqual([line for line in printed.splitlines() if not line.startswith("left alone")],
+                         [line for line in before.splitlines()][-len(printed.splitlines()) + 1:])
+
+    def test_a_backup_of_a_starter_is_kept_aside_in_silence(self):
+        self.put("chapters/01_obj/exercise/one.cpp.1.old", "open")
+        self.assertNotIn("left alone", self.course("check", "01", code=None))
+
+
+class Environment(Course):
+    def test_variables_of_others_change_nothing(self):
+        before = self.course("check", code=1)
+        for name, value in (("PYTHONSAFEPATH", "1"), ("PYTHONHOME", "/nowhere"), ("PYTHONPATH", "/nowhere"), ("PYTHONOPTIMIZE", "2"),
+                            ("PYTHONWARNINGS", "error"), ("PYTHONIOENCODING", "ascii"), ("LC_ALL", "ja_JP.eucJP"), ("LC_ALL", "C"), ("CDPATH", "/"), ("GREP_OPTIONS", "--colour=always"),
+                            ("CXXFLAGS", "--nothing"), ("CMAKE_GENERATOR", "Unix Makefiles"), ("CMAKE_TOOLCHAIN_FILE", "/nowhere"), ("NINJA_STATUS", "x"),
+                            ("VK_INSTANCE_LAYERS", "VK_LAYER_NOTHING"), ("MESA_DEBUG", "1"), ("MALLOC_CHECK_", "3")):
+            shutil.rmtree(self.root / "build", ignore_errors=True)
+            with self.subTest(name):
+                printed = self.course("check", code=1, **{name: value})
+                self.assertEqual([line for line in printed.splitlines() if not line.startswith(("building", "checking", "configuring"))],
+                                 [line for line in before.splitlines() if not line.startswith(("building", "checking", "configuring"))])
+
+    def test_the_first_python_in_path_is_not_asked(self):
+        bad = self.outside / "bad"
+        bad.mkdir()
+        (bad / "python3").write_text("#!/bin/sh\nexit 127\n")
+        (bad / "python3").chmod(0o755)
+        shutil.rmtree(self.root / "build", ignore_errors=True)
+        self.assertIn("open  01.one", self.course("check", code=1, PATH=f"{bad}:{os.environ['PATH']}"))
+
+    def test_a_tree_from_the_future_is_said_at_once(self):
+        self.course("check", code=1)
+        file = self.root / "CMakeLists.txt"
+        at = file.stat()
+        self.addCleanup(os.utime, file, (at.st_atime, at.st_mtime))
+        os.utime(file, (time.time() + 9 * 3600,) * 2)
+        start_s = time.monotonic()
+        printed = self.course("check", code=1)
+        self.assertRegex(printed, r"\Acourse: CMakeLists.txt is from the future, by 9.0 h, .* type find .* -exec touch \{\} \+\n\Z")
+        self.assertLess(time.monotonic() - start_s, 10)
+        subprocess.run(printed.partition(" type ")[2], shell=True, check=True)  # the way out works
+        self.assertIn("open  01.one", self.course("check", code=1))
+
+    def test_output_that_cannot_be_written(self):
+        for words in ("--help", "check", "run --help", "doctor"):
+            closed = subprocess.run(f"exec {self.root}/course {words} >&-", shell=True, text=True, env=clean_environment(), stderr=subprocess.PIPE)
+            full = subprocess.run(f"exec {self.root}/course {words} >/dev/full", shell=True, text=True, env=clean_environment(), stderr=subprocess.PIPE)
+            with self.subTest(words):
+                self.assertEqual((closed.returncode, closed.stderr), (1, "course: standard output is closed\n"))
+                self.assertEqual(full.returncode, 1, full.stderr)
+                self.assertNotIn("Traceback", full.stderr)
+                self.assertIn("No space left on device", full.stderr)
+
+    def test_a_display_that_is_gone_is_none(self):
+        for variables in ({"DISPLAY": ":93"}, {"DISPLAY": "localhost:93.0"}, {"WAYLAND_DISPLAY": "wayland-93", "XDG_RUNTIME_DIR": str(self.outside)},
+                          {"DISPLAY": ":93", "WAYLAND_DISPLAY": "wayland-93", "XDG_RUNTIME_DIR": str(self.outside)}):
+            with self.subTest(str(variables)):
+                printed = self.course("run", **variables)
+                self.assertIn("nobody answers at ", printed)
+                self.assertIn("build/gallery/index.html", printed)
+                self.assertNotIn("./course run draws", printed)
+
+    def test_a_display_that_answers_is_one(self):
+        from tree import answers
+        place = self.outside / "wayland-94"
+        with socket.socket(socket.AF_UNIX) as one:
+            one.bind(str(place))
+            one.listen(1)
+            self.assertTrue(answers(socket.AF_UNIX, str(place)))
+        self.assertFalse(answers(socket.AF_UNIX, str(place)))
+
+    def test_progress_fits_the_terminal(self):
+        from progress import Progress
+
+        class Terminal:
+            text = ""
+
+            def isatty(self):
+                return True
+
+            def write(self, text):
+                self.text += text
+
+            def flush(self):
+                pass
+        for columns in (40, 80, 200):
+            self.addCleanup(os.environ.pop, "COLUMNS", None)
+            os.environ["COLUMNS"] = str(columns)
+            to = Terminal()
+            Progress("building", to).show(3, 10, "x" * 300)
+            self.assertEqual(len(to.text.removeprefix("\r").removesuffix("\033[K")), columns - 1)
+
+
+class Control(Course):
+    def test_no_verdict_where_the_reference_has_none(self):
+        kept = self.root / "build/live/verdicts.json"
+        for answer in ("my answer", "right", "die"):
+            for reference in ("die", "open"):
+                with self.subTest(answer=answer, reference=reference):
+                    kept.unlink(missing_ok=True)
+                    self.put(ONE, answer)
+                    self.put("no_teeth")
+                    self.put("chapters/01_obj/solution/one.cpp", reference)
+                    printed = self.course("check", "01", code=3)
+                    self.assertRegex(printed, "course: this machine cannot judge 01.one: its reference does not pass: ")
+                    self.assertNotRegex(printed, "(ok  |open)  01.one")
+                    self.assertFalse(kept.exists() and "01.one" in kept.read_text())
+        self.put("chapters/01_obj/solution/one.cpp", "right")
+        self.put(ONE, "die")  # of itself, while the reference is well
+        self.assertIn("open  01.one", self.course("check", "01", code=1))
+        self.assertIn("01.one", kept.read_text())
+
+    def test_a_program_that_cannot_be_started_judges_nobody(self):
+        self.course("check", "01", code=1)
+        program = self.root / "build/tests/check_01_obj"
+        program.chmod(0o644)
+        self.addCleanup(program.chmod, 0o755)
+        self.assertIn("this machine cannot judge: build/tests/check_01_obj: Permission denied", self.course("check", "01", code=3))
+
+
+class Compilers(unittest.TestCase):
+    """common/course/build/compile_exercise.sh, with compilers that the machine ends."""
+
+    def compiled(self, compiler: str):
+        import tempfile
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "cc").write_text(compiler)
+        (folder / "cc").chmod(0o755)
+        (folder / "one.cpp").write_text("int a;\n")
+        script = Path(__file__).resolve().parents[2] / "common/course/build/compile_exercise.sh"
+        done = subprocess.run(["sh", script, folder / "cc", "-o", folder / "one.o", "-c", folder / "one.cpp"], cwd=folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done, {path.suffix for path in folder.glob("one.o.*")}
+
+    def test_a_compiler_that_was_ended_is_the_machines(self):
+        ended = "case \"$*\" in *empty*) exit 0 ;; esac\n"
+        for says, left in (("c++: fatal error: Killed signal terminated program cc1plus", ".ended"), ("", ".ended"),
+                           ("virtual memory exhausted: Cannot allocate memory", ".ended"), ("one.cpp:1:5: error: expected ';'", ".error"),
+                           ("one.cpp:1:10: fatal error: nothing.h: No such file or directory", ".error")):
+            with self.subTest(says):
+                done, found = self.compiled(f"#!/bin/sh\n{ended}echo \"{says}\"\nexit 1\n")
+                self.assertEqual((done.returncode, found & {".ended", ".error"}), (0, {left}), done.stdout)
+        # Once: it is tried again.
+        done, found = self.compiled("#!/bin/sh\n[ -e tried ] && exit 0\ntouch tried\necho Killed\nexit 1\n")
+        self.assertEqual((done.returncode, found & {".ended", ".error"}), (0, set()), done.stdout)
+
+    def test_the_compiler_speaks_english(self):
+        done, _ = self.compiled("#!/bin/sh\necho \"one.cpp:1:1: error: $LC_ALL\"\ncase \"$*\" in *empty*) exit 0 ;; esac\nexit 1\n")
+        self.assertIn("error: C", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
