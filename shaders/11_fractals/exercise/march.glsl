@@ -15,7 +15,8 @@
 // relaxation of 1 it is safe; with more it may skip the set. It has skipped nothing if
 // the sphere around the new point, with the distance there as its radius, overlaps or
 // touches the sphere around the old point. If there is a gap between the two, go back
-// to where the step without relaxation would have led, and continue from there.
+// to where the step without relaxation would have led, and continue from there; later steps
+// are relaxed again.
 //
 // A point beyond a gap is not a hit, however small its distance. A point beyond `end`
 // proves a miss only if the step to it is known to have skipped nothing.

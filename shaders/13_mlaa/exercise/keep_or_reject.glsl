@@ -10,7 +10,7 @@
 // Returns whether the history there may be used. Reject it
 // - where `at` lies outside of the picture: below 0, or at `size` and beyond it;
 // - where something else hid the surface: even the farthest of the nine pixels was nearer
-//   than expected, by more than 5% of `expected` and 1e-6 per metre for rounding.
+//   than expected, by more than 5% of `expected` plus 1e-6 per metre for rounding.
 // Keep it everywhere else. That the nine pixels were farther than expected says nothing: the
 // samples of that frame may all have missed a wire.
 // [/keep_or_reject]
