@@ -66,8 +66,8 @@ class Added(unittest.TestCase):
 
     def test_a_chart_says_what_one_sees(self):
         self.assertEqual(said_by(three(says="Look.")), "Look.")
-        self.assertIn("Smallest error: b.", said_by(three()))
-        self.assertIn("Enough in the least time: a.", said_by(three()))
+        # b's error is smaller than a's, and both are below an 8-bit step: their order is not seen.
+        self.assertEqual(said_by(three()), "Enough in the least time: a.")
 
 
 if __name__ == "__main__":

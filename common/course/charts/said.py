@@ -16,13 +16,14 @@ def said_by(chart) -> str:
 
 
 def front_said(chart) -> str:
-    """Which method, or which row, has the smallest error, and which is enough."""
+    """Which method, or which row, is enough in the least time; and which has the smallest error, where none is enough: errors
+    below the bound are not seen, so that their order says nothing."""
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     error = chart.y if chart.y.kind == "error" else chart.x
     panels = [points for points in panels if points]
     fastest = [chart.enough_of(points) for points in panels]
-    best = [min(points, key=lambda p: (error.value(p), p.time[1])) for points in panels]
-    told_apart = any(a and a is not b and chart.name_of(a) == chart.name_of(b) for a, b in zip(fastest, best))
+    best = [min(points, key=lambda p: (error.value(p), p.time[1])) for points, enough in zip(panels, fastest) if not enough]
+    told_apart = any(a and chart.name_of(a) == chart.name_of(b) for a in fastest for b in best)
 
     def name(point):
         """The method, with its knobs where one method is enough and the best by different values of them."""
@@ -32,7 +33,8 @@ def front_said(chart) -> str:
     words = []
     if any(fastest):
         words.append(f"Enough in the least time: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
-    words.append(f"Smallest error: {counted([name(p) for p in best], len(chart.panels))}.")
+    if best:
+        words.append(f"Smallest error{' where none is enough' * any(fastest)}: {counted([name(p) for p in best], len(chart.panels))}.")
     return " ".join(words)
 
 

@@ -74,6 +74,30 @@ def check_links(name: Path) -> list[str]:
     return wrong
 
 
+# A path or a file's name in code: a folder and a slash, or an ending.
+PATH = re.compile(r"(?:(?:[\w.-]+|\.\.)/)+[\w.-]*|[\w-]+\.(?:h|cpp|py|glsl|vert|geom|frag|comp|json|cmake|md|txt)")
+ABOUT_THE_TREE = ("docs/framework.md", "docs/pixel.md", ".github/CONTRIBUTING.md")
+
+
+def check_paths(name: Path) -> list[str]:
+    """A page about the tree names only what is there: from the root, or as C++ and GLSL include it. NN and words in capitals
+    stand for others, and so does a chapter that the page imagines."""
+    wrong, text = [], (ROOT / name).read_text()
+    imagined = set(re.findall(r"\./course new (\d\d_\w+)", text))
+    names = {path.name for path in files()}
+    for span in re.finditer(r"(?<!`)`([^`\n]+)`(?!`)", text):
+        word = span[1].strip().rstrip("/")
+        if not PATH.fullmatch(span[1].strip()) or word.startswith(("build", ".")) or re.search(r"\bNN|[A-Z]{3}", word) or \
+           any(one in word for one in imagined):
+            continue
+        folder, last = Path(word).parent, Path(word).name
+        there = any((ROOT / room / folder / below / last).exists() for room in ("", "shaders", "chapters", "common", "assets", "tests")
+                    for below in ("", "exercise", "solution"))
+        if not there and ("/" in word or last not in names):
+            wrong.append(f"{name}:{text.count(chr(10), 0, span.start()) + 1}: there is no {word}")
+    return wrong
+
+
 def check_chapters() -> list[str]:
     """Each chapter has a lesson and tests; its shots name existing files; one of them rejects an earlier chapter."""
     wrong = []
@@ -226,6 +250,8 @@ def check_all() -> list[str]:
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name)
             wrong += wrong_words(name, (ROOT / name).read_text())
         wrong += check_private_paths(name)
+        if str(name) in ABOUT_THE_TREE:
+            wrong += check_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_figures() + check_generated()
