@@ -1,4 +1,4 @@
-"""The scaffold of a new chapter: a program that draws, one exercise with its check, one shot, a lesson's skeleton."""
+"""The scaffold of a new chapter: two methods and a truth, an exercise with its check, a property test, a study, a shot, a lesson."""
 
 import re
 
@@ -18,20 +18,18 @@ NAME = re.compile(r"([0-9]{2})_([a-z][a-z0-9]*(?:_[a-z0-9]+)*)")
 MAIN = """// Chapter NN: TITLE.
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/lit_scene.h"
+#include "FOLDER/vignette.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
 
 struct STRUCT : ModelChapter {
     LitScene objects{*this, "objects"};
-    Knob<float> strength{*this,
-                         "strength",
-                         0.5f,
-                         {0.0f, 4.0f},
-                         "Strength of the vignetting: the squared tangent of half the field of view"};
+    Vignette vignette{*this, "vignette"};
 
-    Pipeline darken = compute({.shader = "FOLDER/darken.comp"});
-
+    STRUCT() {
+        vignette.method.alone = true;  // --method is about the vignette here
+    }
     std::string default_scene() const override { return "scenes/colonnade.json"; }
 
     // [frame]
@@ -41,9 +39,8 @@ struct STRUCT : ModelChapter {
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(scene.file.background, 1.0f));
         draw(frame, view, canvas, {objects});
 
-        // 2. Darker corners, in place.
-        frame.compute("darken", {.reads = {frame.hdr}, .writes = {frame.hdr}},
-                      [&](Compute& pass) { pass.use(darken).set("hdr", frame.hdr).dispatch_threads(frame.size); });
+        // 2. Darker corners, in place (vignette.h).
+        vignette.record(frame, frame.hdr);
 
         // 3. Linear light, encoded as sRGB.
         encode_srgb(frame);
@@ -53,50 +50,117 @@ struct STRUCT : ModelChapter {
 
 CHAPTER(STRUCT)
 """
+MODULE = """// Vignette module: a picture that darkens towards its corners, as a simple lens makes it.
+#pragma once
+#include "common/app/module.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+
+namespace lightwalk {
+
+// [vignette]
+/// Once a frame: record() darkens an RGBA16F picture of the frame's size, in linear light.
+struct Vignette : Module {
+    Vignette(Module& owner, std::string name) : Module(owner, std::move(name), "vignette") {}
+
+    Choice method{*this,
+                  "method",
+                  {"parabola", "rational", "exact"},
+                  "exact",
+                  "Falloff: two terms of its series, a quotient with the same two terms, or cos^4 of the angle"};
+    Knob<float> strength{
+        *this, "strength", 0.5f, {0.0f, 4.0f}, "Squared tangent of half the vertical field of view of the lens"};
+
+    void record(Frame& frame, const Image& picture) {
+        // The frame may draw a part of a larger picture: its first pixel, and the size of the whole.
+        const glm::vec4 part(frame.crop.origin, frame.crop.whole);
+        frame.compute("vignette shares", {.writes = {shares_}, .with = {*this}}, [&](Compute& pass) {
+            pass.use(find_shares_).set("shares", shares_).set("part", part).dispatch_threads(frame.size);
+        });
+        frame.compute("vignette", {.reads = {shares_, picture}, .writes = {picture}}, [&](Compute& pass) {
+            pass.use(darken_).set("shares", shares_, nearest_clamp);
+            pass.set("picture", picture).dispatch_threads(frame.size);
+        });
+    }
+    // [/vignette]
+
+  private:
+    Target shares_{*this, {.name = "shares"}};
+    Pipeline find_shares_ = compute({.shader = "FOLDER/shares.comp"});
+    Pipeline darken_ = compute({.shader = "FOLDER/darken.comp"});
+};
+
+}  // namespace lightwalk
+"""
 TRUTH = """// References of this chapter in double precision.
 #pragma once
 
 namespace lightwalk::truth {
 
-inline double vignette(double radius, double strength) {
+inline double falloff(double radius, double strength) {
     const double square = 1 + strength * radius * radius;  // 1 / cos² of the angle
     return 1 / (square * square);
 }
 
 }  // namespace lightwalk::truth
 """
-DARKEN = """// Darkens the picture towards its corners, in place.
-#include "FOLDER/vignette.glsl"
+SHARES = """// Share of the light that reaches each pixel.
+#include "FOLDER/falloff.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar) uniform KnobBlock { float strength; } knobs;
-layout(rgba16f) uniform image2D hdr;
+layout(scalar) uniform VignetteBlock { float strength; } vignette;
+layout(scalar) uniform PartBlock { vec4 part; };  // first pixel and size of the whole picture
+layout(rgba16f) writeonly uniform image2D shares;
+
+// [methods]
+float share_at(float radius) {
+#if VIGNETTE_METHOD == VIGNETTE_METHOD_PARABOLA
+    return max(1.0 - 2.0 * vignette.strength * radius * radius, 0.0);
+#elif VIGNETTE_METHOD == VIGNETTE_METHOD_RATIONAL
+    return 1.0 / (1.0 + 2.0 * vignette.strength * radius * radius);
+#else
+    return falloff(radius, vignette.strength);
+#endif
+}
+// [/methods]
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(hdr);
-    if (any(greaterThanEqual(pixel, size))) return;
-    float radius = length(2.0 * (vec2(pixel) + 0.5) - vec2(size)) / float(size.y);
-    vec4 light = imageLoad(hdr, pixel);
-    imageStore(hdr, pixel, vec4(light.rgb * vignette(radius, knobs.strength), light.a));
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(shares)))) return;
+    float radius = length(2.0 * (vec2(pixel) + 0.5 + part.xy) - part.zw) / part.w;
+    imageStore(shares, pixel, vec4(share_at(radius)));
 }
 """
-EXERCISE = """// Exercise NN.vignette: how much light reaches a pixel off the axis of the lens.
+DARKEN = """// Multiplies a picture by the share of light that reaches each pixel, in place.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D shares;
+layout(rgba16f) uniform image2D picture;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
+    vec4 light = imageLoad(picture, pixel);
+    imageStore(picture, pixel, vec4(light.rgb * texelFetch(shares, pixel, 0).r, light.a));
+}
+"""
+EXERCISE = """// Exercise NN.falloff: how much light reaches a pixel off the axis of the lens.
 // Starter: all of it.
 
-// [vignette]
+// [falloff]
 // Returns the share of light that reaches a pixel, cos^4 of its angle to the axis of the
 // lens (natural vignetting).
 // - `radius`, 0 or more, is the pixel's distance from the middle of the picture, in half
 //   heights of the picture.
 // - `strength`, 0 or more, is the squared tangent of the angle at radius 1.
-// [/vignette]
-float vignette(float radius, float strength) {
+// [/falloff]
+float falloff(float radius, float strength) {
     return 1.0;
 }
 """
-SOLUTION = """// Solution of NN.vignette.
-float vignette(float radius, float strength) {
+SOLUTION = """// Solution of NN.falloff.
+float falloff(float radius, float strength) {
     float square = 1.0 + strength * radius * radius;  // 1 / cos^2 of the angle
     return 1.0 / (square * square);
 }
@@ -107,15 +171,36 @@ CHECKS = """// Checks of chapter NN's exercises: ./course check NN.
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("NN.vignette", "1 + strength * radius * radius is 1 / cos^2 of the angle.") {
-    Probe probe{.include = "FOLDER/vignette.glsl",
-                .signature = "float vignette(float radius, float strength)",
+CHECK_EXERCISE("NN.falloff", "1 + strength * radius * radius is 1 / cos^2 of the angle.") {
+    Probe probe{.include = "FOLDER/falloff.glsl",
+                .signature = "float falloff(float radius, float strength)",
                 .inputs = {{0, 0.5}, {1, 0}, {1, 0.5}, {1.5, 1}, {2, 4}},
-                .truth = [](std::span<const double> in) { return Row{truth::vignette(in[0], in[1])}; },
+                .truth = [](std::span<const double> in) { return Row{truth::falloff(in[0], in[1])}; },
                 .bound = {.absolute = 1e-6, .relative = 3e-6}};
     Random random;
     for (int i = 0; i < 200; ++i) probe.inputs.push_back({random.uniform(0, 3), random.uniform(0, 4)});
     check.probe(probe);
+}
+"""
+PROPERTIES = """// Properties of the falloff.
+#include <algorithm>
+
+#include "catch.h"
+#include "common/check/check.h"
+
+using namespace lightwalk;
+
+TEST_CASE("the axis keeps all light, and no pixel more than one nearer to the axis", "[NN.falloff]") {
+    constexpr size_t radii = 33;
+    Probe probe{.include = "FOLDER/falloff.glsl", .signature = "float falloff(float radius, float strength)"};
+    for (const double strength : {0.0, 0.1, 1.0, 4.0})
+        for (size_t i = 0; i < radii; ++i) probe.inputs.push_back({0.1 * double(i), strength});
+    const Table shares = run_probe(check_device(), probe, 1);
+    for (size_t i = 0; i < shares.size(); ++i) {
+        CAPTURE(i, shares[i][0]);
+        CHECK(shares[i][0] == (i % radii == 0 ? 1 : std::min(shares[i][0], shares[i - 1][0])));
+        CHECK(shares[i][0] > 0);
+    }
 }
 """
 SHOTS = """{"shots": [
@@ -123,10 +208,27 @@ SHOTS = """{"shots": [
 \t\t"name": "corners",
 \t\t"caption": "A colonnade, darker towards the corners of the picture.",
 \t\t"scene": "assets/scenes/colonnade.json",
-\t\t"exercises": ["NN.vignette"],
-\t\t"rejects": [{"set": {"strength": 0}}, {"chapter": "05_shadow_maps"}]
+\t\t"exercises": ["NN.falloff"],
+\t\t"rejects": [{"set": {"vignette.strength": 0}}, {"set": {"method": "parabola"}}, {"chapter": "05_shadow_maps"}]
 \t}
 ]}
+"""
+STUDY = """{
+\t"title": "Vignetting: time against error",
+\t"module": "vignette",
+\t"error_metric": "flip_mean",
+\t"stage": "compute",
+\t"size": [960, 540],
+\t"test_size": [96, 54],
+\t"rounds": 11,
+\t"truth": {"set": {"method": "exact"}, "exact": true},
+\t"scenes": [
+\t\t{"scene": "assets/scenes/colonnade.json", "set": {"vignette.strength": 0.1}, "label": "long lens"},
+\t\t{"scene": "assets/scenes/colonnade.json", "set": {"vignette.strength": 1}, "label": "wide lens"}
+\t],
+\t"curves": [{"method": "parabola"}, {"method": "rational"}, {"method": "exact"}],
+\t"charts": [{"name": "vignette", "passes": ["vignette"]}]
+}
 """
 LESSON = """# NN TITLE
 
@@ -144,12 +246,13 @@ This chapter builds on [chapter 05](05_shadow_maps.md) (shadows).
 
 ## The first ten minutes
 
-1. Run `./course run NN` and move `strength` from 0 to 2. Look at the corners.
-2. Solve [NN.vignette](#NNvignette-easy).
+1. Run `./course run NN` and move `vignette.strength` from 0 to 2. Look at the corners.
+2. Solve [NN.falloff](#NNfalloff-easy).
 
 ## What you will see
 
-Which picture each method draws, and where they differ.
+`exact` keeps some light everywhere. At a large `strength`, `parabola` turns the corners black, and `rational` leaves them too
+bright.
 
 ## The smallest program
 
@@ -161,6 +264,10 @@ The method in at most 60 lines, docs/minimal/FOLDER.frag or .cpp, quoted whole.
 ```cpp
 ```
 
+<!-- quote: shaders/FOLDER/shares.comp#methods -->
+```glsl
+```
+
 ## Exercises
 
 One exercise is GLSL, in `shaders/FOLDER/exercise`, and takes effect when you save.
@@ -168,25 +275,26 @@ One exercise is GLSL, in `shaders/FOLDER/exercise`, and takes effect when you sa
     ./course run NN --use exercise
     ./course check NN --hint
 
-### NN.vignette (easy)
+### NN.falloff (easy)
 
-File `vignette.glsl`: how much light reaches a pixel off the axis of the lens.
+File `falloff.glsl`: how much light reaches a pixel off the axis of the lens.
 
-<!-- quote: shaders/FOLDER/exercise/vignette.glsl#vignette -->
+<!-- quote: shaders/FOLDER/exercise/falloff.glsl#falloff -->
 ```glsl
 ```
 
-- **See:** `./course run NN --shot corners --use solution,NN.vignette=exercise`
-- **Check:** `./course check NN.vignette`
+- **See:** `./course run NN --shot corners --use solution,NN.falloff=exercise`
+- **Check:** `./course check NN.falloff`
 - **Typical mistakes:** cos² instead of cos⁴.
 
 ## What goes wrong
 
-Each failure with its picture and its figure.
+Each failure with its picture and its figure. A series of two terms falls below 0 where `strength` times the squared radius
+exceeds ½ (`./course run NN --set vignette.strength=1 --method parabola`).
 
 ## Speed against accuracy
 
-The chart of `./course study NN` first, then what it shows.
+`./course study NN` measures the two approximations against `exact` and draws the chart.
 
 ## When to use which
 
@@ -210,9 +318,11 @@ What the reader can do now.
 
 Book or paper, year, page.
 """
-FILES = {"chapters/FOLDER/main.cpp": MAIN, "chapters/FOLDER/truth.h": TRUTH, "shaders/FOLDER/darken.comp": DARKEN,
-         "shaders/FOLDER/exercise/vignette.glsl": EXERCISE, "shaders/FOLDER/solution/vignette.glsl": SOLUTION,
-         "tests/FOLDER/checks_exercises.cpp": CHECKS, "tests/FOLDER/shots.json": SHOTS, "docs/FOLDER.md": LESSON}
+FILES = {"chapters/FOLDER/main.cpp": MAIN, "chapters/FOLDER/vignette.h": MODULE, "chapters/FOLDER/truth.h": TRUTH,
+         "chapters/FOLDER/study.json": STUDY, "shaders/FOLDER/shares.comp": SHARES, "shaders/FOLDER/darken.comp": DARKEN,
+         "shaders/FOLDER/exercise/falloff.glsl": EXERCISE, "shaders/FOLDER/solution/falloff.glsl": SOLUTION,
+         "tests/FOLDER/checks_exercises.cpp": CHECKS, "tests/FOLDER/test_falloff.cpp": PROPERTIES,
+         "tests/FOLDER/shots.json": SHOTS, "docs/FOLDER.md": LESSON}
 
 
 def add_arguments(parser):
@@ -257,6 +367,6 @@ def run(arguments, _rest) -> int:
     check_starters(write=True)
     say(f"\nLook at it:    ./course run {number}\n"
         f"Accept its picture, which no test has seen yet:    ./course accept {number}.corners\n"
-        f"Test it:       ./course test '\\.{number}'\n"
+        "Test it:       ./course test --changed HEAD\n"
         f"Then replace the example; .github/CONTRIBUTING.md says where a knob, a method and an exercise go.")
     return 0

@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 from build.build import alone, build
+from build.options import check_options
 from build.programs import Programs, unbuilt
 from gallery import draw_gallery, gallery_in_shards
 from tree import (BUILD, Failure, UsageError, chapter_program, chapters, find_chapter, has_display, relative, say, warn,
@@ -43,6 +44,7 @@ def run_words(words: list[str]) -> int:
 
 
 def start(chapter: str, options: list[str]) -> int:
+    check_options(chapter, options)
     build([chapter])
     return execute(chapter_program(chapter), options)
 

@@ -1,6 +1,7 @@
 """Tests of ./course new: refusals on the small course; in a copy of this one, a new chapter builds, draws and passes its tests."""
 # Builds: nothing
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -9,7 +10,9 @@ from pathlib import Path
 
 from small_course import REAL, Course, clean_environment
 
-from tree import chapters, files, walk  # noqa: E402
+from build.options import check_options  # noqa: E402
+from test.lesson_commands import printed  # noqa: E402
+from tree import UsageError, chapters, files, walk  # noqa: E402
 
 
 class Refusals(Course):
@@ -30,12 +33,46 @@ class Refusals(Course):
         self.assertEqual(walk(self.root), sorted([*before, Path("docs/03_caustics.md")]))
 
 
+# Each word of the scaffold's example, in files and in their names.
+RENAMED = {"vignette": "halo", "Vignette": "Halo", "VIGNETTE": "HALO", "falloff": "decay", "corners": "edges", "shares": "ratios",
+           "shares_": "ratios_", "strength": "width"}
+
+
+def rename_example(root: Path, name: str):
+    """Replaces the example's words, as somebody does who begins a chapter of their own."""
+    for path in [path for folder in ("chapters", "shaders", "tests", "docs") for path in (root / folder).rglob("*")
+                 if path.is_file() and name in path.relative_to(root).as_posix()]:
+        def renamed(text: str) -> str:
+            return re.sub(r"[A-Za-z]+_?", lambda word: RENAMED.get(word[0], word[0]), text)
+        text = renamed(path.read_text())
+        path.unlink()
+        path.with_name(renamed(path.name)).write_text(text)
+
+
+class Options(unittest.TestCase):
+    """Options of a program, before it is built."""
+
+    def test_a_wrong_one_is_refused_and_no_printed_one(self):
+        for words, said in ((["--sho", "forge"], "unrecognised option '--sho' of chapter 08_bloom; the nearest are --shot"),
+                            (["--shot", "forg"], "chapter 08_bloom has no shot 'forg'; the nearest are forge"),
+                            (["--set", "bloom.methd=window"], "no knob of chapter 08_bloom is called 'methd'")):
+            with self.assertRaisesRegex(UsageError, re.escape(said)):
+                check_options("08_bloom", words)
+        check_options("08_bloom", ["--set", "bloom.method=window", "--shot=forge", "--bloom.sigma_px", "4", "--help"])
+        commands = printed()
+        self.assertGreater(len(commands), 100)
+        for one in commands:
+            with self.subTest(str(one)):
+                check_options(one.chapter, list(one.words))
+
+
 @unittest.skipUnless(any(REAL.glob("shaders/*/solution")), "needs the reference solutions")
 class Scaffold(unittest.TestCase):
-    def test_it_builds_draws_and_passes(self):
-        """With the checks of the whole tree's text, once its picture is accepted; before that a test names the next command."""
-        name = f"{int(chapters()[-1][:2]) + 1:02}_caustics"
-        number = name[:2]
+    def test_it_builds_draws_and_passes_under_other_names(self):
+        """With the checks of the whole tree's text, once its picture is accepted; before that a test names the next command. A second
+        chapter can follow it."""
+        last = int(chapters()[-1][:2])
+        number, name = f"{last + 1:02}", f"{last + 1:02}_caustics"
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder) / "course"
             for path in files():
@@ -50,10 +87,14 @@ class Scaffold(unittest.TestCase):
                 return done.stdout
 
             self.assertIn(f"./course accept {number}.corners", course("new", name))
-            self.assertIn(f"./course accept {number}.corners", course("test", rf"shots\.{number}", code=1))
-            course("accept", f"{number}.corners", "--yes")
-            said = course("test", rf"^(check|shots|unsolved|wrong_picture)\.{number}|text\.tree")
-            self.assertIn("100% tests passed, 0 tests failed out of 5", said)
+            rename_example(root, name)
+            course("docs", "--quote")
+            self.assertIn(f"./course accept {number}.edges", course("test", rf"^shots\.{number}$", code=1))
+            course("accept", f"{number}.edges", "--yes")
+            said = course("test", rf"^(check|shots|wrong_picture|unit|study)\.{number}|^unsolved\.{number}|text\.tree")
+            self.assertIn("100% tests passed, 0 tests failed out of 7", said)
+            course("new", f"{last + 2:02}_second")
+            self.assertIn(f"./course accept {last + 2:02}.corners", course("test", "text.tree", code=1))
 
 
 if __name__ == "__main__":

@@ -272,7 +272,8 @@ class KnobsTest(unittest.TestCase):
                 return drawn[settings]
 
             silent = silent_knobs(chapter, known, draw)
-        self.assertEqual(silent, [], "they never change a picture; what is so by design stands in SILENT with its reason")
+        self.assertEqual(silent, [], "they never change a picture. In tests/common/test_knobs.py: USED_WITH has the settings with which a "
+                                     "knob acts, SCENES a scene in which it does, SILENT what is so by design, with its reason")
 
 
 def add_tests():

@@ -11,6 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 from test import suites  # noqa: E402
+from test.reached import reached  # noqa: E402
 from tree import Failure  # noqa: E402
 
 JUNIT = """<testsuite><testcase name="shots.01" time="2.4"/><testcase name="unit.common" time="1"/>
@@ -37,6 +38,21 @@ class Suites(unittest.TestCase):
         self.assertEqual(suites.concerned(tests, ["common/judge/wire.h", "common/window/run.cpp"]), [tests[0], *tests[2:]])
         self.assertEqual(suites.concerned(tests, ["chapters/04_surface_maps/main.cpp"]), [])
         self.assertEqual(suites.concerned(tests, None), tests)
+
+    def test_a_change_reaches_what_includes_or_draws_it(self):
+        tests = ["check.08", "shots.02", "shots.05", "shots.06", "shots.08", "unit.08_bloom", "unit.common", "figures.08", "text.tree"]
+        for changed, expected in (
+                ("chapters/08_bloom/main.cpp", ["check.08", "shots.08", "unit.08_bloom", "figures.08", "text.tree"]),
+                ("shaders/05_shadow_maps/shadow.glsl", ["shots.05", "shots.06", "text.tree"]),
+                ("chapters/04_surface_maps/maps.cpp", [test for test in tests if test not in ("shots.02", "unit.common")]),
+                ("tests/05_shadow_maps/shots.json", ["shots.05", "text.tree"]),
+                ("assets/scenes/colonnade.json", ["shots.05", "text.tree"]),
+                ("docs/08_bloom.md", ["figures.08", "text.tree"]),
+                ("common/window/panel.cpp", ["unit.common", "text.tree"]),
+                ("tests/common/test_flip.cpp", ["unit.common", "text.tree"]),
+                ("common/gpu/frame.h", tests)):
+            with self.subTest(changed):
+                self.assertEqual(reached(tests, [changed]), expected)
 
     def test_what_changed_is_asked_of_git(self):
         self.assertIsNone(suites.changed_since("no such commit"))

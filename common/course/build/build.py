@@ -55,6 +55,8 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
     with alone(folder) as lock:
         if not is_configured(folder):
             configure(preset, folder, lock)
+        elif not is_linked(folder):
+            configure(preset, folder, lock, again=True)
         built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
         if built:
             trim(SHADER_CACHE)
@@ -85,8 +87,13 @@ def is_configured(folder: Path) -> bool:
     """True where ninja can go on by itself; it runs cmake again where a file of the build changed."""
     cache = folder / "CMakeCache.txt"
     return all(begins_as_written(folder / name) for name in ("build.ninja", "CMakeFiles/rules.ninja")) and \
-        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace", encoding="utf-8") and \
-        all(included(chapter) <= linked(folder).get(chapter, set()) for chapter in chapters())
+        cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text(errors="replace", encoding="utf-8")
+
+
+def is_linked(folder: Path) -> bool:
+    """False where a file includes a chapter that its own is not linked with yet."""
+    known = linked(folder)
+    return all(included(chapter) <= known.get(chapter, set()) for chapter in chapters())
 
 
 def linked(folder: Path) -> dict[str, set[str]]:
@@ -146,10 +153,11 @@ def begins_as_written(path: Path) -> bool:
         return False
 
 
-def configure(preset: str, folder: Path, lock: int | None = None):
-    warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
-    # --fresh: a tree that was moved or half configured starts again.
-    done = subprocess.run(["cmake", "--fresh", "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
+def configure(preset: str, folder: Path, lock: int | None = None, again: bool = False):
+    """Runs cmake; `again` keeps what is built, where --fresh starts anew in a tree that was moved or half configured."""
+    if not again:
+        warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
+    done = subprocess.run(["cmake", *["--fresh"] * (not again), "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:
         warn(done.stdout.rstrip())

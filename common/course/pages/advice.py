@@ -66,7 +66,7 @@ def studies_of(request: Path) -> tuple[Study, ...]:
     """The studies that a request made, those of a CPU first."""
     found = []
     for file in sorted((ROOT / "docs/studies").glob(f"{request.parent.name}*.json")):
-        if measured.request_of(json.loads(file.read_text())) == str(request):
+        if measured.request_of(json.loads(file.read_text(encoding="utf-8"))) == str(request):
             found.append(load(file))
     return tuple(sorted(found, key=lambda study: (not study.software, len(study.data["stage"]), study.data["stage"])))
 
@@ -78,7 +78,7 @@ def questions() -> dict[str, Question]:
     for chapter in chapters():
         for file in sorted((ROOT / "chapters" / chapter).glob("study*.json")):
             request = file.relative_to(ROOT)
-            for entry in json.loads(file.read_text()).get("verdicts", []):
+            for entry in json.loads(file.read_text(encoding="utf-8")).get("verdicts", []):
                 if unknown := set(entry) - KEYS:
                     raise Failure(f"{request}: a verdict has \"{min(unknown)}\"; it has {', '.join(sorted(KEYS))}")
                 if not {"id", "question"} <= set(entry) or entry["id"] in found or not entry["id"].startswith(f"{chapter[:2]}."):
@@ -264,4 +264,4 @@ def anchor(title: str) -> str:
 def check_page() -> list[str]:
     """Empty where docs/which.md is what the studies say."""
     file = ROOT / PAGE
-    return [] if file.exists() and file.read_text() == page() else [f"{PAGE}: it is not what the studies say; ./course docs --quote writes it"]
+    return [] if file.exists() and file.read_text(encoding="utf-8") == page() else [f"{PAGE}: it is not what the studies say; ./course docs --quote writes it"]

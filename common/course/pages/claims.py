@@ -141,7 +141,7 @@ def fault_of(claim: str) -> str:
 
 def check_claims(text: Path) -> list[str]:
     """The claims of a text that do not hold."""
-    words = (ROOT / text).read_text()
+    words = (ROOT / text).read_text(encoding="utf-8")
     return [f"{text}:{words.count(chr(10), 0, match.start()) + 1}: a claim does not hold: {fault}"
             for match in CLAIM.finditer(words) if (fault := fault_of(match["claim"]))]
 
@@ -161,7 +161,7 @@ SKIPPED = ("Exercises", "Questions", "Further reading", "What you will be able t
 
 def sentences(text: Path) -> list[tuple[int, str, str]]:
     """(line, section, sentence) of a text's prose: without code, tables, quotations and answers; comments are marks."""
-    words = (ROOT / text).read_text()
+    words = (ROOT / text).read_text(encoding="utf-8")
 
     def blank(match: re.Match) -> str:
         return "\n" * match[0].count("\n")
@@ -218,6 +218,6 @@ if __name__ == "__main__":
     loose = [(lesson, *found) for lesson in lessons() for found in unbound(lesson)]
     for lesson, line, section, words in loose:
         say(f"{lesson}:{line}: {section}: {words}")
-    made = [match["claim"] for lesson in lessons() for match in CLAIM.finditer((ROOT / lesson).read_text())]
+    made = [match["claim"] for lesson in lessons() for match in CLAIM.finditer((ROOT / lesson).read_text(encoding="utf-8"))]
     say(f"{len(made)} claims, {sum(claim.startswith('elsewhere;') for claim in made)} of them measured elsewhere; {len(loose)} sentences "
         "compare without one")

@@ -83,7 +83,11 @@ def hardware_distances(chapter: str, name: str) -> dict:
 
 
 def limits_of(chapter: str, name: str) -> dict:
-    found = measured_distances(chapter).get(name, {}).values()
+    return limits_by(measured_distances(chapter).get(name, {}).values())
+
+
+def limits_by(found) -> dict:
+    """The limits that measured distances give."""
     return {key: max([limit, *(MARGIN * distance[key] for distance in found)]) for key, limit in LIMITS.items()}
 
 

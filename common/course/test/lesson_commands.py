@@ -105,14 +105,14 @@ def wrong_of(chapter: str) -> list[str]:
 
 def wrong_words(page: Path, text: str) -> list[str]:
     """A line for each command of ./course but run that it would refuse: an option, an exercise or a shot that is not there."""
-    wrong = []
+    wrong, examples = [], set(re.findall(r"\./course new (\d\d)_", text))  # chapters that the page imagines
     for line, piece in pieces(text):
         for match in COURSE.finditer(piece):
             module = importlib.import_module(COMMANDS[selected(match[1], match[2].split())]) if match[1] in names() else None
             if hasattr(module, "run_words"):
                 continue
             try:
-                refuse(match[1], module, match[2].split())
+                refuse(match[1], module, match[2].split(), examples)
             except (UsageError, ValueError) as error:
                 wrong.append(f"{page}:{line}: {match[0].strip()}: {error}")
     return wrong
@@ -123,8 +123,9 @@ class Parser(argparse.ArgumentParser):
         raise UsageError(message)
 
 
-def refuse(command: str, module, words: list[str]):
-    """Raises UsageError for words that a command does not take. Words in capitals stand for others."""
+def refuse(command: str, module, words: list[str], examples: set[str] = frozenset()):
+    """Raises UsageError for words that a command does not take. Words in capitals stand for others; nothing is asked of
+    chapters whose number is in `examples`."""
     if module is None:
         raise UsageError(f"there is no command '{command}'")
     parser = Parser(prog=command, allow_abbrev=False)
@@ -138,5 +139,5 @@ def refuse(command: str, module, words: list[str]):
         raise UsageError(f"unrecognised argument '{rest[0]}'")
     for word in words:
         chapter = next((one for one in chapters() if re.fullmatch(rf"{one[:2]}\.[a-z]\w*", word)), None)
-        if chapter and word not in [*exercises(chapter), *(f"{chapter[:2]}.{shot['name']}" for shot in shots(chapter))]:
+        if chapter and chapter[:2] not in examples and word not in [*exercises(chapter), *(f"{chapter[:2]}.{shot['name']}" for shot in shots(chapter))]:
             raise UsageError(f"there is no {word}")

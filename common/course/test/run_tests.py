@@ -14,6 +14,7 @@ from pages.report import write_report
 from test import test_shards
 from test.container import test_on
 from test.needs import NOTHING, build_for, selected
+from test.reached import reached
 from test.suites import EVERY_COMMIT, branch_base, changed_since, concerned, times
 from test.test_shards import closing_line
 from tree import BUILD, Failure, UsageError, relative, say
@@ -25,8 +26,9 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --all            all four suites, as before a release
   ./course test -L platform      one suite; other options are passed to ctest as well
   ./course test shots.02         the tests whose name matches this regular expression
-  ./course test --changed [COMMIT]    first, engine, and the tests of platform that the files changed since then concern;
-                                 by default since the branch left the main one, on that since its parent
+  ./course test --changed [COMMIT]    the tests of first and engine that the files changed since then reach, by includes, shaders,
+                                 shots and scenes, and those of platform that they concern; by default since the branch left
+                                 the main one, on that since its parent
   ./course test --sanitize       these tests under the sanitizers of addresses and of undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --device NAME    every shot and every check on one device, such as a graphics card (hardware), within limits of
@@ -43,6 +45,7 @@ The suites, by what they prove (tests/suites.txt lists their tests):
 The last line counts all tests that ran; the lines before say how long each suite took, which tests were slowest, and which
 took over a minute without a reason in tests/suites.txt."""
 PASSES_OPTIONS = True
+MANY = 40  # tests whose names would fill the screen
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 
 
@@ -50,7 +53,7 @@ def add_arguments(parser):
     parser.usage = ("./course test [PATTERN | --all | --changed [COMMIT] | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
                     "[--merge FILE...] [OPTIONS OF CTEST]")
     parser.add_argument("--all", action="store_true", help="all four suites")
-    parser.add_argument("--changed", nargs="?", const="", metavar="COMMIT", help="add the tests of platform that changed files concern")
+    parser.add_argument("--changed", nargs="?", const="", metavar="COMMIT", help="the tests that changed files reach")
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
@@ -81,7 +84,7 @@ def run(arguments, rest) -> int:
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
     if not selection and not arguments.all:
-        selection = EVERY_COMMIT if arguments.changed is None else with_platform(arguments.changed)
+        selection = EVERY_COMMIT if arguments.changed is None else of_changes(arguments.changed)
 
     def of_shard(folder, chosen):
         return test_shards.words(folder, chosen, arguments.shard)
@@ -102,8 +105,8 @@ def run(arguments, rest) -> int:
     return 1 if failed else 0
 
 
-def with_platform(commit: str) -> list[str]:
-    """ctest's options for first, engine, and what concerns the files changed since a commit, which a line says."""
+def of_changes(commit: str) -> list[str]:
+    """ctest's options for the tests that the files changed since a commit reach or concern, which two lines say."""
     files = changed_since(since := commit or branch_base())
     if commit and files is None:
         raise UsageError(f"--changed {commit}: git knows no such commit")
@@ -112,6 +115,9 @@ def with_platform(commit: str) -> list[str]:
     why = f"changes since {since} concern" if files is not None else f"git knows no {since}, so these are all"
     say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else ""))
     every = [name for _, name in selected(folder, EVERY_COMMIT)]
+    if files is not None:
+        every = reached(every, files)
+    say(f"first and engine: {len(every)} tests" + (": " + " ".join(every) if len(every) < MANY else ""))
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
 
 

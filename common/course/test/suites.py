@@ -55,7 +55,7 @@ def line_of(test: str) -> tuple[str, str, list[str]]:
 
 
 def concerned(tests: list[str], files: list[str] | None) -> list[str]:
-    """The tests of platform that changed files concern; all where the changes are unknown."""
+    """The tests of platform that changed files concern by tests/suites.txt; all where the changes are unknown."""
     return [test for test in tests if files is None or any(file.startswith(path) for path in line_of(test)[2] for file in files)]
 
 

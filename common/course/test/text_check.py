@@ -80,7 +80,7 @@ def check_links(name: Path) -> list[str]:
 def blocks(name: Path) -> list[tuple[int, str, list[str]]]:
     """(line number, language or "", lines) of a Markdown file's blocks of code and, with a language of "text", of its paragraphs."""
     found, fence, language, block, start = [], None, "", [], 0
-    for number, line in enumerate([*(ROOT / name).read_text().splitlines(), ""], 1):
+    for number, line in enumerate([*(ROOT / name).read_text(encoding="utf-8").splitlines(), ""], 1):
         match = FENCE.match(line)
         if fence:
             if line.strip() == fence:
@@ -134,7 +134,7 @@ def check_next(name: Path) -> list[str]:
 
 def check_snippets(name: Path) -> list[str]:
     """GLSL that a page does not quote from a file compiles, as the stage that its words are of."""
-    wrong, lines = [], (ROOT / name).read_text().splitlines()
+    wrong, lines = [], (ROOT / name).read_text(encoding="utf-8").splitlines()
     for number, language, code in blocks(name):
         if language != "glsl" or QUOTE.match(lines[number - 2]) or not shutil.which("glslangValidator"):
             continue
@@ -146,12 +146,36 @@ def check_snippets(name: Path) -> list[str]:
             text += "\nvoid main() {}\n"
         with tempfile.TemporaryDirectory() as made:
             file = Path(made) / f"snippet.{stage}"
-            file.write_text(text)
+            file.write_text(text, encoding="utf-8")
             done = subprocess.run(["glslangValidator", "-V", "--target-env", "vulkan1.3", file, "-o", Path(made) / "out"],
                                   stdout=subprocess.PIPE, text=True)
         if done.returncode:
             said = next((line for line in done.stdout.splitlines() if line.startswith("ERROR")), "").replace(f"{file}:", "")
             wrong.append(f"{name}:{number}: the shader does not compile: {said}")
+    return wrong
+
+
+# A path or a file's name in code: a folder and a slash, or an ending.
+PATH = re.compile(r"(?:(?:[\w.-]+|\.\.)/)+[\w.-]*|[\w-]+\.(?:h|cpp|py|glsl|vert|geom|frag|comp|json|cmake|md|txt)")
+ABOUT_THE_TREE = ("docs/framework.md", "docs/pixel.md", ".github/CONTRIBUTING.md")
+
+
+def check_paths(name: Path) -> list[str]:
+    """A page about the tree names only what is there: from the root, or as C++ and GLSL include it. NN and words in capitals
+    stand for others, and so does a chapter that the page imagines."""
+    wrong, text = [], (ROOT / name).read_text(encoding="utf-8")
+    imagined = set(re.findall(r"\./course new (\d\d_\w+)", text))
+    names = {path.name for path in files()}
+    for span in re.finditer(r"(?<!`)`([^`\n]+)`(?!`)", text):
+        word = span[1].strip().rstrip("/")
+        if not PATH.fullmatch(span[1].strip()) or word.startswith(("build", ".")) or re.search(r"\bNN|[A-Z]{3}", word) or \
+           any(one in word for one in imagined):
+            continue
+        folder, last = Path(word).parent, Path(word).name
+        there = any((ROOT / room / folder / below / last).exists() for room in ("", "shaders", "chapters", "common", "assets", "tests")
+                    for below in ("", "exercise", "solution"))
+        if not there and ("/" in word or last not in names):
+            wrong.append(f"{name}:{text.count(chr(10), 0, span.start()) + 1}: there is no {word}")
     return wrong
 
 
@@ -228,7 +252,7 @@ def check_index() -> list[str]:
     if not (ROOT / page).exists():
         return []
     wrong, named, terms = [], set(), []
-    code = "\n".join((ROOT / name).read_text() for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
+    code = "\n".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
     drawn = {f"{chapter[:2]}.{shot['name']}" for chapter in chapters() for shot in shots(chapter)}
     known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
     for number, line in enumerate((ROOT / page).read_text().splitlines(), 1):
@@ -341,6 +365,8 @@ def check_all() -> list[str]:
                 wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
             wrong += wrong_words(name, (ROOT / name).read_text(encoding="utf-8"))
         wrong += check_private_paths(name)
+        if str(name) in ABOUT_THE_TREE:
+            wrong += check_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     wrong += advice.check_page()
