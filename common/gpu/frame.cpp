@@ -148,8 +148,8 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     Rendering& rendering = lists_.rendering;
     check_at(where, [&] {
         rendering.set(name, targets, size, watch_.shows_discarded);
-        all_given(lists_.given, name, targets.with, root);
-        with_given(lists_.reads, targets.reads, lists_.given);
+        all_inputs(lists_.given, name, targets.with, root);
+        with_inputs(lists_.reads, targets.reads, lists_.given);
         state(lists_.stated, name, lists_.reads, targets.writes, &targets);
         check_reads(name, lists_.stated, &rendering);
     });
@@ -177,8 +177,8 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
                     std::source_location where) {
     const size_t outputs_before = outputs.size();
     check_at(where, [&] {
-        all_given(lists_.given, name, access.with, root);
-        with_given(lists_.reads, access.reads, lists_.given);
+        all_inputs(lists_.given, name, access.with, root);
+        with_inputs(lists_.reads, access.reads, lists_.given);
         state(lists_.stated, name, lists_.reads, access.writes);
         check_reads(name, lists_.stated, nullptr);
     });

@@ -29,7 +29,7 @@ struct Parts : ModelChapter {
 
     Parts() {
         // [alone]
-        bloom.method.alone = true;  // --set method=exact means bloom.method; gbuffer.method needs its whole path
+        bloom.method.preferred = true;  // --set method=exact means bloom.method; gbuffer.method needs its whole path
         // [/alone]
         // [in_use]
         terrain.in_use = [this] { return background.is("hills"); };  // otherwise neither prepared nor drawn
