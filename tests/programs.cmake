@@ -24,8 +24,6 @@ function(lightwalk_mains)
   endif()
   target_compile_options(catch_main PRIVATE -O0 -g0)
   target_include_directories(catch_main PUBLIC ${PROJECT_SOURCE_DIR}/tests)
-  # A test names its file: not the checkout's folder, or ccache would know it in no other one.
-  target_compile_options(catch_main PUBLIC -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   add_library(check_main OBJECT ${PROJECT_SOURCE_DIR}/common/check/check_main.cpp)
   add_library(serve_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/judge/serve_main.cpp)
   foreach(name check_main serve_main)

@@ -52,7 +52,8 @@ int compile_pipeline(const Chapter& chapter, const Pipeline& pipeline, bool defa
                      std::set<std::filesystem::path>& files) {
     std::string text;
     for (const std::string& shader : pipeline.shaders())
-        if (pipeline.compute.source.empty()) text += flatten_bare(shader, pipeline.macros()).text;
+        if (pipeline.compute.source.empty())
+            text += flatten_bare(shader, pipeline.macros(), place_of(pipeline.where)).text;
     int modules = 0;
     for (const Macros& macros : variants(chapter, text, defaults_only)) {
         const std::vector<FlatShader> flat = flatten_stages(pipeline, macros);

@@ -68,11 +68,15 @@ std::string KnobBase::macro() const { return upper(owner.kind().empty() ? name :
 
 template <class T>
 Knob<T>::Knob(Module& knob_owner, std::string knob_name, T initial, Range<T> knob_range, std::string knob_help,
-              std::string knob_unit)
+              std::string knob_unit, std::source_location where)
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
       value(initial),
       default_value(initial),
-      range(knob_range) {}
+      range(knob_range) {
+    try {
+        set(text());
+    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
+}
 
 template <class T>
 void Knob<T>::set(const std::string& given) {
@@ -89,6 +93,8 @@ void Knob<T>::set(const std::string& given) {
     for (int i = 0; i < C::count; ++i) {
         double number = 0;
         const auto [next, error] = std::from_chars(at, end, number);
+        if (!std::is_same_v<T, int>)
+            number = static_cast<double>(static_cast<float>(number));  // as the range is stored
         if (error != std::errc() || !std::isfinite(number) || number < lower || number > upper_bound) refuse();
         if (std::is_same_v<T, int> && number != std::floor(number)) refuse();
         C::put(parsed, i, number);
@@ -157,9 +163,11 @@ nlohmann::json Knob<bool>::describe() const {
 }
 
 Choice::Choice(Module& knob_owner, std::string knob_name, std::vector<std::string> names, std::string initial,
-               std::string knob_help)
+               std::string knob_help, std::source_location where)
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
-    set(initial);
+    try {
+        set(initial);
+    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
     default_index_ = index;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
+#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,7 @@ class KnobBase {
         const float* end() const { return values.data() + count; }
     };
     virtual Numbers numbers() const { return {}; }
+    virtual bool is_integer() const { return false; }
 
     std::string path() const;   ///< shadow.filter
     std::string macro() const;  ///< SHADOW_FILTER
@@ -69,7 +71,9 @@ struct Range {
 template <class T>
 class Knob : public KnobBase {
   public:
-    Knob(Module& owner, std::string name, T default_value, Range<T> range, std::string help, std::string unit = "");
+    /// Throws Failure, which names the statement `where`, for a default outside the range.
+    Knob(Module& owner, std::string name, T default_value, Range<T> range, std::string help, std::string unit = "",
+         std::source_location where = std::source_location::current());
     void set(const std::string& text) override;
     std::string text() const override;
     void reset() override { value = default_value; }
@@ -78,6 +82,7 @@ class Knob : public KnobBase {
     std::string usage() const override;
     bool changed() const override { return value != default_value; }
     Numbers numbers() const override;
+    bool is_integer() const override { return std::is_same_v<T, int>; }
     operator T() const { return value; }
     T value;
     T default_value;
@@ -107,8 +112,9 @@ class Knob<bool> : public KnobBase {
 /// Enumeration. Shaders compare the macro NAME with NAME_ONE, NAME_TWO, …
 class Choice : public KnobBase {
   public:
+    /// Throws Failure, which names the statement `where`, for a default that is not among the options.
     Choice(Module& owner, std::string name, std::vector<std::string> options, std::string default_option,
-           std::string help);
+           std::string help, std::source_location where = std::source_location::current());
     void set(const std::string& text) override;
     std::string text() const override { return options[index]; }
     void reset() override { index = default_index_; }

@@ -88,9 +88,20 @@ std::span<const std::byte> Module::block(const Binding& binding) const {
             if (found == own.end())
                 throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
                               path_.empty() ? "the chapter" : "the module " + path_);
+            if ((*found)->numbers().count == 0)
+                throw Failure("the shader's {}.{} is compiled in: use its macro {}", binding.name, member.name,
+                              (*found)->macro());
             if (const size_t count = (*found)->numbers().count; count != member.components)
                 throw Failure("the shader's {}.{} has {} components, the knob {}", binding.name, member.name,
                               member.components, count);
+            using Type = BlockMember::Type;
+            if (member.type == Type::other)
+                throw Failure("the shader's {}.{} is no float, int or uint, nor a vector of these", binding.name,
+                              member.name);
+            if (member.type != Type::number && !(*found)->is_integer())
+                throw Failure(
+                    "the shader's {}.{} is an integer and would cut off the knob's fraction; declare it float",
+                    binding.name, member.name);
             made.knobs.push_back(*found);
         }
         block = blocks_.insert(block, std::move(made));

@@ -2,6 +2,7 @@
 #pragma once
 #include <fmt/core.h>
 
+#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,5 +26,18 @@ struct InputError : FormattedError {
 struct Failure : FormattedError {
     using FormattedError::FormattedError;
 };
+
+/// "file:line" of a C++ statement; files are relative to the course's folder (CMakeLists.txt).
+inline std::string place_of(const std::source_location& where) {
+    return fmt::format("{}:{}", where.file_name(), where.line());
+}
+
+/// Runs a check; the message of its Failure begins with the statement's file and line.
+template <class Check>
+void check_at(const std::source_location& where, const Check& check) {
+    try {
+        check();
+    } catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }
+}
 
 }  // namespace lightwalk

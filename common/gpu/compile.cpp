@@ -67,7 +67,51 @@ std::string readable(const std::string& log) {
     return result.empty() ? log : result;
 }
 
+bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Comments as blanks; line ends stay.
+std::string without_comments(std::string text) {
+    for (size_t at = text.find('/'); at != text.npos; at = text.find('/', at + 1)) {
+        const bool line = text.compare(at, 2, "//") == 0, block = text.compare(at, 2, "/*") == 0;
+        if (!line && !block) continue;
+        size_t end = text.find(line ? "\n" : "*/", at + 2);
+        if (end == text.npos) end = text.size();
+        if (block && end < text.size()) end += 2;
+        for (; at < end; ++at)
+            if (text[at] != '\n') text[at] = ' ';
+    }
+    return text;
+}
+
+// "file:line" of a position in flattened text.
+std::string place_in(const std::string& text, size_t at) {
+    const size_t directive = text.rfind("#line ", at);
+    if (directive == text.npos) return "";
+    const size_t name = text.find('"', directive) + 1, first = text.find('\n', directive) + 1;
+    const std::string_view between = std::string_view(text).substr(first, at - first);
+    return fmt::format("{}:{}", text.substr(name, text.find('"', name) - name),
+                       std::atoi(text.c_str() + directive + 6) + std::ranges::count(between, '\n'));
+}
+
+// What GLSL accepts and passes ignore: numbers of bindings, and one thread where no local size is given.
+void refuse_ignored(Stage stage, const std::string& commented, const std::string& name) {
+    const std::string text = without_comments(commented);
+    for (size_t at = text.find("layout"); at != text.npos; at = text.find("layout", at + 1)) {
+        const size_t open = text.find_first_not_of(" \t\n", at + 6), close = text.find(')', at);
+        if (open == text.npos || text[open] != '(' || close == text.npos) continue;
+        const std::string_view list = std::string_view(text).substr(open, close - open);
+        for (const std::string_view word : {"binding", "set"})
+            for (size_t i = list.find(word); i != list.npos; i = list.find(word, i + 1))
+                if (!in_word(list[i - 1]) && !in_word(text[open + i + word.size()]))
+                    throw ShaderError("{}: '{}' has no effect: bindings are set by name; leave it out",
+                                      place_in(text, at), word);
+    }
+    if (stage == Stage::compute && text.find("local_size_") == text.npos)
+        throw ShaderError("{}: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images", name);
+}
+
 std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const std::string& name) {
+    refuse_ignored(stage, text, name);
     static const bool initialised = glslang::InitializeProcess();
     (void)initialised;
     const char* string = text.c_str();

@@ -4,8 +4,8 @@
 
 namespace lightwalk {
 
-Raster& Raster::use(const Pipeline& pipeline, const Macros& variant) {
-    bind(pipeline, variant, formats(), VK_PIPELINE_BIND_POINT_GRAPHICS);
+Raster& Raster::use(const Pipeline& pipeline, const Macros& variant, std::source_location where) {
+    bind(pipeline, variant, formats(), VK_PIPELINE_BIND_POINT_GRAPHICS, where);
     two_sided_ = false;
     vkCmdSetCullMode(commands, cull_ = pipeline.graphics.cull);
     return mirrored(false);
@@ -51,7 +51,7 @@ void Raster::check_draws(const Buffer& draws, uint32_t count, VkDeviceSize offse
     if (listener()) listener()->does_more("the indirect draw '" + draws.name + "'");
     check_indirect(draws);
     if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
-        throw Failure("pass '{}': {} indirect draws from byte {} on are not in '{}'", name, count, offset, draws.name);
+        fail(where_, ": {} indirect draws from byte {} on are not in '{}'", count, offset, draws.name);
 }
 
 Raster& Raster::draw_indirect(const Buffer& draws, uint32_t count, VkDeviceSize offset) {
@@ -72,16 +72,18 @@ Raster& Raster::draw_indexed_indirect(const Buffer& indices, const Buffer& draws
 }
 
 Raster& Raster::draw(const Drawable& drawable) {
+    check_used();
     if (pipeline_) drawable.draw(*this);
     return *this;
 }
 
-Compute& Compute::use(const Pipeline& pipeline, const Macros& variant) {
-    bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE);
+Compute& Compute::use(const Pipeline& pipeline, const Macros& variant, std::source_location where) {
+    bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE, where);
     return *this;
 }
 
 Compute& Compute::dispatch_threads(glm::uvec3 threads) {
+    check_used();
     return pipeline_ ? dispatch((threads + pipeline_->local_size - 1u) / pipeline_->local_size) : *this;
 }
 
@@ -96,7 +98,7 @@ Compute& Compute::dispatch_indirect(const Buffer& groups, VkDeviceSize offset) {
     if (listener()) listener()->does_more("the indirect dispatch '" + groups.name + "'");
     check_indirect(groups);
     if (offset % 4 || offset + sizeof(VkDispatchIndirectCommand) > groups.bytes)
-        throw Failure("pass '{}': no dispatch at byte {} of '{}'", name, offset, groups.name);
+        fail(where_, ": no dispatch at byte {} of '{}'", offset, groups.name);
     vkCmdDispatchIndirect(commands, groups.handle, offset);
     return *this;
 }

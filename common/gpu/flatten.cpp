@@ -8,6 +8,7 @@
 
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/gpu/glsl.h"
 
 namespace lightwalk {
@@ -41,16 +42,32 @@ void refuse_line_numbers(const std::string& text, const std::string& shown) {
 // Test shader, on disk or inline. `#pragma replaces "05_shadow_maps/x.glsl"` makes includes of that file empty.
 bool is_of_tests(const std::string& shown) { return shown.starts_with("tests/") || !shown.starts_with("shaders/"); }
 
+// The two nearest names in the folder of a missing file.
+std::string near(const std::string& name) {
+    const fs::path folder = fs::path(name).parent_path();
+    std::set<std::pair<size_t, std::string>> ranked;
+    for (const fs::path& below : {folder, folder / "exercise"}) {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(course_root() / "shaders" / below, error))
+            if (const fs::path file = entry.path().filename(); entry.is_regular_file())
+                ranked.emplace(edit_distance(fs::path(name).filename().string(), file.string()), file.string());
+    }
+    std::string nearest;
+    for (auto one = ranked.begin(); one != ranked.end() && std::distance(ranked.begin(), one) < 2; ++one)
+        nearest += (nearest.empty() ? "" : " and ") + one->second;
+    return nearest.empty() ? "" : fmt::format("; the nearest in {}: {}", folder.string(), nearest);
+}
+
 class Flattener {
   public:
     explicit Flattener(const Macros& macros) : macros_(macros) {}
     FlatShader result;
 
-    void include(const std::string& name, const std::string& from, int line) {
-        const fs::path file = resolve(name, from, line);
+    void include(const std::string& name, const std::string& from) {
+        const fs::path file = resolve(name, from);
         if (!seen_.insert(file).second) return;
         if (!fs::is_regular_file(overlaid(file)))  // a device file may be endless
-            throw ShaderError("{}:{}: shaders/{} is not a regular file", from, line, name);
+            throw ShaderError("{}: shaders/{} is not a regular file", from, name);
         result.files.push_back(file);
         std::string text;
         try {
@@ -82,7 +99,7 @@ class Flattener {
             std::smatch match;
             if (starts("pragma") && std::regex_match(line, match, replaces)) {
                 if (!is_of_tests(shown)) throw ShaderError("{}:{}: only tests replace a shader", shown, number);
-                if (!seen_.insert(resolve(match[1], shown, number)).second)
+                if (!seen_.insert(resolve(match[1], fmt::format("{}:{}", shown, number))).second)
                     throw ShaderError("{}:{}: shaders/{} was read before it is replaced", shown, number,
                                       std::string(match[1]));
                 result.text += "\n";
@@ -108,13 +125,13 @@ class Flattener {
             if (chapter_of(name) > chapter && !replaced)
                 throw ShaderError("{}:{}: chapter {} may not include the later chapter's {}", shown, number, chapter,
                                   name);
-            include(name, shown, number);
+            include(name, fmt::format("{}:{}", shown, number));
             result.text += fmt::format("#line {} \"{}\"\n", number + 1, shown);
         }
     }
 
   private:
-    fs::path resolve(const std::string& name, const std::string& from, int line) const {
+    fs::path resolve(const std::string& name, const std::string& from) const {
         const fs::path root = course_root() / "shaders";
         if (fs::exists(root / name)) return root / name;
         const fs::path folder = fs::path(name).parent_path(), file = fs::path(name).filename();
@@ -123,7 +140,7 @@ class Flattener {
             const std::string id = chapter_of(name) + "." + file.stem().string();
             return Exercises::uses_solution(id) ? root / folder / "solution" / file : exercise;
         }
-        throw ShaderError("{}:{}: no file shaders/{}", from, line, name);
+        throw ShaderError("{}: no file shaders/{}{}", from, name, near(name));
     }
 
     const Macros& macros_;
@@ -269,9 +286,9 @@ std::string apart(std::string text) {
     return text;
 }
 
-FlatShader included(const std::string& name, const Macros& macros) {
+FlatShader included(const std::string& name, const Macros& macros, const std::string& stated) {
     Flattener flattener(macros);
-    flattener.include(name, "the pipeline", 0);
+    flattener.include(name, stated);
     flattener.result.text = apart(std::move(flattener.result.text));
     return std::move(flattener.result);
 }
@@ -345,10 +362,12 @@ bool names_macro(std::string_view text, std::string_view name) {
     return false;
 }
 
-FlatShader flatten_bare(const std::string& name, const Macros& files) { return included(name, files); }
+FlatShader flatten_bare(const std::string& name, const Macros& files, const std::string& stated) {
+    return included(name, files, stated);
+}
 
-FlatShader flatten(const std::string& name, const Macros& macros) {
-    return with_header(included(name, macros), macros);
+FlatShader flatten(const std::string& name, const Macros& macros, const std::string& stated) {
+    return with_header(included(name, macros, stated), macros);
 }
 
 FlatShader flatten_text(const std::string& text, const std::string& name, const std::string& chapter,

@@ -43,6 +43,7 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
             Image(gpu.device, {.name = "mean", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size, .kept = true});
     time_s = time_in_seconds;
     outputs.clear();
+    globals.clear();
     if (recordings_.size() == 1) times.clear();
     current_ = (current_ + 1) % recordings_.size();
     retire(recording());
@@ -141,14 +142,17 @@ void Frame::need_light(const std::string& who, const Image& image) const {
                       image.desc.name);
 }
 
-void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record) {
+void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record,
+                   std::source_location where) {
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
-    rendering.set(name, targets, size, watch_.shows_discarded);
-    all_inputs(lists_.given, name, targets.with, root);
-    with_inputs(lists_.reads, targets.reads, lists_.given);
-    state(lists_.stated, name, lists_.reads, targets.writes, &targets);
-    check_reads(name, lists_.stated, &rendering);
+    check_at(where, [&] {
+        rendering.set(name, targets, size, watch_.shows_discarded);
+        all_inputs(lists_.given, name, targets.with, root);
+        with_inputs(lists_.reads, targets.reads, lists_.given);
+        state(lists_.stated, name, lists_.reads, targets.writes, &targets);
+        check_reads(name, lists_.stated, &rendering);
+    });
     const VkCommandBuffer commands = begin_pass(name, "raster");
     add_barriers(lists_.barriers, false, lists_.stated);
     rendering.add_barriers(lists_.barriers);
@@ -157,7 +161,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
         add_output(name, target.resolve_into ? target.resolve_into : target.view);
     if (targets.depth.load != Attachment::Load::read_only)
         add_output(name + " depth", targets.depth.resolve_into ? targets.depth.resolve_into : targets.depth.view);
-    Raster pass(*this, name, commands, lists_);
+    Raster pass(*this, name, commands, lists_, where);
     rendering.begin(commands);
     if (watch_.listener) watch_.listener->begins(name, targets);
     record_and_end([&] { record(pass); },
@@ -169,26 +173,30 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     run_after_pass(outputs_before);
 }
 
-void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record) {
+void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record,
+                    std::source_location where) {
     const size_t outputs_before = outputs.size();
-    all_inputs(lists_.given, name, access.with, root);
-    with_inputs(lists_.reads, access.reads, lists_.given);
-    state(lists_.stated, name, lists_.reads, access.writes);
-    check_reads(name, lists_.stated, nullptr);
+    check_at(where, [&] {
+        all_inputs(lists_.given, name, access.with, root);
+        with_inputs(lists_.reads, access.reads, lists_.given);
+        state(lists_.stated, name, lists_.reads, access.writes);
+        check_reads(name, lists_.stated, nullptr);
+    });
     const VkCommandBuffer commands = begin_pass(name, "compute");
     add_barriers(lists_.barriers, true, lists_.stated);
     lists_.barriers.record(commands);
     for (const Resource& written : access.writes) add_output(name, written.view);
-    Compute pass(*this, name, commands, lists_);
+    Compute pass(*this, name, commands, lists_, where);
     if (watch_.listener) watch_.listener->begins(name, access);
     record_and_end([&] { record(pass); }, [&] { end_pass(); });
     note_writes(lists_.stated, nullptr);
     run_after_pass(outputs_before);
 }
 
-void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record) {
+void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record,
+                     std::source_location where) {
     std::vector<Stated> stated;
-    state(stated, name, access.reads, access.writes);
+    check_at(where, [&] { state(stated, name, access.reads, access.writes); });
     note_writes(stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "transfer");
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");

@@ -26,8 +26,12 @@ class Globals {
     }
     const std::vector<std::byte>* find(const Binding& block) const {
         for (const auto& [hash, bytes] : all_)
-            if (hash == block.hash) return &bytes;
+            if (hash == block.hash && !bytes.empty()) return &bytes;
         return nullptr;
+    }
+    /// Leaves all blocks unset.
+    void clear() {
+        for (auto& [hash, bytes] : all_) bytes.clear();
     }
 
   private:
@@ -73,9 +77,13 @@ class Frame {
     /// Passes run in order and do not nest. A pass whose callback throws is still submitted. Throws Failure if a pass
     /// reads an image that no pass of this frame wrote, unless it was uploaded or is marked Image::Desc::kept: its
     /// contents would be stale or undefined.
-    void raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record);
-    void compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record);
-    void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record);
+    /// Messages begin with the file and line of the statement, `where`.
+    void raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record,
+                std::source_location where = std::source_location::current());
+    void compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record,
+                 std::source_location where = std::source_location::current());
+    void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record,
+                  std::source_location where = std::source_location::current());
 
     /// Transfer pass that fills `buffer`, enlarged as needed; all later passes may read it. `bytes` are copied now.
     void upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes);

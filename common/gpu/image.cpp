@@ -48,6 +48,7 @@ Image::Image(Device& device, const Desc& wanted) : Image() {
     device_ = &device;
     desc = wanted;
     if (desc.cube && desc.layers == 1) desc.layers = 6;
+    if (desc.size.x == 0 || desc.size.y == 0) throw Failure("image {}: its size is 0", desc.name);
     if ((desc.depth && (desc.layers > 1 || desc.cube)) || (desc.cube && desc.layers % 6))
         throw Failure("image {}: a volume has one layer, a cube a multiple of 6", desc.name);
     VkImageCreateFlags flags = 0;

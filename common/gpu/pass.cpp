@@ -42,8 +42,9 @@ bool turn_into(ImageView& view, VkImageViewType wanted) {
 
 }  // namespace
 
-Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_commands, PassLists& lists)
-    : commands(frame_commands), frame(owner), name(pass_name), lists_(lists) {
+Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_commands, PassLists& lists,
+           std::source_location where)
+    : commands(frame_commands), frame(owner), name(pass_name), where_(where), lists_(lists) {
     lists_.macros.clear();
     lists_.scopes.clear();
     for (const PassInputs* one : lists_.given) lists_.macros.push_back(one->macros());
@@ -62,19 +63,20 @@ Pass::Slot Pass::slot(const BindingName& binding) const {
 
 // Null if nothing is to be set: no pipeline, empty slot, or unused binding.
 const Binding* Pass::find(const Name& binding) const {
+    if (!used_) fail(binding.where, " sets a binding before pass.use(pipeline)");
     if (!pipeline_ || (binding.by_slot && !binding.slot)) return nullptr;
     if (binding.by_slot) {
         if (binding.slot.pipeline_ == pipeline_) return &pipeline_->bindings[binding.slot.number_];
-        throw Failure("pass '{}' sets a slot of a pipeline that is not in use any more", name);
+        fail(binding.where, " sets a slot of a pipeline that is not in use any more");
     }
     if (const Binding* found = pipeline_->find(binding.name)) return found->used ? found : nullptr;
     std::string known;
     for (const Binding& b : pipeline_->bindings) known += (known.empty() ? "" : ", ") + b.name;
-    throw Failure("pass '{}': its shaders have no binding '{}'; they have: {}", name, binding.name.text, known);
+    fail(binding.where, ": its shaders have no binding '{}'; they have: {}", binding.name.text, known);
 }
 
-void Pass::fail_unstated(std::string_view use, bool writes) const {
-    throw Failure("pass '{}' binds '{}' without stating it in its {}", name, use, writes ? "writes" : "reads");
+void Pass::fail_unstated(const std::source_location& where, std::string_view use, bool writes) const {
+    fail(where, " binds '{}' without stating it in its {}", use, writes ? "writes" : "reads");
 }
 
 const Stated* Pass::stated(const ImageView& view, bool writes) const {
@@ -83,11 +85,12 @@ const Stated* Pass::stated(const ImageView& view, bool writes) const {
     return nullptr;
 }
 
-void Pass::check_stated(std::string_view use, const Buffer& buffer, bool writes) const {
+void Pass::check_stated(const std::source_location& where, std::string_view use, const Buffer& buffer,
+                        bool writes) const {
     if (buffer.constant && !writes) return;
     for (const Stated& s : lists_.stated)
         if (s.resource.buffer == &buffer && (s.writable || !writes)) return;
-    fail_unstated(use, writes);
+    fail_unstated(where, use, writes);
 }
 
 // Indirect commands of compute passes wait here: a wait for every buffer read costs 2.5 µs per pass on an H100.
@@ -108,11 +111,15 @@ void Pass::check_indirect(const Buffer& buffer) const {
         }
         return;
     }
-    fail_unstated(buffer.name, false);
+    fail_unstated(where_, buffer.name, false);
 }
 
-void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats,
-                VkPipelineBindPoint point) {
+void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point,
+                const std::source_location& where) {
+    if (wanted.is_compute != (point == VK_PIPELINE_BIND_POINT_COMPUTE))
+        fail(where, ": {} is a pipeline for frame.{}", wanted.shaders().back(),
+             wanted.is_compute ? "compute" : "raster");
+    used_ = true;
     if (pipeline_ && lists_.used.first == wanted.id && lists_.used.second == variant) return;
     lists_.used = {wanted.id, variant};
     lists_.scopes.back() = &variant;
@@ -136,17 +143,21 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
     dirty_ = true;
     lists_.image_infos.assign(pipeline->descriptors, {});
+    lists_.views.assign(pipeline->samples_and_writes ? pipeline->descriptors : 0, {});
     lists_.buffer_infos.assign(pipeline->descriptors, {});
     if (listener()) listener()->uses(wanted, variant);
     modules_bind_ = true;
     for (const Binding& binding : pipeline->bindings) {
         if (!binding.used || binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) continue;
         if (const auto* bytes = frame.globals.find(binding)) {
-            set_block(binding, *bytes);
+            set_block(where, binding, *bytes);
             continue;
         }
-        for (const PassInputs* given : lists_.given)
-            if (const auto bytes = given->block(binding); !bytes.empty()) set_block(binding, bytes);
+        for (const PassInputs* given : lists_.given) {
+            std::span<const std::byte> bytes;
+            check_at(where, [&] { bytes = given->block(binding); });
+            if (!bytes.empty()) set_block(where, binding, bytes);
+        }
     }
     for (const PassInputs* given : lists_.given) given->bind(*this);
     modules_bind_ = false;
@@ -162,19 +173,43 @@ void Pass::store(const Binding& binding, uint32_t element, std::vector<Info>& in
     dirty_ = true;
 }
 
-VkDescriptorImageInfo Pass::image_info(const Binding& binding, ImageView view, const Sampler& sampler) const {
+// Disagreements between a view and the shader's declaration.
+void Pass::check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const {
+    const VkFormat format = view.format == VK_FORMAT_UNDEFINED ? view.image->desc.format : view.format;
+    const auto differs = [&](std::string_view shader, std::string_view image) {
+        fail(where, ": '{}' is {} in the shader, and {} is {}", binding.name, shader, view.name(), image);
+    };
+    if (binding.format != VK_FORMAT_UNDEFINED && binding.format != format)
+        differs(name_of(binding.format), name_of(format));
+    constexpr std::string_view texels[] = {"an image of floats", "an image of integers",
+                                           "an image of unsigned integers"};
+    if (const Texels own = texels_of(format); own != binding.texels)
+        differs(texels[size_t(binding.texels)], name_of(format));
+    if (binding.multisampled != (view.image->desc.samples > 1))
+        differs(binding.multisampled ? "multisampled" : "not multisampled",
+                binding.multisampled ? "not" : "multisampled: resolve it first");
+}
+
+// `view` becomes the part and the type that the shader declares.
+VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const Binding& binding, ImageView& view,
+                                       const Sampler& sampler) const {
     const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    if (!view || !view.image->handle)
+        fail(where, ": '{}' gets an image without a size: a Target has one in Chapter::frame, an Image after fit()",
+             binding.name);
     if (storage && view.mips > 1) view = view.mip(0);
     if (!turn_into(view, binding.view_type))
-        throw Failure("pass '{}': '{}' is {} in the shader, and {} is {}", name, binding.name, shape(binding.view_type),
-                      view.name(), shape(view));
-    const VkFormat format = view.format == VK_FORMAT_UNDEFINED ? view.image->desc.format : view.format;
-    if (binding.format != VK_FORMAT_UNDEFINED && binding.format != format)
-        throw Failure("pass '{}': '{}' is {} in the shader, and {} is {}", name, binding.name, name_of(binding.format),
-                      view.name(), name_of(format));
+        fail(where, ": '{}' is {} in the shader, and {} is {}", binding.name, shape(binding.view_type), view.name(),
+             shape(view));
+    check_view(where, binding, view);
     const Stated* found = stated(view, storage);
-    if (!found && (!view.image->constant || storage)) fail_unstated(binding.name, storage);
-    if (found && !found->read && (!storage || binding.readable)) fail_unstated(binding.name, false);
+    if (!found && storage && !binding.writable && stated(view, false))
+        fail(where,
+             ": '{}' is a readonly image in the shader; a read allows only sampling: declare a sampler and use "
+             "texelFetch(), or state {} in writes, too",
+             binding.name, view.name());
+    if (!found && (!view.image->constant || storage)) fail_unstated(where, binding.name, storage);
+    if (found && !found->read && (!storage || binding.readable)) fail_unstated(where, binding.name, false);
     return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],
             .imageView = view.handle(),
             .imageLayout = found ? found->layout : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -184,16 +219,21 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
     const Binding* found = find(name_in_shader);
     if (!found) return;
     const Binding& binding = *found;
+    const std::source_location& where = name_in_shader.where;
     if (listener()) listener()->sets(binding.name, views, sampler);
     if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
-        throw Failure("pass '{}': '{}' is a buffer in the shader, not an image", name, binding.name);
+        fail(where, ": '{}' is a buffer in the shader, not an image", binding.name);
     if (views.empty() || views.size() > binding.count)
-        throw Failure("pass '{}': '{}' has {} elements in the shader and gets {}", name, binding.name, binding.count,
-                      views.size());
+        fail(where, ": '{}' has {} elements in the shader and gets {}", binding.name, binding.count, views.size());
     VkDescriptorImageInfo info{};
+    ImageView view;
     for (uint32_t i = 0; i < binding.count; ++i) {
-        if (i < views.size()) info = image_info(binding, views[i], sampler);
+        if (i < views.size()) {
+            view = views[i];
+            info = image_info(where, binding, view, sampler);
+        }
         store(binding, i, lists_.image_infos, info);
+        if (pipeline_->samples_and_writes) lists_.views[binding.first + i] = view;
     }
     missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
 }
@@ -201,27 +241,27 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
 void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
+    const std::source_location& where = name_in_shader.where;
     if (listener()) listener()->does_more("the buffer '" + binding->name + "'");
     if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
-        throw Failure("pass '{}': '{}' is not a storage buffer in the shader", name, binding->name);
-    if (binding->count > 1)
-        throw Failure("pass '{}': '{}' is an array of buffers, which passes do not bind", name, binding->name);
-    check_stated(binding->name, buffer, binding->writable);
+        fail(where, ": '{}' is not a storage buffer in the shader", binding->name);
+    if (binding->count > 1) fail(where, ": '{}' is an array of buffers, which passes do not bind", binding->name);
+    if (!buffer.handle) fail(where, ": '{}' gets a buffer without a size", binding->name);
+    check_stated(where, binding->name, buffer, binding->writable);
     store(*binding, 0, lists_.buffer_infos, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
     missing_ -= !std::exchange(lists_.bound[binding->number].set, true);
 }
 
 void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
-    if (const Binding* binding = find(name_in_shader)) set_block(*binding, bytes);
+    if (const Binding* binding = find(name_in_shader)) set_block(name_in_shader.where, *binding, bytes);
 }
 
-void Pass::set_block(const Binding& binding, std::span<const std::byte> bytes) {
+void Pass::set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes) {
     if (listener()) listener()->sets(binding.name, bytes);
     if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
-        throw Failure("pass '{}': '{}' is not a uniform block in the shader", name, binding.name);
+        fail(where, ": '{}' is not a uniform block in the shader", binding.name);
     if (bytes.size() != binding.bytes)
-        throw Failure("pass '{}': '{}' is {} bytes in C++ and {} in the shader", name, binding.name, bytes.size(),
-                      binding.bytes);
+        fail(where, ": '{}' is {} bytes in C++ and {} in the shader", binding.name, bytes.size(), binding.bytes);
     PassLists::Bound& bound = lists_.bound[binding.number];
     // Host copy for comparison: reading mapped device memory can be slow.
     std::byte* const known = lists_.bytes.data() + bound.at;
@@ -232,14 +272,41 @@ void Pass::set_block(const Binding& binding, std::span<const std::byte> bytes) {
     missing_ -= !std::exchange(bound.set, true);
 }
 
+// A dispatch that samples what it writes reads either value.
+void Pass::check_not_sampled() const {
+    const auto each = [&](const Binding& binding, const auto& visit) {
+        for (uint32_t i = 0; i < binding.count; ++i) visit(lists_.views[binding.first + i]);
+    };
+    for (const Binding& written : pipeline_->bindings) {
+        if (!written.used || written.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE || !written.writable) continue;
+        for (const Binding& sampled : pipeline_->bindings) {
+            if (!sampled.used || sampled.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) continue;
+            each(written, [&](const ImageView& into) {
+                each(sampled, [&](const ImageView& from) {
+                    if (into.overlaps(from))
+                        fail(where_,
+                             " samples {} as '{}' and writes it as '{}' at once; write another image, or read it in "
+                             "place by imageLoad()",
+                             from.name(), sampled.name, written.name);
+                });
+            });
+        }
+    }
+}
+
 bool Pass::flush() {
+    check_used();
     if (!pipeline_) return false;
     if (missing_ > 0)
         for (const Binding& binding : pipeline_->bindings)
             if (binding.used && !lists_.bound[binding.number].set)
-                throw Failure("pass '{}' draws or dispatches without '{}' being set", name, binding.name);
+                fail(where_, " draws or dispatches without '{}' being set{}", binding.name,
+                     binding.name == "view"                              ? "; set_view(frame) sets it"
+                     : binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER ? "; is its module stated in .with?"
+                                                                         : "");
     if (!dirty_) return true;
     dirty_ = false;
+    if (pipeline_->samples_and_writes) check_not_sampled();
     lists_.writes.clear();
     for (const Binding& binding : pipeline_->bindings)
         if (binding.used)

@@ -1,9 +1,11 @@
 // Recording interface of a raster or compute pass.
 #pragma once
 #include <functional>
+#include <source_location>
 #include <string_view>
 #include <type_traits>
 
+#include "common/base/error.h"
 #include "common/gpu/gpu.h"
 #include "common/gpu/targets.h"
 
@@ -30,6 +32,7 @@ struct PassLists {
     std::vector<Bound> bound;
     std::vector<std::byte> bytes;
     std::vector<VkDescriptorImageInfo> image_infos;
+    std::vector<ImageView> views;  ///< by element, as image_infos
     std::vector<VkDescriptorBufferInfo> buffer_infos;
     std::vector<VkWriteDescriptorSet> writes;
 };
@@ -42,7 +45,7 @@ struct Drawable {
 /// Bindings by name, kept until another pipeline is used. Each draw or dispatch checks that none is missing.
 class Pass {
   public:
-    Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists);
+    Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists, std::source_location where);
     Pass(const Pass&) = delete;
 
     VkCommandBuffer commands;
@@ -65,31 +68,49 @@ class Pass {
 
     struct Name {
         template <size_t length>
-        consteval Name(const char (&literal)[length]) : name(literal) {}
+        consteval Name(const char (&literal)[length], std::source_location at = std::source_location::current())
+            : name(literal), where(at) {}
         template <class T>
-        requires(std::is_convertible_v<const T&, std::string_view> && !std::is_array_v<T>) Name(const T& text)
-            : name(text) {}
-        Name(const BindingName& n) : name(n) {}
-        Name(const Slot& s) : name(std::string_view()), slot(s), by_slot(true) {}
+        requires(std::is_convertible_v<const T&, std::string_view> && !std::is_array_v<T>)
+            Name(const T& text, std::source_location at = std::source_location::current())
+            : name(text), where(at) {}
+        Name(const BindingName& n, std::source_location at = std::source_location::current()) : name(n), where(at) {}
+        Name(const Slot& s, std::source_location at = std::source_location::current())
+            : name(std::string_view()), slot(s), where(at), by_slot(true) {}
         BindingName name;
         Slot slot{};
+        std::source_location where;  ///< the statement that sets it
         bool by_slot = false;
     };
 
     /// Sets a binding if the pipeline has it. For modules, which are used with any kind of pass and shader.
     void set_if_present(const BindingName& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
-        set_images(slot(binding), {&view, 1}, sampler);
+        set_images({slot(binding), where_}, {&view, 1}, sampler);
     }
-    void set_if_present(const BindingName& binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
+    void set_if_present(const BindingName& binding, const Buffer& buffer) {
+        set_buffer({slot(binding), where_}, buffer);
+    }
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
              !std::convertible_to<const T&, ImageView>) void set_if_present(const BindingName& binding,
                                                                             const T& value) {
-        set_bytes(slot(binding), std::as_bytes(std::span(&value, 1)));
+        set_bytes({slot(binding), where_}, std::as_bytes(std::span(&value, 1)));
     }
 
   protected:
-    void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point);
+    void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point,
+              const std::source_location& where);
+    /// Throws Failure with file and line.
+    template <class... Values>
+    [[noreturn]] void fail(const std::source_location& where, fmt::format_string<Values...> format,
+                           Values&&... values) const {
+        throw Failure("{}: pass '{}'{}", place_of(where), name, fmt::format(format, std::forward<Values>(values)...));
+    }
+    /// Throws Failure if no pipeline was chosen.
+    void check_used() const {
+        if (!used_) fail(where_, " draws or dispatches before pass.use(pipeline)");
+    }
+    const std::source_location where_;  ///< the pass's statement
     void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
     void set_buffer(const Name& binding, const Buffer& buffer);
     void set_bytes(const Name& binding, std::span<const std::byte> bytes);
@@ -104,14 +125,18 @@ class Pass {
 
   private:
     bool modules_bind_ = false;
+    bool used_ = false;
     const Binding* find(const Name& binding) const;
-    void check_stated(std::string_view use, const Buffer& buffer, bool writes) const;
+    void check_stated(const std::source_location& where, std::string_view use, const Buffer& buffer, bool writes) const;
     const Stated* stated(const ImageView& view, bool writes) const;
-    [[noreturn]] void fail_unstated(std::string_view use, bool writes) const;
-    VkDescriptorImageInfo image_info(const Binding& binding, ImageView view, const Sampler& sampler) const;
+    [[noreturn]] void fail_unstated(const std::source_location& where, std::string_view use, bool writes) const;
+    VkDescriptorImageInfo image_info(const std::source_location& where, const Binding& binding, ImageView& view,
+                                     const Sampler& sampler) const;
+    void check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const;
+    void check_not_sampled() const;
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
-    void set_block(const Binding& binding, std::span<const std::byte> bytes);
+    void set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes);
     PassLists& lists_;
     size_t missing_ = 0;
     bool dirty_ = true;
@@ -153,7 +178,8 @@ class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
     /// `variant`: macros for this use; they override the pass's macros.
-    Raster& use(const Pipeline& pipeline, const Macros& variant = {});
+    Raster& use(const Pipeline& pipeline, const Macros& variant = {},
+                std::source_location where = std::source_location::current());
 
     /// Front faces are clockwise, for mirroring transforms. Until the next use().
     Raster& mirrored(bool mirrors);
@@ -182,7 +208,8 @@ class Raster : public PassSetters<Raster> {
 class Compute : public PassSetters<Compute> {
   public:
     using PassSetters::PassSetters;
-    Compute& use(const Pipeline& pipeline, const Macros& variant = {});
+    Compute& use(const Pipeline& pipeline, const Macros& variant = {},
+                 std::source_location where = std::source_location::current());
     /// Rounds up to whole workgroups.
     Compute& dispatch_threads(glm::uvec3 threads);
     Compute& dispatch_threads(glm::uvec2 threads) { return dispatch_threads(glm::uvec3(threads, 1)); }

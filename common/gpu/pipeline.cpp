@@ -5,6 +5,7 @@
 
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
+#include "common/base/files.h"
 #include "common/base/shared_lock.h"
 #include "common/gpu/gpu_work.h"
 #include "common/gpu/hidden_blocks.h"
@@ -50,8 +51,13 @@ uint64_t next_id() {
 
 }  // namespace
 
-Pipeline::Pipeline(Graphics desc) : graphics(std::move(desc)), id(next_id()) { live().push_back(this); }
-Pipeline::Pipeline(Compute desc) : compute(std::move(desc)), is_compute(true), id(next_id()) { live().push_back(this); }
+Pipeline::Pipeline(Graphics desc, std::source_location at) : graphics(std::move(desc)), id(next_id()), where(at) {
+    live().push_back(this);
+}
+Pipeline::Pipeline(Compute desc, std::source_location at)
+    : compute(std::move(desc)), is_compute(true), id(next_id()), where(at) {
+    live().push_back(this);
+}
 Pipeline::~Pipeline() { std::erase(live(), this); }
 const std::vector<Pipeline*>& Pipeline::all() { return live(); }
 
@@ -98,7 +104,7 @@ std::vector<FlatShader> flatten_stages(const Pipeline& pipeline, const Macros& m
             result.push_back({.text = sealed, .files = {}, .sealed = sealed});
             continue;
         }
-        result.push_back(pipeline.compute.source.empty() ? flatten(shader, all)
+        result.push_back(pipeline.compute.source.empty() ? flatten(shader, all, place_of(pipeline.where))
                                                          : flatten_text(pipeline.compute.source, shader, "99", all));
         result.back().sealed = sealed;
     }
@@ -121,7 +127,12 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
     std::map<std::string, Binding> merged;
     std::vector<Reflection> reflections;
     for (size_t i = 0; i < stages.stages.size(); ++i) {
-        reflections.push_back(reflect(stages.spirv[i]));
+        try {
+            reflections.push_back(reflect(stages.spirv[i]));
+        } catch (const Failure& e) {
+            const bool is_file = std::filesystem::exists(course_root() / "shaders" / stages.names[i]);
+            throw ShaderError("{}{}: {}", is_file ? "shaders/" : "", stages.names[i], e.what());
+        }
         if (local_size) *local_size = reflections.back().local_size;
         for (const Binding& binding : reflections.back().bindings) {
             auto [it, added] = merged.emplace(binding.name, binding);
@@ -248,11 +259,15 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     auto built = std::make_unique<BuiltPipeline>(device_);
     built->bindings = assign_bindings(stages, &built->local_size);
     std::vector<VkDescriptorSetLayoutBinding> entries;
+    bool samples = false, writes = false;
     for (const Binding& binding : built->bindings) {
         if (!binding.used) break;
         entries.push_back({binding.number, binding.type, binding.count, binding.stages, nullptr});
         built->descriptors += binding.count;
+        samples |= binding.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        writes |= binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.writable;
     }
+    built->samples_and_writes = samples && writes;
     built->index_names();
     const VkDescriptorSetLayoutCreateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
                                                    .bindingCount = static_cast<uint32_t>(entries.size()),

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,8 +39,9 @@ class Pipeline {
         Macros macros;
         std::string source;  ///< GLSL text instead of a file; `shader` is its name in messages
     };
-    explicit Pipeline(Graphics desc);
-    explicit Pipeline(Compute desc);
+    /// Messages name `where`, the pipeline's statement.
+    explicit Pipeline(Graphics desc, std::source_location where = std::source_location::current());
+    explicit Pipeline(Compute desc, std::source_location where = std::source_location::current());
     ~Pipeline();
     Pipeline(const Pipeline&) = delete;
 
@@ -52,10 +54,15 @@ class Pipeline {
     Compute compute;
     bool is_compute = false;
     uint64_t id;
+    std::source_location where;
 };
 
-inline Pipeline graphics(Pipeline::Graphics desc) { return Pipeline(std::move(desc)); }
-inline Pipeline compute(Pipeline::Compute desc) { return Pipeline(std::move(desc)); }
+inline Pipeline graphics(Pipeline::Graphics desc, std::source_location where = std::source_location::current()) {
+    return Pipeline(std::move(desc), where);
+}
+inline Pipeline compute(Pipeline::Compute desc, std::source_location where = std::source_location::current()) {
+    return Pipeline(std::move(desc), where);
+}
 
 struct TargetFormats {
     std::vector<VkFormat> color;
@@ -75,6 +82,7 @@ struct BuiltPipeline {
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     std::vector<Binding> bindings;  ///< sorted by number, used ones first; index_names() after changes
     uint32_t descriptors = 0;
+    bool samples_and_writes = false;  ///< has both sampled and writable storage images
     glm::uvec3 local_size{1};
     std::vector<VkShaderModule> modules;
 

@@ -2,7 +2,9 @@
 
 #include <spirv_cross/spirv_cross_c.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "common/base/error.h"
 
@@ -102,28 +104,145 @@ VkImageViewType view_type_of(spvc_type type) {
     }
 }
 
-VkFormat storage_format_of(spvc_type type) {
-    switch (spvc_type_get_image_storage_format(type)) {
-        case SpvImageFormatRgba32f:
-            return VK_FORMAT_R32G32B32A32_SFLOAT;
-        case SpvImageFormatRgba16f:
-            return VK_FORMAT_R16G16B16A16_SFLOAT;
-        case SpvImageFormatRgba8:
-            return VK_FORMAT_R8G8B8A8_UNORM;
-        case SpvImageFormatRg32f:
-            return VK_FORMAT_R32G32_SFLOAT;
-        case SpvImageFormatRg16f:
-            return VK_FORMAT_R16G16_SFLOAT;
-        case SpvImageFormatR32f:
-            return VK_FORMAT_R32_SFLOAT;
-        case SpvImageFormatR16f:
-            return VK_FORMAT_R16_SFLOAT;
-        case SpvImageFormatR8:
-            return VK_FORMAT_R8_UNORM;
-        case SpvImageFormatR32ui:
-            return VK_FORMAT_R32_UINT;
+Texels texels_of(spvc_compiler compiler, spvc_type type) {
+    const spvc_type texel = spvc_compiler_get_type_handle(compiler, spvc_type_get_image_sampled_type(type));
+    switch (spvc_type_get_basetype(texel)) {
+        case SPVC_BASETYPE_INT32:
+            return Texels::integers;
+        case SPVC_BASETYPE_UINT32:
+            return Texels::unsigned_integers;
         default:
-            return VK_FORMAT_UNDEFINED;
+            return Texels::floats;
+    }
+}
+
+VkFormat storage_format_of(spvc_type type) {
+    // Vulkan specification 1.3, "Compatibility Between SPIR-V Image Formats and Vulkan Formats".
+    static constexpr std::pair<SpvImageFormat, VkFormat> formats[] = {
+        {SpvImageFormatRgba32f, VK_FORMAT_R32G32B32A32_SFLOAT},
+        {SpvImageFormatRgba16f, VK_FORMAT_R16G16B16A16_SFLOAT},
+        {SpvImageFormatR32f, VK_FORMAT_R32_SFLOAT},
+        {SpvImageFormatRgba8, VK_FORMAT_R8G8B8A8_UNORM},
+        {SpvImageFormatRgba8Snorm, VK_FORMAT_R8G8B8A8_SNORM},
+        {SpvImageFormatRg32f, VK_FORMAT_R32G32_SFLOAT},
+        {SpvImageFormatRg16f, VK_FORMAT_R16G16_SFLOAT},
+        {SpvImageFormatR11fG11fB10f, VK_FORMAT_B10G11R11_UFLOAT_PACK32},
+        {SpvImageFormatR16f, VK_FORMAT_R16_SFLOAT},
+        {SpvImageFormatRgba16, VK_FORMAT_R16G16B16A16_UNORM},
+        {SpvImageFormatRgb10A2, VK_FORMAT_A2B10G10R10_UNORM_PACK32},
+        {SpvImageFormatRg16, VK_FORMAT_R16G16_UNORM},
+        {SpvImageFormatRg8, VK_FORMAT_R8G8_UNORM},
+        {SpvImageFormatR16, VK_FORMAT_R16_UNORM},
+        {SpvImageFormatR8, VK_FORMAT_R8_UNORM},
+        {SpvImageFormatRgba16Snorm, VK_FORMAT_R16G16B16A16_SNORM},
+        {SpvImageFormatRg16Snorm, VK_FORMAT_R16G16_SNORM},
+        {SpvImageFormatRg8Snorm, VK_FORMAT_R8G8_SNORM},
+        {SpvImageFormatR16Snorm, VK_FORMAT_R16_SNORM},
+        {SpvImageFormatR8Snorm, VK_FORMAT_R8_SNORM},
+        {SpvImageFormatRgba32i, VK_FORMAT_R32G32B32A32_SINT},
+        {SpvImageFormatRgba16i, VK_FORMAT_R16G16B16A16_SINT},
+        {SpvImageFormatRgba8i, VK_FORMAT_R8G8B8A8_SINT},
+        {SpvImageFormatR32i, VK_FORMAT_R32_SINT},
+        {SpvImageFormatRg32i, VK_FORMAT_R32G32_SINT},
+        {SpvImageFormatRg16i, VK_FORMAT_R16G16_SINT},
+        {SpvImageFormatRg8i, VK_FORMAT_R8G8_SINT},
+        {SpvImageFormatR16i, VK_FORMAT_R16_SINT},
+        {SpvImageFormatR8i, VK_FORMAT_R8_SINT},
+        {SpvImageFormatRgba32ui, VK_FORMAT_R32G32B32A32_UINT},
+        {SpvImageFormatRgba16ui, VK_FORMAT_R16G16B16A16_UINT},
+        {SpvImageFormatRgba8ui, VK_FORMAT_R8G8B8A8_UINT},
+        {SpvImageFormatR32ui, VK_FORMAT_R32_UINT},
+        {SpvImageFormatRgb10a2ui, VK_FORMAT_A2B10G10R10_UINT_PACK32},
+        {SpvImageFormatRg32ui, VK_FORMAT_R32G32_UINT},
+        {SpvImageFormatRg16ui, VK_FORMAT_R16G16_UINT},
+        {SpvImageFormatRg8ui, VK_FORMAT_R8G8_UINT},
+        {SpvImageFormatR16ui, VK_FORMAT_R16_UINT},
+        {SpvImageFormatR8ui, VK_FORMAT_R8_UINT},
+    };
+    const SpvImageFormat wanted = spvc_type_get_image_storage_format(type);
+    for (const auto& [format, result] : formats)
+        if (format == wanted) return result;
+    return VK_FORMAT_UNDEFINED;
+}
+
+struct Extent {
+    uint32_t bytes = 0, alignment = 1;
+};
+
+uint32_t round_up(uint32_t at, uint32_t alignment) { return (at + alignment - 1) / alignment * alignment; }
+
+// Size and alignment by GL_EXT_scalar_block_layout, the rules of C++. Throws Failure where `block` is laid out otherwise.
+class ScalarLayout {
+  public:
+    ScalarLayout(spvc_compiler compiler, std::string block) : compiler_(compiler), block_(std::move(block)) {}
+
+    Extent of_struct(spvc_type type) const {
+        Extent all;
+        for (unsigned i = 0; i < spvc_type_get_num_member_types(type); ++i) {
+            const spvc_type member = spvc_compiler_get_type_handle(compiler_, spvc_type_get_member_type(type, i));
+            const Extent one = of_member(type, i, member);
+            const uint32_t at = round_up(all.bytes, one.alignment);
+            unsigned offset = 0;
+            spvc_compiler_type_struct_member_offset(compiler_, type, i, &offset);
+            if (offset != at) refuse(type, i, "offset", offset, at);
+            all = {at + one.bytes, std::max(all.alignment, one.alignment)};
+        }
+        return {round_up(all.bytes, all.alignment), all.alignment};
+    }
+
+  private:
+    [[noreturn]] void refuse(spvc_type type, unsigned member, const char* what, unsigned is, unsigned wanted) const {
+        const char* name = spvc_compiler_get_member_name(compiler_, spvc_type_get_base_type_id(type), member);
+        throw Failure("block '{}': {} of '{}' is {}, in C++ {}; declare the block with layout(scalar)", block_, what,
+                      name, is, wanted);
+    }
+
+    Extent of_member(spvc_type type, unsigned i, spvc_type member) const {
+        Extent one = of_element(type, i, member);
+        const unsigned dimensions = spvc_type_get_num_array_dimensions(member);
+        unsigned stride = 0;
+        if (dimensions == 1 &&
+            spvc_compiler_type_struct_member_array_stride(compiler_, type, i, &stride) == SPVC_SUCCESS &&
+            stride != one.bytes)
+            refuse(type, i, "array stride", stride, one.bytes);
+        for (unsigned d = 0; d < dimensions; ++d) one.bytes *= spvc_type_get_array_dimension(member, d);
+        return one;
+    }
+
+    Extent of_element(spvc_type type, unsigned i, spvc_type member) const {
+        if (spvc_type_get_basetype(member) == SPVC_BASETYPE_STRUCT) return of_struct(member);
+        const uint32_t component = std::max(spvc_type_get_bit_width(member) / 8, 1u);
+        const uint32_t columns = spvc_type_get_columns(member), rows = spvc_type_get_vector_size(member);
+        unsigned stride = 0;
+        if (columns > 1 &&
+            spvc_compiler_type_struct_member_matrix_stride(compiler_, type, i, &stride) == SPVC_SUCCESS &&
+            stride != rows * component)
+            refuse(type, i, "matrix stride", stride, rows * component);
+        return {columns * rows * component, component};
+    }
+
+    spvc_compiler compiler_;
+    std::string block_;
+};
+
+// Bindings are set by name: a module declares nothing that has no name in C++.
+void refuse_unset(spvc_compiler compiler, spvc_resources resources) {
+    struct Unset {
+        spvc_resource_type kind;
+        const char* what;
+    };
+    for (const auto& [kind, what] :
+         {Unset{SPVC_RESOURCE_TYPE_PUSH_CONSTANT,
+                "is a push-constant block, which no pass sets; declare layout(scalar) uniform, and set it by name"},
+          Unset{SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, "is a texture without a sampler; declare a sampler2D"},
+          Unset{SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, "is a sampler without a texture; declare a sampler2D"},
+          Unset{SPVC_RESOURCE_TYPE_SUBPASS_INPUT, "is a subpass input, which no pass has; declare a sampler2D"}}) {
+        const spvc_reflected_resource* list = nullptr;
+        size_t count = 0;
+        spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
+        if (count == 0) continue;
+        const std::string name = spvc_compiler_get_name(compiler, list[0].id);
+        throw Failure("'{}' {}", name.empty() ? list[0].name : name, what);
     }
 }
 
@@ -141,6 +260,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
     if (spvc_compiler_get_active_interface_variables(compiler, &active) != SPVC_SUCCESS ||
         spvc_compiler_create_shader_resources_for_active_variables(compiler, &used, active) != SPVC_SUCCESS)
         throw Failure("spirv-cross: no list of the resources in use");
+    refuse_unset(compiler, resources);
     struct Kind {
         spvc_resource_type kind;
         VkDescriptorType type;
@@ -163,7 +283,15 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(whole); ++d)
                 binding.count *= spvc_type_get_array_dimension(whole, d);
             if (binding.count == 0) throw Failure("'{}' is an array without a size", binding.name);
-            if (!block) binding.view_type = view_type_of(base);
+            if (const unsigned set = spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationDescriptorSet))
+                throw Failure("'{}' is in set {}; declare it without set and binding, and set it by name", binding.name,
+                              set);
+            if (block) ScalarLayout(compiler, binding.name).of_struct(base);
+            if (!block) {
+                binding.view_type = view_type_of(base);
+                binding.texels = texels_of(compiler, base);
+                binding.multisampled = spvc_type_get_image_multisampled(base);
+            }
             if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) binding.format = storage_format_of(base);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
                 size_t bytes = 0;

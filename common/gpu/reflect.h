@@ -24,6 +24,12 @@ struct BindingName {
     uint64_t hash;
 };
 
+/// Component type of an image's texels, as shaders see them.
+enum class Texels { floats, integers, unsigned_integers };
+
+/// As shaders see texels of a format: normalised numbers are floats.
+Texels texels_of(VkFormat format);
+
 struct BlockMember {
     enum class Type { number, integer, unsigned_integer, other };
     std::string name;
@@ -43,6 +49,8 @@ struct Binding {
     uint32_t first = 0;  ///< index of its first element among all bindings' elements
     VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< storage images: from layout(); undefined: any
+    Texels texels = Texels::floats;         ///< images: type of a texel's components in the shader
+    bool multisampled = false;
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;
     bool writable = false;  ///< storage buffer or image without `readonly`
@@ -57,7 +65,8 @@ struct Reflection {
     glm::uvec3 local_size{1};
 };
 
-/// Throws Failure if the module is invalid or an array of bindings has no size.
+/// Throws Failure if the module is invalid, or declares what passes do not set: push constants, sets other than 0,
+/// textures apart from their samplers, arrays without a size, blocks that are not laid out as in C++ (`scalar`).
 Reflection reflect(const std::vector<uint32_t>& spirv);
 
 }  // namespace lightwalk

@@ -120,6 +120,9 @@ VkRenderingAttachmentInfo Rendering::add(const std::string& pass, Attachment tar
         throw Failure("pass '{}': target {} {}", pass, target.view.name(), why);
     };
     if (!target.view) throw Failure("pass '{}' has a target without an image", pass);
+    if (!target.view.image->handle)
+        throw Failure("pass '{}': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
+                      pass);
     const ImageView view = target_view(target.view, layers);
     const Image::Desc& desc = view.image->desc;
     const bool read_only = target.load == Attachment::Load::read_only;
@@ -187,6 +190,13 @@ void Rendering::begin(VkCommandBuffer commands) const {
 void state(std::vector<Stated>& result, const std::string& pass, const std::vector<Resource>& reads,
            const std::vector<Resource>& writes, const RasterTargets* targets) {
     result.clear();
+    for (const auto* list : {&reads, &writes})
+        for (const Resource& r : *list)
+            if (r.view && !r.view.image->handle)
+                throw Failure(
+                    "pass '{}' states an image without a size: a Target has one in Chapter::frame, an Image after "
+                    "fit()",
+                    pass);
     for (const Resource& w : writes) result.push_back({w, VK_IMAGE_LAYOUT_GENERAL, contains(reads, w), true});
     if (targets && targets->depth.load == Attachment::Load::read_only)
         result.push_back(

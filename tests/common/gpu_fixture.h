@@ -81,11 +81,19 @@ inline Pipeline compute_pipeline(const std::string& name, const std::string& sou
 
 /// Text of a function's Failure; empty if it throws none.
 template <class Function>
-std::string failure_of(const Function& function) {
+std::string failure_at(const Function& function) {
     try {
         function();
     } catch (const Failure& e) { return e.what(); }
     return {};
+}
+
+/// The same without file and line of a pass's statement.
+template <class Function>
+std::string failure_of(const Function& function) {
+    const std::string text = failure_at(function);
+    const size_t at = text.find(": pass '");
+    return at == text.npos ? text : text.substr(at + 2);
 }
 
 constexpr VkFormat one_float = VK_FORMAT_R32_SFLOAT;

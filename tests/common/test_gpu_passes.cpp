@@ -108,7 +108,8 @@ void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(number)); }
             pass.dispatch_threads(frame.size);
         });
     };
-    CHECK(failure_of([&] { record([](Compute&) {}); }) == "pass 'part' draws or dispatches without 'number' being set");
+    CHECK(failure_of([&] { record([](Compute&) {}); }) ==
+          "pass 'part' draws or dispatches without 'number' being set; is its module stated in .with?");
     CHECK(failure_of([&] { record([](Compute& pass) { pass.set("nobody", 1.0f); }); }) ==
           "pass 'part': its shaders have no binding 'nobody'; they have: into, number, absent, missing");
     record([](Compute& pass) {

@@ -1,0 +1,219 @@
+// Mistakes of a pass, its shaders and its knobs: each is refused in one line, which begins with the statement's file and line.
+#include <regex>
+
+#include "common/app/module.h"
+#include "tests/common/gpu_fixture.h"
+
+using namespace lightwalk;
+
+namespace refusals {
+
+Pipeline shader(const char* name, const std::string& declared, const std::string& body) {
+    const std::string size = "layout(local_size_x = 4, local_size_y = 4) in;\n";
+    return compute_pipeline(
+        name, size + declared + "\nvoid main() { ivec2 at = ivec2(gl_GlobalInvocationID.xy); " + body + " }\n");
+}
+
+const std::string into = "layout(r32f) writeonly uniform image2D into;\n";
+const std::string store = "imageStore(into, at, vec4(1.0));";
+
+const Pipeline writes = shader("writes.comp", into, store);
+const Pipeline samples =
+    shader("samples.comp", into + "uniform sampler2D from;", "imageStore(into, at, texelFetch(from, at, 0));");
+const Pipeline loads = shader("loads.comp", into + "layout(r32f) readonly uniform image2D from;",
+                              "imageStore(into, at, imageLoad(from, at));");
+const Pipeline counts =
+    shader("counts.comp", into + "uniform usampler2D from;", "imageStore(into, at, vec4(texelFetch(from, at, 0)));");
+const Pipeline packed = shader("packed.comp", "layout(r11f_g11f_b10f) writeonly uniform image2D into;", store);
+const Pipeline fixed = shader("fixed.comp", "layout(rgba16) writeonly uniform image2D into;", store);
+const Pipeline tens = shader("tens.comp", "layout(rgb10_a2) writeonly uniform image2D into;", store);
+const Pipeline viewed = shader("viewed.comp", into + "layout(scalar) uniform ViewBlock { vec4 eye; } view;",
+                               "imageStore(into, at, view.eye);");
+const Pipeline tinted = shader("tinted.comp", into + "layout(scalar) uniform TintBlock { float strength; } tint;",
+                               "imageStore(into, at, vec4(tint.strength));");
+const Pipeline listed = shader("listed.comp", into + "layout(scalar) readonly buffer Values { float values[]; };",
+                               "imageStore(into, at, vec4(values[0]));");
+const Pipeline truncated = shader("truncated.comp", into + "layout(scalar) uniform TintBlock { int strength; } tint;",
+                                  "imageStore(into, at, vec4(tint.strength));");
+const Pipeline compiled_in = shader("in.comp", into + "layout(scalar) uniform TintBlock { int method; } tint;",
+                                    "imageStore(into, at, vec4(tint.method));");
+
+struct Root : Module {};
+
+struct Tint : Module {
+    using Module::Module;
+    Knob<float> strength{*this, "strength", 0.5f, {0, 1}, "how much"};
+    Choice method{*this, "method", {"one", "two"}, "one", "which"};
+};
+
+// Rows of a table: the line expected and the mistake. The message names this file, and a line of the row.
+void refused(const std::string& expected, const std::function<void()>& mistake,
+             std::source_location row = std::source_location::current()) {
+    const std::string said = failure_at(mistake);
+    CAPTURE(said);
+    std::smatch parts;
+    REQUIRE(std::regex_match(said, parts, std::regex("(.*?):([0-9]+): ([^\n]*)")));
+    CHECK(parts[1] == "tests/common/test_refusals.cpp");
+    const unsigned line = static_cast<unsigned>(std::stoul(parts[2]));
+    CHECK(line >= row.line());
+    CHECK(line <= row.line() + 8);
+    CHECK(parts[3] == expected);
+}
+
+TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at its statement", "[refused]") {
+    const auto four = [&](const char* name, VkFormat format) {
+        Image made = image({.name = name, .format = format, .size = {4, 4}});
+        frame.raster("fill", {.color = {clear(made)}}, [](Raster&) {});
+        return made;
+    };
+    const Image one = four("one", one_float), two = four("two", one_float),
+                halves = four("halves", VK_FORMAT_R16G16B16A16_SFLOAT);
+    const Image unwritten = image({.name = "unwritten", .format = one_float, .size = {4, 4}}), none;
+    const Buffer nothing;
+    Root root;
+    const Tint tint{root, "tint"}, other{root, "other", "tint"};
+
+    refused("pass 'x' draws or dispatches before pass.use(pipeline)",
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.dispatch_threads(frame.size); }); });
+    refused("pass 'x' draws or dispatches before pass.use(pipeline)",
+            [&] { frame.raster("x", {.color = {clear(one)}}, [&](Raster& pass) { pass.draw(3); }); });
+    refused("pass 'x' sets a binding before pass.use(pipeline)",
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.set("into", one).use(writes); }); });
+    refused("pass 'x': writes.comp is a pipeline for frame.compute",
+            [&] { frame.raster("x", {.color = {clear(one)}}, [&](Raster& pass) { pass.use(writes).draw(3); }); });
+    refused("pass 'x': its shaders have no binding 'onto'; they have: into",
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).set("onto", one); }); });
+    refused("pass 'x' binds 'into' without stating it in its writes",
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).set("into", two); }); });
+    refused("pass 'x' draws or dispatches without 'into' being set", [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).dispatch_threads(frame.size); });
+    });
+    refused("pass 'x' draws or dispatches without 'view' being set; set_view(frame) sets it", [&] {
+        frame.compute("x", {.writes = {one}},
+                      [&](Compute& pass) { pass.use(viewed).set("into", one).dispatch_threads(frame.size); });
+    });
+    refused("pass 'x' draws or dispatches without 'tint' being set; is its module stated in .with?", [&] {
+        frame.compute("x", {.writes = {one}},
+                      [&](Compute& pass) { pass.use(tinted).set("into", one).dispatch_threads(frame.size); });
+    });
+    refused("the shader's tint.strength is an integer and would cut off the knob's fraction; declare it float", [&] {
+        frame.compute("x", {.writes = {one}, .with = {tint}}, [&](Compute& pass) { pass.use(truncated); });
+    });
+    refused("the shader's tint.method is compiled in: use its macro TINT_METHOD", [&] {
+        frame.compute("x", {.writes = {one}, .with = {tint}}, [&](Compute& pass) { pass.use(compiled_in); });
+    });
+    refused("pass 'x' is given two modules of the kind 'tint'; it takes one", [&] {
+        frame.compute("x", {.writes = {one}, .with = {tint, other}}, [&](Compute&) {});
+    });
+    for (const auto& [pipeline, format] :
+         {std::pair(&packed, "B10G11R11UfloatPack32"), std::pair(&fixed, "R16G16B16A16Unorm"),
+          std::pair(&tens, "A2B10G10R10UnormPack32")})
+        refused(fmt::format("pass 'x': 'into' is {} in the shader, and halves is R16G16B16A16Sfloat", format), [&] {
+            frame.compute("x", {.writes = {halves}}, [&](Compute& pass) { pass.use(*pipeline).set("into", halves); });
+        });
+    refused("pass 'x': 'from' is an image of unsigned integers in the shader, and two is R32Sfloat", [&] {
+        frame.compute("x", {.reads = {two}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(counts).set("from", two); });
+    });
+    refused(
+        "pass 'x' samples one as 'from' and writes it as 'into' at once; write another image, or read it in place by "
+        "imageLoad()",
+        [&] {
+            frame.compute("x", {.reads = {one}, .writes = {one}}, [&](Compute& pass) {
+                pass.use(samples).set("from", one).set("into", one).dispatch_threads(frame.size);
+            });
+        });
+    refused(
+        "pass 'x': 'from' is a readonly image in the shader; a read allows only sampling: declare a sampler and use "
+        "texelFetch(), or state two in writes, too",
+        [&] {
+            frame.compute("x", {.reads = {two}, .writes = {one}},
+                          [&](Compute& pass) { pass.use(loads).set("from", two); });
+        });
+    refused("pass 'x' reads unwritten, which no pass of this frame wrote",
+            [&] { frame.compute("x", {.reads = {unwritten}}, [](Compute&) {}); });
+    const std::string size = " without a size: a Target has one in Chapter::frame, an Image after fit()";
+    refused("pass 'x' states an image" + size, [&] { frame.compute("x", {.writes = {none}}, [](Compute&) {}); });
+    refused("pass 'x': 'values' gets a buffer without a size", [&] {
+        frame.compute("x", {.reads = {nothing}}, [&](Compute& pass) { pass.use(listed).set("values", nothing); });
+    });
+    refused("pass 'x': 'into' gets an image" + size,
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).set("into", none); }); });
+    refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
+            [&] { frame.raster("x", {.color = {clear(none)}}, [](Raster&) {}); });
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "mips of one image are sampled and written at once", "[refused]") {
+    const Image image = this->image({.name = "levels", .format = one_float, .size = {4, 4}, .mips = 2});
+    frame.raster("fill", {.color = {clear(image.mip(0), glm::vec4(3))}}, [](Raster&) {});
+    frame.compute("x", {.reads = {image.mip(0)}, .writes = {image.mip(1)}}, [&](Compute& pass) {
+        pass.use(samples).set("from", image.mip(0)).set("into", image.mip(1)).dispatch({1, 1, 1});
+    });
+    frame.end();
+    CHECK(value(image.mip(1)) == 3);
+}
+
+TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its line", "[refused]") {
+    const Image one = image({.name = "one", .format = one_float, .size = {4, 4}});
+    const auto said = [&](const Pipeline& pipeline) {
+        return failure_at([&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(pipeline); }); });
+    };
+    const auto declared = [&](const std::string& text) { return said(shader("x.comp", text + "\n" + into, store)); };
+    const std::string numbered = "' has no effect: bindings are set by name; leave it out";
+    CHECK(declared("layout(set = 1) uniform sampler2D from;") == "x.comp:2: 'set" + numbered);
+    CHECK(declared("// layout(set = 1)\nlayout(scalar,\n  binding=3) uniform A { float a; };") ==
+          "x.comp:3: 'binding" + numbered);
+    CHECK(declared("/* layout(set = 1) */ const int offset = 1, reset = 2;").empty());
+    CHECK(
+        declared("layout(push_constant) uniform Pushed { float a; } pushed;") ==
+        "x.comp: 'pushed' is a push-constant block, which no pass sets; declare layout(scalar) uniform, and set it by "
+        "name");
+    CHECK(declared("uniform texture2D from;") == "x.comp: 'from' is a texture without a sampler; declare a sampler2D");
+    const std::string remedy = "; declare the block with layout(scalar)";
+    CHECK(declared("uniform Light { vec3 a; vec3 b; } light;") ==
+          "x.comp: block 'light': offset of 'b' is 16, in C++ 12" + remedy);
+    CHECK(declared("buffer Points { vec3 points[]; };") ==
+          "x.comp: block 'points': array stride of 'points' is 16, in C++ 12" + remedy);
+    CHECK(declared("buffer Turns { mat3 turn; };") ==
+          "x.comp: block 'turn': matrix stride of 'turn' is 16, in C++ 12" + remedy);
+    CHECK(declared("struct Two { vec3 a; float b; vec2 c; };\nbuffer Pairs { Two pairs[]; };") ==
+          "x.comp: block 'pairs': array stride of 'pairs' is 32, in C++ 24" + remedy);
+    CHECK(declared("struct Two { vec3 a; float b; vec2 c; };\nlayout(scalar) buffer Pairs { Two pairs[]; };").empty());
+    CHECK(declared("uniform Same { vec4 a; float b; uint c; } same;").empty());  // equal by both rules
+    CHECK(said(compute_pipeline("x.comp", into + "void main() { imageStore(into, ivec2(0), vec4(1.0)); }")) ==
+          "x.comp: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images");
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a shader that is missing is refused at the pipeline's statement", "[refused]") {
+    refused("no file shaders/common/encode_srg.comp; the nearest in common: encode_srgb.comp and deform.comp", [&] {
+        const Pipeline missing = compute({.shader = "common/encode_srg.comp"});
+        frame.compute("x", {}, [&](Compute& pass) { pass.use(missing); });
+    });
+    refused("no file shaders/20_none/x.frag", [&] {
+        const Pipeline missing = graphics({.vertex = test_shader("quad.vert"), .fragment = "20_none/x.frag"});
+        frame.raster("x", {.color = {clear(frame.hdr)}}, [&](Raster& pass) { pass.use(missing); });
+    });
+    refused("image flat: its size is 0", [&] {
+        check_at(std::source_location::current(), [&] { image({.name = "flat", .size = {4, 0}}); });
+    });
+    frame.end();
+}
+
+TEST_CASE("a knob's default is one of its values", "[refused]") {
+    Root root;
+    refused("default of strength=5: expected a number from 0 to 1 m", [&] {
+        const Knob<float> strength{root, "strength", 5.0f, {0, 1}, "how much", "m"};
+    });
+    refused("default of count=0: expected an integer from 1 to 8", [&] {
+        const Knob<int> count{root, "count", 0, {1, 8}, "how many"};
+    });
+    refused("default of method=three: expected one of one, two", [&] {
+        const Choice method{root, "method", {"one", "two"}, "three", "which"};
+    });
+    const Knob<float> tenth{root, "tenth", 0.1f, {0.1f, 0.7f}, "ends of a range are floats"};
+    CHECK(tenth == 0.1f);
+}
+
+}  // namespace refusals
