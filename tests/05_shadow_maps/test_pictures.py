@@ -125,5 +125,24 @@ class LowPolyTest(ChapterPictures):
         self.assertLess(far_off, 0.008 * len(off))
 
 
+class ScaleTest(ChapterPictures):
+    """Scenes of unusual scale."""
+    chapter = "05_shadow_maps"
+
+    def test_coordinates_far_from_the_origin_are_named(self):
+        """Floats at 5,000,000 are 0.5 apart (IEEE 754)."""
+        model, scene, picture = (self.folder / name for name in ("far.obj", "scene.json", "far.png"))
+        for offset, said in ((5e6, "floats are 0.5"), (0, "")):
+            points, faces = box()
+            model.write_text("".join(f"v {x + offset} {y} {z}\n" for x, y, z in points)
+                             + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in faces))
+            scene.write_text(json.dumps({"camera": {"position": [offset, 1, 5], "target": [offset, 0, 0]},
+                                         "objects": [{"model": str(model)}]}))
+            done = self.run_program("--scene", scene, "--size", "16x16", "--screenshot", picture, silent=False,
+                                    GALLIVM_PERF="nopt")
+            self.assertIn(said, done.stderr)
+            self.assertEqual("m apart" in done.stderr, bool(said))
+
+
 if __name__ == "__main__":
     unittest.main()
