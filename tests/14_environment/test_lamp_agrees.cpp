@@ -53,8 +53,8 @@ struct Balls : OnModules {
 }  // namespace
 
 TEST_CASE_METHOD(Balls, "a ball under a lamp is the ball under a small patch of equal light", "[14.lamp_agrees]") {
-    // Where four texels of the cube's level of 16 × 16 meet, from which irradiance is summed.
-    const glm::dvec3 to_light = glm::normalize(glm::dvec3(6.0 / 16, 8.0 / 16, 1));
+    // The middle of a texel of the cube's level of 16 × 16, from which irradiance is summed: elsewhere the patch would move.
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(5.0 / 16, 7.0 / 16, 1));
     light.method.set("truth");
     objects.maps.lamps.samples.value = 1024;
     for (const float metalness : {1.0f, 0.0f})
@@ -95,7 +95,7 @@ TEST_CASE_METHOD(Balls, "a ball under a lamp is the ball under a small patch of 
                                                     : 0.007;
             CAPTURE(metalness, roughness, sum, most, off / sum);
             CHECK(sum > 1);
-            CHECK(off / sum < apart + 0.01);
+            CHECK(off / sum < apart + 0.015);
         }
 }
 
