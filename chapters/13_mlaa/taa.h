@@ -21,7 +21,7 @@ struct Seen {
 
 // [taa]
 /// Mixes each frame with the history of the pixel: earlier samples of the same surface. The renderer shifts each
-/// frame within a pixel (Module::gathering); a written picture takes `warm_up` of them from a cold start, so that it
+/// frame within a pixel (Module::accumulation); a written picture takes `warm_up` of them from a cold start, so that it
 /// depends on its time alone.
 struct Taa : Module {
     Taa(Module& owner, std::string name) : Module(owner, std::move(name), "taa") {}
@@ -55,7 +55,7 @@ struct Taa : Module {
 
     /// `picture`: RGBA16F, drawn from the view with its shift; gets the picture without it. Once per frame and module.
     void record(Frame& frame, const Image& picture, const Seen& seen);
-    Gathering gathering() const override;
+    Accumulation accumulation() const override;
     bool animated() const override { return true; }
     // [/taa]
 

@@ -17,7 +17,7 @@ struct TerrainWater : ModelChapter {
 
     TerrainWater() {
         set_look(shore, *this);
-        shore.land.method.alone = true;  // --method is about the ground here
+        shore.land.method.preferred = true;  // --method is about the ground here
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -65,7 +65,7 @@ std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path&
     std::shared_ptr<GpuModel>& entry = models_[key_of_model(file)];
     if (entry) return entry;
     auto model = std::make_shared<GpuModel>();
-    model->model = aside([&] { return loader(file); });
+    model->model = unlocked([&] { return loader(file); });
     check_extent(model->model, file);
     warn_if_far_off(model->model, file);
     model->nodes = world_transforms(model->model, 0.0f);
