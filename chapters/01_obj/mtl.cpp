@@ -117,7 +117,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
 // Statements seen in one material.
 struct Said {
     std::optional<float> d, tr;
-    bool ns = false, ks = false, ke = false, pr = false, pm = false;
+    bool ns = false, ks = false, ke = false, pr = false, pm = false, tf = false;
 };
 
 struct Reader {
@@ -163,6 +163,7 @@ struct Reader {
         } else if (keyword == "tr") {
             said.tr = take_float(rest, written);
         } else if (is_left_out(keyword)) {
+            said.tf |= keyword == "tf";
             leave_out_unless_plain(m, keyword, written, rest);
         } else {
             const float model = take_float(rest, written);
@@ -176,6 +177,7 @@ struct Reader {
         if (materials.empty()) return;
         Material& m = materials.back();
         set_opacity(m);
+        if (said.tf && m.opacity < 1 && m.illumination < 3) m.illumination = 4;  // a filter of light: glass
         set_colors(m);
         m.has_exponent = said.ns && said.ks;
         const bool has_maps = m.roughness_map || m.metalness_map;

@@ -27,12 +27,16 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     now_->shadow_lights.clear();
     Bounds bounds = scene.bounds;
     bounds.add(casters.others);
+    // Unless somebody has said how far, cascades reach beyond what the camera looks at.
+    LightViewOptions options = view_options();
+    const float target_m = glm::length(view.camera.target - view.camera.position);
+    if (options.distance_m == 30.0f) options.distance_m = std::max(30.0f, 1.25f * target_m);
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     for (const Light& light : lights) {
         ShadowLight& shadow = now_->shadow_lights.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(maps.size())};
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
-        const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, view_options());
+        const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, options);
         for (auto one = seen.begin(); one != seen.end(); ++one) {
             // Skips casters whose shadows only finer cascades show. The whole scene's map keeps all, since it does not
             // depend on the camera.

@@ -16,11 +16,12 @@ struct ScreenOcclusion : Module {
     Knob<float> radius_m{*this, "radius_m", 1.0f, {0.01f, 100.0f}, "Distance within which surfaces hide light", "m"};
     Knob<int> slices{*this, "slices", 3, {1, 64}, "Planes through the line of sight in which horizons are sought"};
     Knob<int> steps{*this, "steps", 8, {1, 64}, "Depths that are read to each side of a slice"};
-    Knob<float> thickness{*this,
-                          "thickness",
-                          0.1f,
-                          {0.0f, 1.0f},
-                          "Thinness of objects: how fast a horizon falls again behind what raised it; 0: never"};
+    Knob<float> thickness{
+        *this,
+        "thickness",
+        0.1f,
+        {0.0f, 1.0f},
+        "Thinness of objects: share of the way that a horizon falls again over one radius behind what raised it"};
     Choice resolution{
         *this, "resolution", {"half", "full"}, "half", "Pixels in which horizons are sought: one of four, or each"};
     Choice specular{
@@ -38,7 +39,7 @@ struct ScreenOcclusion : Module {
     // [/screen_occlusion]
 
   private:
-    Image found_, wide_;  ///< RGBA16F: bent normal times visibility in world space, visibility; as found, and per pixel
+    Image found_, wide_;  ///< RGBA16F: bent normal less normal, world space; visibility. As found, per pixel
     Pipeline seek_ = compute({.shader = "14_environment/screen_occlusion.comp"});
     Pipeline widen_ = compute({.shader = "14_environment/widen_occlusion.comp"});
 };

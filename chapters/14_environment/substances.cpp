@@ -15,6 +15,11 @@ struct Bumps {
 constexpr Bumps all_bumps[] = {
     {"tyre", 120.0f, 0.45f}, {"rubber", 400.0f, 0.3f}, {"interior", 500.0f, 0.35f}, {"plastic", 900.0f, 0.2f}};
 
+// Of MTL's illumination models those with "transparency: glass on" or "refraction on"; loaders give 4 to other glass.
+bool is_glass(int illumination) {
+    return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
+}
+
 }  // namespace
 
 void Substances::prepare(Gpu& gpu, Scene& scene) {
@@ -27,6 +32,7 @@ void Substances::prepare(Gpu& gpu, Scene& scene) {
         SubstanceData& own = substances.emplace_back();
         own.alpha = in_model ? std::max(rough * rough, 1e-3f) : -1.0f;
         own.metalness = in_scene ? 0.0f : item.material.metalness;
+        own.glass = is_glass(item.material.illumination) ? 1u : 0u;
         own.paint = item.material.name == "paint" && !in_scene ? 1u : 0u;
         for (const Bumps& bumps : all_bumps)
             if (item.material.name == bumps.material) {

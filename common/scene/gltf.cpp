@@ -235,6 +235,7 @@ class GltfReader {
         light.color = glm::clamp(vector_or(from, "color", glm::vec3(1)), 0.0f, 1.0f);
         light.intensity = std::clamp(value_or(from, "intensity", 1.0f) / glm::pi<float>(), 0.0f, 1e6f);
         light.range_m = std::clamp(value_or(from, "range", 1e6f), 0.0f, 1e6f);
+        light.softness = -1.0f / 0.65f;  // the power mix(1, 0.35, softness) of the cone's edge is 2; below 0: punctual
         if (const auto spot = from.find("spot"); spot != from.end()) {
             light.outer_rad =
                 std::clamp(value_or(*spot, "outerConeAngle", glm::quarter_pi<float>()), 0.0f, glm::half_pi<float>());

@@ -63,6 +63,8 @@ class GltfMaterials {
         if (const json* strength = extension(from, "KHR_materials_emissive_strength"))
             m.emissive *= value_or(*strength, "emissiveStrength", 1.0f);
         m.unlit = extension(from, "KHR_materials_unlit") != nullptr;
+        if (const json* glass = extension(from, "KHR_materials_transmission"))
+            if (value_or(*glass, "transmissionFactor", 0.0f) > 0) m.illumination = 4;  // MTL's number of glass
         m.sides = value_or(from, "doubleSided", false) ? Sides::both : Sides::front;
         read_alpha(from, m);
         if (!m.metallic_roughness) {  // roughness to Blinn–Phong exponent, as in chapter 04

@@ -1,5 +1,7 @@
 #include "common/scene/model_pool.h"
 
+#include <algorithm>
+
 #include "common/base/error.h"
 #include "common/base/shared_lock.h"
 
@@ -12,6 +14,21 @@ constexpr float farthest_m = 1e15f;
 std::string key_of_model(const std::filesystem::path& file) {
     std::error_code error;
     return std::filesystem::weakly_canonical(file, error).string();
+}
+
+// Floats near x are |x| 2^-23 apart: where that is a ten-thousandth of a shape, its surface is drawn in steps.
+void warn_if_far_off(const Model& model, const std::filesystem::path& file) {
+    Bounds all;
+    for (const Mesh& mesh : model.meshes) all.add(mesh.bounds);
+    if (all.empty()) return;
+    const glm::vec3 most = glm::max(glm::abs(all.lower), glm::abs(all.upper)), extent = all.extent();
+    const float far_m = std::max({most.x, most.y, most.z}), size_m = std::max({extent.x, extent.y, extent.z});
+    if (const float step_m = far_m * 0x1p-23f; step_m > 1e-4f * size_m && size_m > 0)
+        warn(
+            "{}: {:g} m from the origin floats are {:g} m apart, and its shape of {:g} m is drawn in such steps; "
+            "subtract an "
+            "offset from its coordinates",
+            file.string(), far_m, step_m, size_m);
 }
 
 }  // namespace
@@ -50,6 +67,7 @@ std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path&
     auto model = std::make_shared<GpuModel>();
     model->model = unlocked([&] { return loader(file); });
     check_extent(model->model, file);
+    warn_if_far_off(model->model, file);
     model->nodes = world_transforms(model->model, 0.0f);
     for (const Mesh& mesh : model->model.meshes) {
         model->vertices.push_back(gpu.upload(mesh.name + " vertices", mesh.vertices));

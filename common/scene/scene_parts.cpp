@@ -201,7 +201,7 @@ Light read_light(KeyReader r, bool& hidden) {
     if (light.kind == Light::Kind::spot) {
         r.angle("inner_deg", light.inner_rad, 0, 180);
         r.angle("outer_deg", light.outer_rad, 0, 180);
-        r.number("softness", light.softness, 0, 1);
+        r.number("softness", light.softness, -2, 1);
         if (light.inner_rad > light.outer_rad) r.refuse("inner_deg", "is above outer_deg");
     }
     r.string("name", light.name);

@@ -23,13 +23,22 @@ float falloff(float distance, float range, float fade_k) {
 }
 // [/falloff]
 
+// [punctual]
+// Lights of glTF files have a softness below 0: the inverse square, up to their range, whatever `falloff` the scene's
+// own lights have, and a cone whose edge is a square (KHR_lights_punctual).
+float punctual_falloff(float distance, float range) {
+    float share = min(distance / range, 1.0), square = share * share;
+    return (1.0 - square * square) / max(distance * distance, 1e-4);
+}
+// [/punctual]
+
 // [arriving_light]
 Arriving arriving_light(LightData light, vec3 position, float fade_k) {
     if (light.kind == LIGHT_DIRECTIONAL) return Arriving(-light.direction, light.radiance);
     vec3 offset = light.position - position;
     float distance = length(offset);
     vec3 to_light = distance > 0.0 ? offset / distance : vec3(0.0);
-    float factor = falloff(distance, light.range, fade_k);
+    float factor = light.softness < 0.0 ? punctual_falloff(distance, light.range) : falloff(distance, light.range, fade_k);
     if (light.kind == LIGHT_SPOT)
         factor *= spot_cone(-dot(to_light, light.direction), light.cos_inner, light.cos_outer, light.softness);
     return Arriving(to_light, light.radiance * factor);

@@ -11,11 +11,14 @@ uniform sampler2D ggx_albedos;
 Coat lit_coat;
 vec3 lit_body;
 
-// Table coordinates of view and roughness (04_surface_maps/ggx_table.h).
-vec2 in_ggx_table(Surface surface) {
-    float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0);
+// Where the tables of GGX hold a direction at this cosine and this roughness: see 04_surface_maps/ggx_table.h.
+vec2 in_ggx_table(float cosine, float shininess) {
     vec2 size = vec2(textureSize(ggx_albedos, 0));
-    return (vec2(1.0 - sqrt(1.0 - n_dot_v), sqrt(alpha_of(surface.shininess))) * (size - 1.0) + 0.5) / size;
+    return (vec2(1.0 - sqrt(1.0 - clamp(cosine, 1e-3, 1.0)), sqrt(alpha_of(shininess))) * (size - 1.0) + 0.5) / size;
+}
+
+vec4 albedos_at(Surface surface, vec3 direction) {
+    return textureLod(ggx_albedos, in_ggx_table(dot(surface.normal, direction), surface.shininess), 0.0);
 }
 
 #if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
@@ -44,7 +47,7 @@ vec3 rough_diffuse(Surface surface, vec3 albedo, float roughness, vec3 to_light)
 // Must run before the first light.
 void coat_surface(Surface surface, vec3 f0, vec3 body) {
 #if SURFACE_GGX
-    lit_coat = coat_of(f0, textureLod(ggx_albedos, in_ggx_table(surface), 0.0).rg);
+    lit_coat = coat_of(f0, albedos_at(surface, surface.to_eye));
     lit_body = body;
 #endif
 }
@@ -72,7 +75,7 @@ vec3 ambient_of_coat(vec3 otherwise) {
 
 Reflected reflect_light(Surface surface, vec3 to_light) {
 #if SURFACE_GGX
-    Reflected reflected = reflect_by_ggx(surface, lit_coat, to_light);
+    Reflected reflected = reflect_by_ggx(surface, lit_coat, albedos_at(surface, to_light).rg, to_light);
 #if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
     reflected.diffuse *= rough_diffuse(surface, lit_body, sqrt(alpha_of(surface.shininess)), to_light);
 #endif

@@ -42,6 +42,12 @@ bool is_above(vec3 facing, uint light, vec3 position, vec3 to_light) {
 }
 
 #if LAMPS_METHOD == LAMPS_METHOD_REPRESENTATIVE && HAS_GGX
+// Light of several microfacets, of which `reflect_light().specular` is a part.
+vec3 after_several(Surface surface, vec3 to_light) {
+    return lit_coat.multiple * multiple_towards(lit_coat, albedos_at(surface, to_light).rg) *
+           max(dot(surface.normal, to_light), 0.0);
+}
+
 // [representative]
 // Representative point: the lamp's point nearest to the mirrored ray, with a wider lobe (B. Karis, "Real Shading in
 // Unreal Engine 4", 2013).
@@ -56,11 +62,9 @@ Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     float alpha = alpha_of(surface.shininess), away = 2.0 * length(s.middle);
     float wider = alpha / min(alpha + length(s.across) / away, 1.0);
     float energy = wider * (s.is_tube ? alpha / min(alpha + length(s.along) / away, 1.0) : wider);
-    vec3 to_middle = safe_normalize(s.middle), to_nearest = safe_normalize(nearest);  // zero within the lamp
-    vec3 multiple = lit_coat.multiple * max(dot(surface.normal, to_nearest), 0.0);
-    vec3 single = reflect_light(surface, to_nearest).specular - multiple;
-    Reflected middle = reflect_light(surface, to_middle);
-    return Reflected(middle.diffuse, energy * single + lit_coat.multiple * max(dot(surface.normal, to_middle), 0.0));
+    vec3 to_middle = safe_normalize(s.middle), to_nearest = safe_normalize(nearest);  // none within the lamp
+    vec3 single = reflect_light(surface, to_nearest).specular - after_several(surface, to_nearest);
+    return Reflected(reflect_light(surface, to_middle).diffuse, energy * single + after_several(surface, to_middle));
 }
 // [/representative]
 #elif LAMPS_METHOD == LAMPS_METHOD_LTC && HAS_GGX
@@ -104,6 +108,18 @@ float lamp_share(LampShape s, mat3 to_lobe) {
 }
 // [/polygon]
 
+// A and B of the split sum over the lamp: five of its points, by their cosine.
+vec2 albedos_over(Surface surface, LampShape s) {
+    vec3 sum = vec3(0.0, 0.0, 1e-6);
+    for (int i = 0; i < 5; ++i) {
+        vec3 off = i == 0 ? vec3(0.0) : ((i & 1) == 0 ? s.across : s.along) * (i < 3 ? 0.7 : -0.7);
+        vec3 to_point = safe_normalize(s.middle + off);
+        float cosine = max(dot(surface.normal, to_point), 1e-3);
+        sum += cosine * vec3(albedos_at(surface, to_point).rg, 1.0);
+    }
+    return sum.xy / sum.z;
+}
+
 // [ltc]
 // Linearly transformed cosines: GGX times n·l as a transformed cosine lobe (E. Heitz et al., SIGGRAPH 2016).
 Reflected reflect_by_cosines(Surface surface, LampShape s) {
@@ -111,11 +127,13 @@ Reflected reflect_by_cosines(Surface surface, LampShape s) {
     if (dot(flat_eye, flat_eye) < 1e-10) flat_eye = abs(n.x) < 0.6 ? vec3(0.0, n.z, -n.y) : vec3(-n.z, 0.0, n.x);
     vec3 x = normalize(flat_eye);
     mat3 to_surface = transpose(mat3(x, cross(n, x), n));
-    vec4 m = textureLod(ggx_cosines, in_ggx_table(surface), 0.0);
+    vec4 m = textureLod(ggx_cosines, in_ggx_table(dot(n, surface.to_eye), surface.shininess), 0.0);
     mat3 to_cosine = mat3(vec3(m.x, 0.0, m.z), vec3(0.0, 1.0, 0.0), vec3(m.y, 0.0, m.w));
     float received = s.weight * lamp_share(s, to_surface);
     float mirrored = s.weight * lamp_share(s, to_cosine * to_surface);
-    return Reflected(lit_coat.entering * received, lit_coat.single * mirrored + lit_coat.multiple * received);
+    vec2 ab = albedos_over(surface, s);
+    return Reflected(lit_coat.entering * entering_towards(lit_coat, ab) * received,
+                     lit_coat.single * mirrored + lit_coat.multiple * multiple_towards(lit_coat, ab) * received);
 }
 // [/ltc]
 #elif LAMPS_METHOD == LAMPS_METHOD_SAMPLED

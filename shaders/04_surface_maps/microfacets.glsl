@@ -32,18 +32,38 @@ vec3 multiple_scattering(vec3 f0, vec2 ab) {
 // [/multiscatter]
 
 // [coat]
-// Microfacet coat over a diffuse body; shares of light for this view.
+// A coat of microfacets over a matt body. E is the share of white light that leaves after one microfacet, for a direction;
+// what it leaves is spread as (1 - E(v)) (1 - E(l)) / (1 - mean E) over views and lights, and the light that the body
+// gets likewise. So camera and light can be exchanged, and the hemisphere gets no more than arrives: C. Kelemen and
+// L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001; C. Kulla and A. Conty,
+// "Revisiting Physically Based Shading at Imageworks", SIGGRAPH course, 2017.
 struct Coat {
-    vec3 f0;        // reflectance at normal incidence
-    vec3 single;    // share reflected by one microfacet
-    vec3 multiple;  // share reflected after several
-    vec3 entering;  // share that reaches the body
+    vec3 f0;          // reflectance at normal incidence
+    vec3 single;      // shares of light from everywhere that reach this view: after one microfacet,
+    vec3 multiple;    // after several,
+    vec3 entering;    // and from the body
+    vec3 per_missing; // share of the light without direction that leaves the microfacets
+    vec2 means;       // A and B over all directions, by their cosine
 };
 
-// `ab`: A and B of the split sum for view and roughness.
-Coat coat_of(vec3 f0, vec2 ab) {
-    vec3 single = f0 * ab.x + ab.y, multiple = multiple_scattering(f0, ab);
-    return Coat(f0, single, multiple, max(1.0 - single - multiple, 0.0));
+// `ab`: A and B of the split sum for this view; their means over all directions.
+Coat coat_of(vec3 f0, vec4 ab) {
+    float kept = ab.z + ab.w;
+    vec3 mean_fresnel = f0 + (1.0 - f0) / 21.0;
+    vec3 per_missing = mean_fresnel * mean_fresnel * kept / (1.0 - mean_fresnel * (1.0 - kept));
+    vec3 single = f0 * ab.x + ab.y, multiple = per_missing * (1.0 - ab.x - ab.y);
+    return Coat(f0, single, multiple, max(1.0 - single - multiple, 0.0), per_missing, ab.zw);
+}
+
+// Factors of `multiple` and of `entering` for a light whose direction has this A and B; 1 on average.
+float multiple_towards(Coat coat, vec2 ab) {
+    return (1.0 - ab.x - ab.y) / max(1.0 - coat.means.x - coat.means.y, 1e-4);
+}
+
+vec3 entering_towards(Coat coat, vec2 ab) {
+    vec3 enters = 1.0 - coat.f0 * ab.x - ab.y - coat.per_missing * (1.0 - ab.x - ab.y);
+    vec3 mean = 1.0 - coat.f0 * coat.means.x - coat.means.y - coat.per_missing * (1.0 - coat.means.x - coat.means.y);
+    return max(enters, 0.0) / max(mean, 1e-4);
 }
 // [/coat]
 
@@ -51,9 +71,10 @@ Coat coat_of(vec3 f0, vec2 ab) {
 // is at least 1/64.
 float alpha_of(float shininess) { return sqrt(2.0 / (shininess + 2.0)); }
 
-// Radiance relative to a white Lambertian surface, hence the pi; coloured by Schlick's Fresnel term (1994).
+// Light in the unit of white's radiance, hence the pi. Coloured by Fresnel's term already (Schlick, 1994). `ab`: A and B of
+// the split sum for the light's direction.
 // [ggx]
-Reflected reflect_by_ggx(Surface surface, Coat coat, vec3 to_light) {
+Reflected reflect_by_ggx(Surface surface, Coat coat, vec2 ab, vec3 to_light) {
     float n_dot_l = dot(surface.normal, to_light);
     if (n_dot_l <= 0.0) return Reflected(vec3(0.0), vec3(0.0));
     float n_dot_v = clamp(dot(surface.normal, surface.to_eye), 1e-3, 1.0), alpha = alpha_of(surface.shininess);
@@ -61,6 +82,7 @@ Reflected reflect_by_ggx(Surface surface, Coat coat, vec3 to_light) {
     vec3 fresnel = mix(coat.f0, vec3(1.0), schlick_power(dot(surface.to_eye, h)));
     float density = ggx_density(clamp(dot(surface.normal, h), 0.0, 1.0), alpha);
     vec3 specular = pi * density * ggx_visibility(n_dot_l, n_dot_v, alpha) * fresnel;
-    return Reflected(coat.entering * n_dot_l, (specular + coat.multiple) * n_dot_l);
+    return Reflected(coat.entering * entering_towards(coat, ab) * n_dot_l,
+                     (specular + coat.multiple * multiple_towards(coat, ab)) * n_dot_l);
 }
 // [/ggx]

@@ -1,5 +1,6 @@
-// Surfaces with maps: GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the material) are
-// compiled out.
+// A surface with all its maps: the GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the
+// material) are compiled out.
+#include "04_surface_maps/mesh_plane.glsl"
 #include "common/structs.h"
 #include "04_surface_maps/plain_draw.glsl"
 #include "04_surface_maps/height_field.glsl"
@@ -216,11 +217,21 @@ struct MappedSurface {
     float alpha;            // 1 where nothing is cut out
 };
 
+// [mesh_plane]
+// Unit length: the plane of the triangle that is seen. `facing` is interpolated; where both are alike, it is finer.
+vec3 plane_of_triangle(vec3 facing) {
+    vec3 plane = cross(position_down(), position_across());
+    plane *= sign(dot(plane, facing)) * inversesqrt(max(dot(plane, plane), 1e-30));
+    return plane == vec3(0.0) || dot(plane, facing) > 0.99995 ? facing : plane;
+}
+// [/mesh_plane]
+
 // [map_surface]
 MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     mat3 frame = tangent_space();
     MappedSurface m;
     m.facing = frame[2];
+    mesh_plane = plane_of_triangle(m.facing);
     m.position = world_position;
     m.surface.to_eye = normalize(eye - world_position);
 #if HAS_PARALLAX || HAS_DISPLACEMENT

@@ -1,6 +1,7 @@
 // Visibility of lights: GLSL of the module Shadow, included instead of 03_attenuation/unshadowed.glsl. The method's
 // filter is compiled in.
 #include "03_attenuation/light_data.h"
+#include "04_surface_maps/mesh_plane.glsl"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/light_clip_position.glsl"
 #include "05_shadow_maps/slope_bias.glsl"
@@ -77,13 +78,17 @@ vec2 plane_slope(ShadowView view, vec3 position, vec3 facing, float cosine) {
 // Texel width at the point, metres.
 float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.to_clip * vec4(position, 1.0)).w); }
 
+const float initial_bias_m = 0.002;  // as the module has it
+
 // [receiver]
-// `reach`: half-width of the filter in texels along u and v.
+// `facing`: the plane of the triangle. `reach`: how far in texels a filter reads along u and along v.
 Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, float reach) {
     float cosine = clamp(dot(facing, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
-    float towards = shadow.bias_m + shadow.slope * slope_bias(cosine, texel, reach);
-    // Lifting a plane by h along its normal moves it h / cosine towards the light: tangent times cosine is the sine.
+    // The initial constant is two texels at most, so that it is small where the whole scene is.
+    float constant = shadow.bias_m == initial_bias_m ? min(initial_bias_m, 2.0 * texel) : shadow.bias_m;
+    float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
+    // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
     vec3 lifted = position + towards * to_light + along_normal * facing;
     Receiver r = Receiver(light_clip_position(view.to_clip, lifted), vec2(0.0));
@@ -103,8 +108,10 @@ float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_l
     if (light.views == 0u) return 1.0;
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return 1.0;
-    Receiver r = receiver(view, position, facing, to_light, filter_reach(light, view, position));
-    // Outside the light's view.
+    vec3 plane = mesh_plane == vec3(0.0) ? facing : mesh_plane;
+    if (dot(plane, to_light) <= 0.0) return 0.0;  // the triangle is its own shadow, though its normals face the light
+    Receiver r = receiver(view, position, plane, to_light, filter_reach(light, view, position));
+    // Behind the light, beside its view, or beyond its reach.
     if (any(greaterThan(abs(r.place.xy - 0.5), vec2(0.5))) || r.place.z <= 0.0) return 1.0;
     float texel = texel_at(view, position), pixel = shadow_eye.pixel * length(shadow_eye.position - position);
     return filtered(light, view, r, texel, pixel);

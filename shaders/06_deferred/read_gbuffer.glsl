@@ -1,4 +1,5 @@
-// Decoding of the G-buffer and depth, for lighting passes.
+// The pixel that the G-buffer and the depth buffer hold, for passes that light it.
+#include "04_surface_maps/mesh_plane.glsl"
 #include "06_deferred/gbuffer.glsl"
 #include "06_deferred/position_from_depth.glsl"
 #include "common/structs.h"
@@ -17,6 +18,29 @@ layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };  // to vectors from t
 
 // Stored depth; 0: no surface.
 float depth_of(ivec2 at) { return texelFetch(gbuffer_depth, at, 0).r; }
+
+// [plane_of_depth]
+vec3 place_at(ivec2 at, float depth) { return position_from_depth(uvec2(at), depth, view.size, clip_to_offset); }
+
+// To the neighbour on the same triangle: of two, the one nearer in depth.
+vec3 step_on_surface(ivec2 at, float depth, ivec2 along) {
+    ivec2 last = ivec2(view.size) - 1;
+    float before = depth_of(max(at - along, ivec2(0))), after = depth_of(min(at + along, last));
+    bool forward = abs(after - depth) <= abs(before - depth);
+    if (any(lessThan(at - along, ivec2(0)))) forward = true;
+    if (any(greaterThan(at + along, last))) forward = false;
+    vec3 here = place_at(at, depth);
+    return forward ? place_at(at + along, after) - here : here - place_at(at - along, before);
+}
+
+// The triangle's plane, which no target holds. Far from the mesh's normal it is that of an outline.
+vec3 plane_of_depth(ivec2 at, float depth, vec3 facing) {
+    vec3 plane = cross(step_on_surface(at, depth, ivec2(0, 1)), step_on_surface(at, depth, ivec2(1, 0)));
+    plane *= sign(dot(plane, facing)) * inversesqrt(max(dot(plane, plane), 1e-30));
+    float alike = dot(plane, facing);
+    return alike < 0.5 || alike > 0.99995 ? facing : plane;
+}
+// [/plane_of_depth]
 
 // [read_pixel]
 // `depth`: depth_of(at), above 0.
@@ -38,6 +62,7 @@ Pixel read_pixel(ivec2 at, float depth) {
 #if GBUFFER_METHOD != GBUFFER_METHOD_FAT
     p.position = view.eye + position_from_depth(uvec2(at), depth, view.size, clip_to_offset);
 #endif
+    mesh_plane = plane_of_depth(at, depth, p.facing);
     return p;
 }
 // [/read_pixel]

@@ -13,15 +13,34 @@ layout(rgba16f) writeonly uniform image2DArray irradiance;
 
 shared vec4 sums[LANES];  // of light, and of weights
 
+// Light of a texel of the small level by the finest ones: a sun is where it is, not in the middle of the texel.
+vec3 light_within(uvec3 at, vec3 normal) {
+    uint size = uint(textureSize(radiance, 0).x), side = size / uint(textureSize(radiance, source_level).x);
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < side * side; ++i) {
+        uvec3 fine = uvec3(side * at.xy + uvec2(i % side, i / side), at.z);
+        float cosine = max(dot(normal, cube_direction(fine, float(size))), 0.0);
+        sum += cosine * texel_solid_angle(fine.xy, float(size)) * texelFetch(radiance, ivec3(fine), 0).rgb;
+    }
+    return sum;
+}
+
 void main() {
     uvec3 texel = gl_WorkGroupID;
     vec3 normal = cube_direction(texel, float(imageSize(irradiance).x));
     uint lane = gl_LocalInvocationIndex, size = uint(textureSize(radiance, source_level).x);
     vec4 sum = vec4(0.0);
+    vec3 all = vec3(0.0);  // of six faces: their last level is one texel
+    for (int face = 0; face < 6; ++face) all += texelFetch(radiance, ivec3(0, 0, face), textureQueryLevels(radiance) - 1).rgb;
+    float bright = 0.005 * 4.0 / 6.0 * 3.14159265 * max(all.r, max(all.g, all.b));  // half a hundredth of all light
     for (uint i = lane; i < 6u * size * size; i += LANES) {
         uvec3 at = uvec3(i % size, i / size % size, i / (size * size));
-        float weight = max(dot(normal, cube_direction(at, float(size))), 0.0) * texel_solid_angle(at.xy, float(size));
-        sum += weight * vec4(texelFetch(radiance, ivec3(at), source_level).rgb, 1.0);
+        float angle = texel_solid_angle(at.xy, float(size));
+        float weight = max(dot(normal, cube_direction(at, float(size))), 0.0) * angle;
+        vec3 light = texelFetch(radiance, ivec3(at), source_level).rgb;
+        vec3 sent = weight * light;
+        if (max(light.r, max(light.g, light.b)) * angle > bright) sent = light_within(at, normal);
+        sum += vec4(sent, weight);
     }
     sums[lane] = sum;
     for (uint half_way = LANES / 2u; half_way > 0u; half_way /= 2u) {

@@ -39,10 +39,10 @@ Leaving leaving(CoatedSurface c) {
     vec3 around = diffuse_light(m.position, normal);
 #endif
 #ifdef SCREEN_OCCLUDED
-    Openness open = screen_openness(normal, m.facing);
+    Openness open = screen_openness(normal);
     around = with_bounces(open.visibility, c.is_paint ? paint_albedo(n_dot_v, 0) : c.albedo) *
              diffuse_light(m.position, normal);
-    reflected.specular *= reflected_share(open, reflect(-to_eye, normal), c.alpha);
+    reflected.specular *= reflected_share(open, normal, reflect(-to_eye, normal), c.alpha);
 #endif
     Leaving light = Leaving(c.albedo * reflected.diffuse_share * around * m.substance.occlusion,
                             reflected.specular * m.substance.occlusion + m.glow);

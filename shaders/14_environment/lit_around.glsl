@@ -1,8 +1,15 @@
 // Light of a coated surface from the scene's lights and from its surroundings.
 #include "04_surface_maps/reflection.glsl"
+#include "common/hash.glsl"
 #include "14_environment/leaving.glsl"
 
 Leaving lit_around(inout CoatedSurface c, vec4 frag_coord) {
+#if MAPS_UNLIT
+    return Leaving(vec3(0.0), c.m.glow);
+#endif
+#ifdef OCCLUDED
+    sample_shift = hash3(ivec3(frag_coord.xy, 0)).xy;
+#endif
     Leaving light = leaving(c);
     c.m.substance.mixed.specular = c.f0;
     c.m.surface.shininess = shininess_of(c.m.surface.shininess, c.alpha);

@@ -10,6 +10,17 @@ bool light_arrives(vec3 position, vec3 direction);
 uniform sampler2DArray image_light_texels;  // image_light_radiance as six layers
 layout(scalar) uniform ImageLightBlock { int samples; float sample_bias; } image_light;
 
+// Number of samples whose solid angle chooses a level. A level mixes what a ray finds hidden with what is open beside it:
+// where rays ask, that must not depend on their number. Each pixel then shifts its points.
+#ifdef OCCLUDED
+vec2 sample_shift = vec2(0.0);
+float samples_of_level(uint samples) { return 4096.0; }
+vec2 sample_point(uint i, uint samples) { return fract(hammersley(i, samples) + sample_shift); }
+#else
+float samples_of_level(uint samples) { return float(samples); }
+vec2 sample_point(uint i, uint samples) { return hammersley(i, samples); }
+#endif
+
 // [sampled]
 // M. Colbert and J. Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007, chapter 20: as the prefiltered cube's, but
 // with this pixel's own view. The sum is not split, and n·v is not taken for 1.
@@ -21,12 +32,12 @@ vec3 reflection_of_samples(LitFromAround s, float n_dot_v, uint samples, float b
     float alpha = max(s.alpha, 1e-3);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < samples; ++i) {
-        vec3 half_vector = importance_sample_ggx(hammersley(i, samples).yx, alpha);
+        vec3 half_vector = importance_sample_ggx(sample_point(i, samples).yx, alpha);
         float v_dot_h = dot(to_eye, half_vector);
         vec3 to_light = 2.0 * v_dot_h * half_vector - to_eye;
         if (to_light.z <= 0.0 || v_dot_h <= 0.0) continue;
         float density = ggx_density(half_vector.z, alpha) * half_vector.z / (4.0 * v_dot_h);
-        float lod = 0.5 * log2(1.0 / (float(samples) * density * texel_rad2)) + bias;
+        float lod = 0.5 * log2(1.0 / (samples_of_level(samples) * density * texel_rad2)) + bias;
         vec3 fresnel = s.f0 + (1.0 - s.f0) * schlick_power(v_dot_h);
         float weight = ggx_visibility(to_light.z, n_dot_v, alpha) * to_light.z * 4.0 * v_dot_h / half_vector.z;
         vec3 direction = frame * to_light;
@@ -43,10 +54,10 @@ vec3 diffuse_of_samples(vec3 position, vec3 normal, uint samples) {
     float texel_rad2 = 4.0 * pi / (6.0 * image_light_state.texels * image_light_state.texels);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < samples; ++i) {
-        vec2 random = hammersley(i, samples);
+        vec2 random = sample_point(i, samples);
         float cosine = sqrt(1.0 - random.x), sine = sqrt(random.x), phi = 2.0 * pi * random.y;
         vec3 direction = frame * vec3(sine * cos(phi), sine * sin(phi), cosine);
-        float lod = 0.5 * log2(pi / (float(samples) * max(cosine, 1e-3) * texel_rad2)) + 1.0;
+        float lod = 0.5 * log2(pi / (samples_of_level(samples) * max(cosine, 1e-3) * texel_rad2)) + 1.0;
         if (light_arrives(position, direction)) sum += radiance_along(position, direction, max(lod, 0.0));
     }
     return sum / float(samples);

@@ -38,27 +38,36 @@ vec2 noise_at(ivec2 at) {
 }
 
 // [horizon_search]
-// Cosine of the horizon's angle from the line of sight, to one side.
-float horizon_of(ivec2 pixel, vec3 here, vec3 to_eye, vec2 direction, float reach, float offset) {
-    float horizon = -1.0;
+// Cosine of the horizon's angle from the line of sight, to one side. Behind what raised it, it falls by `thickness` of the
+// way for each radius walked, whatever the number of steps.
+float horizon_of(ivec2 pixel, vec3 here, vec3 to_eye, vec3 normal, vec2 direction, float reach, float offset) {
+    float horizon = -1.0, walked = 0.0;
     for (int i = 0; i < occlusion_step.steps; ++i) {
-        float share = (float(i) + offset) / float(occlusion_step.steps);
-        vec2 at = direction * max(share * share * reach, float(i) + 1.0);
-        ivec2 there = pixel + ivec2(round(at));
-        if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, textureSize(depth, 0)))) break;
+        float share = (float(i) + offset) / float(occlusion_step.steps), pixels = max(share * share * reach, float(i) + 1.0);
+        ivec2 there = pixel + ivec2(round(direction * pixels));
+        if (pixels > reach || any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, textureSize(depth, 0)))) break;
+        float fall = 1.0 - pow(1.0 - occlusion_step.thickness, (pixels - walked) / reach);
+        walked = pixels;
         float stored = stored_at(there);
         if (stored <= 0.0) continue;
         vec3 away = place_of(there, stored) - here;
         float metres = length(away);
         if (metres == 0.0) continue;
-        horizon = raised_horizon(horizon, dot(away, to_eye) / metres, metres, occlusion_step.radius_m,
-                                 occlusion_step.thickness);
+        float found = dot(away, to_eye) / metres;
+        if (dot(away, normal) < 0.02 * metres) found = min(found, horizon);  // the surface itself, which hides nothing
+        horizon = raised_horizon(horizon, found, metres, occlusion_step.radius_m, fall);
     }
     return horizon;
 }
 // [/horizon_search]
 
 // [slices]
+// Sum of the directions between two angles of a slice, by solid angle: along the line of sight, and across it.
+vec2 directions_between(float before, float after) {
+    vec2 h = vec2(before, after), sine = sin(h), both = h - sine * cos(h);
+    return 0.5 * vec2(dot(sine, sine), both.x + both.y);
+}
+
 void main() {
     ivec2 place = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(place, imageSize(found)))) return;
@@ -73,6 +82,7 @@ void main() {
     float reach = occlusion_step.radius_m / distance_m * occlusion_step.pixels_per_rad;
     vec2 noise = noise_at(place);
     vec3 right = normalize(occlusion_step.rays.right), down = normalize(occlusion_step.rays.down), bent = vec3(0.0);
+    // What is hidden is summed, not what is open: few slices then leave an open plane as it is.
     float visible = 0.0;
     for (int i = 0; i < occlusion_step.slices; ++i) {
         float turn = pi * (float(i) + noise.x) / float(occlusion_step.slices);
@@ -84,17 +94,15 @@ void main() {
         float share = length(projected);
         if (share < 1e-4) continue;
         float tilt = atan(dot(projected, along), dot(projected, to_eye));
-        float after = acos(clamp(horizon_of(pixel, here, to_eye, direction, reach, noise.y), -1.0, 1.0));
-        float before = -acos(clamp(horizon_of(pixel, here, to_eye, -direction, reach, noise.y), -1.0, 1.0));
-        before = max(before, tilt - 0.5 * pi);
-        after = min(after, tilt + 0.5 * pi);
-        visible += share * slice_integral(before, after, tilt);
-        float middle = 0.5 * (before + after);
-        bent += share * (cos(middle) * to_eye + sin(middle) * along);
+        float after = acos(clamp(horizon_of(pixel, here, to_eye, normal, direction, reach, noise.y), -1.0, 1.0));
+        float before = -acos(clamp(horizon_of(pixel, here, to_eye, normal, -direction, reach, noise.y), -1.0, 1.0));
+        float lowest_before = tilt - 0.5 * pi, lowest_after = tilt + 0.5 * pi;
+        before = max(before, lowest_before);
+        after = min(after, lowest_after);
+        visible += share * (slice_integral(before, after, tilt) - slice_integral(lowest_before, lowest_after, tilt));
+        vec2 hidden = directions_between(before, after) - directions_between(lowest_before, lowest_after);
+        bent += hidden.x * to_eye + hidden.y * along;
     }
-    visible = clamp(visible / float(occlusion_step.slices), 0.0, 1.0);
-    float length2 = dot(bent, bent);
-    bent = length2 > 0.0 ? bent * inversesqrt(length2) : normal;
-    imageStore(found, place, vec4(visible * bent, visible));
+    imageStore(found, place, vec4(bent, visible) / float(occlusion_step.slices) + vec4(0.0, 0.0, 0.0, 1.0));
 }
 // [/slices]

@@ -8,12 +8,12 @@ struct Openness {
     float visibility;  // share of directions that is open, by their cosine
 };
 
-// The depth buffer knows the mesh's normal alone: bumps turn the open direction as they turn the normal.
-Openness screen_openness(vec3 normal, vec3 facing) {
+// The depth buffer knows the mesh's normal alone: what hides turns the mean direction of a bumpy normal as it turns the
+// mesh's.
+Openness screen_openness(vec3 normal) {
     vec4 found = texelFetch(screen_occlusion_image, ivec2(gl_FragCoord.xy), 0);
-    float length2 = dot(found.xyz, found.xyz);
-    vec3 bent = length2 > 0.0 ? found.xyz * inversesqrt(length2) - facing + normal : normal;
-    return Openness(dot(bent, bent) > 1e-6 ? normalize(bent) : normal, found.w);
+    vec3 bent = normal + found.xyz;
+    return Openness(dot(bent, bent) > 1e-6 ? normalize(bent) : normal, clamp(found.w, 0.0, 1.0));
 }
 
 // [multi_bounce]
@@ -24,13 +24,15 @@ vec3 with_bounces(float visibility, vec3 albedo) {
 }
 // [/multi_bounce]
 
-// Of the lobe around the mirrored direction. The cone around the bent normal has the visibility as its share of the
-// hemisphere's solid angle.
-float reflected_share(Openness open, vec3 mirrored, float alpha) {
+// Of the lobe around the mirrored direction, of its part above the surface. The cone around the bent normal has the
+// visibility as its share of the hemisphere's solid angle.
+float reflected_share(Openness open, vec3 normal, vec3 mirrored, float alpha) {
 #if SCREEN_OCCLUSION_SPECULAR == SCREEN_OCCLUSION_SPECULAR_VISIBILITY
     return open.visibility;
 #else
     float cone = acos(clamp(1.0 - open.visibility, 0.0, 1.0)), lobe = max(atan(alpha) * 2.0, 0.2);
-    return lobe_in_cone(cone, lobe, acos(clamp(dot(open.bent, mirrored), -1.0, 1.0)));
+    float above = lobe_in_cone(1.5707963, lobe, acos(clamp(dot(normal, mirrored), -1.0, 1.0)));
+    float seen = lobe_in_cone(cone, lobe, acos(clamp(dot(open.bent, mirrored), -1.0, 1.0)));
+    return min(seen / max(above, 1e-3), 1.0);
 #endif
 }

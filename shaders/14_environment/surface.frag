@@ -9,7 +9,11 @@ void main() {
     CoatedSurface c = coated_surface();
     Leaving light = lit_around(c, gl_FragCoord);
 #ifdef TRANSPARENT
-    // Reflections cover the background; alpha lets the rest through.
+    // Alpha is coverage: where it is 0, nothing is there. Glass is there, reflects all over, and alpha is its body's.
+    if (substances[item].glass == 0u) {
+        put_surface(min(light.body + light.coat, LARGEST_HALF), c.m.alpha);
+        return;
+    }
     float n_dot_v = clamp(dot(c.m.surface.normal, c.m.surface.to_eye), 1e-3, 1.0);
     float covered = mix(max(c.f0.r, max(c.f0.g, c.f0.b)), 1.0, schlick_power(n_dot_v));
     float opacity = max(1.0 - (1.0 - c.m.alpha) * (1.0 - covered), 1e-3);

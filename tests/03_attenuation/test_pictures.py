@@ -1,14 +1,16 @@
 """Pictures of chapter 03: all methods of culling agree to the last bit, and pixels match double precision."""
+import base64
 import json
 import math
 import pathlib
+import struct
 import sys
 import unittest
 
 from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ChapterPictures, to_code  # noqa: E402
+from pictures import LINEAR, ChapterPictures, to_code  # noqa: E402
 
 METHODS = ("every_light", "per_object", "tiled", "clustered")
 FLOOR = {"model": "models/plane.obj", "scale": 20,
@@ -149,6 +151,60 @@ class PicturesTest(ChapterPictures):
         pictures = [self.draw(path, "--method", method, "--validate", "on") for method in METHODS]
         self.assertEqual(pictures[1:], pictures[:1] * 3)
         self.assertGreater(max(max(row) for row in pictures[0])[0], 50)
+
+
+def gltf_light(path, light, height=1.0, slant=0.0):
+    """A matt white square of 4 m below one light of KHR_lights_punctual, seen from above."""
+    points = [(x, 0, z) for x, z in ((-2, 2), (2, 2), (2, -2), (-2, -2))]
+    raw = struct.pack("<12f", *sum(points, ())) + struct.pack("<12f", *(0, 1, 0) * 4) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    turn = math.radians(-90 + slant) / 2  # the light shines along -z of its node
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}], "extensionsUsed": ["KHR_lights_punctual"],
+        "nodes": [{"mesh": 0}, {"translation": [0, height, 0], "rotation": [math.sin(turn), 0, 0, math.cos(turn)],
+                                "extensions": {"KHR_lights_punctual": {"light": 0}}},
+                  {"camera": 0, "translation": [0, 3, 0], "rotation": [-math.sqrt(0.5), 0, 0, math.sqrt(0.5)]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.35, "znear": 0.1, "aspectRatio": 1}}],
+        "extensions": {"KHR_lights_punctual": {"lights": [light]}},
+        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-2, 0, -2], "max": [2, 0, 2]},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
+        "buffers": [{"byteLength": len(raw), "uri": "data:application/octet-stream;base64," + base64.b64encode(raw).decode()}]}))
+
+
+class PunctualTest(ChapterPictures):
+    """Lights of glTF files are those of KHR_lights_punctual, whatever falloff the scene's own lights have."""
+    chapter = "03_attenuation"
+
+    def middle(self, light, height=1.0, slant=0.0):
+        """Linear light of the light itself: a model that is shown alone has ambient light, too."""
+        return self.with_ambient(light, height, slant) - self.with_ambient(light | {"intensity": 0}, height, slant)
+
+    def with_ambient(self, light, height, slant):
+        model, picture = self.folder / "light.gltf", self.folder / "light.png"
+        gltf_light(model, light, height, slant)
+        self.run_program("--scene", model, "--camera-of-file", "1", "--size", "33x33", "--screenshot", picture, silent=False)
+        return LINEAR[Image.open(picture).convert("RGB").load()[16, 16][0]]
+
+    def test_candela_at_a_distance_are_lux(self):
+        lux = self.middle({"type": "directional", "intensity": 1.2})
+        self.assertGreater(lux, 0.2)
+        for candela, metres in ((1.2, 1), (0.048, 0.2), (30, 5)):
+            self.assertAlmostEqual(self.middle({"type": "point", "intensity": candela}, metres) / lux, 1, delta=0.02)
+
+    def test_range_and_cone(self):
+        bare = self.middle({"type": "point", "intensity": 1})
+        self.assertLess(bare, 0.9)
+        ranged = self.middle({"type": "point", "intensity": 1, "range": 1.25})
+        self.assertAlmostEqual(ranged / bare, 1 - 0.8 ** 4, delta=0.02)
+        cone = {"innerConeAngle": math.radians(10), "outerConeAngle": math.radians(40)}
+        share = (math.cos(math.radians(25)) - math.cos(math.radians(40))) / (
+            math.cos(math.radians(10)) - math.cos(math.radians(40)))
+        spot = self.middle({"type": "spot", "intensity": 1, "spot": cone}, slant=25)
+        self.assertAlmostEqual(spot / bare, share ** 2, delta=0.02)
 
 
 if __name__ == "__main__":

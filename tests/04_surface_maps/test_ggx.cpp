@@ -50,7 +50,9 @@ Probe ggx() {
             .before = R"(#include "common/structs.h"
                 #include "04_surface_maps/microfacets.glsl"
                 Reflected ggx(vec3 to_light, vec3 f0, Surface surface) {
-                    return reflect_by_ggx(surface, Coat(f0, vec3(0.0), vec3(0.0), vec3(1.0)), to_light);
+                    vec3 none = vec3(0.0);
+                    Coat coat = Coat(f0, none, none, vec3(1.0), none, vec2(0.0));
+                    return reflect_by_ggx(surface, coat, vec2(0.0), to_light);
                 }
 )",
             .signature = "Reflected ggx(vec3 to_light, vec3 f0, Surface surface)",  // a struct comes last

@@ -1,4 +1,4 @@
-"""Pictures of the scene on which chapter 05's window opens: its sky is one, wherever the camera turns."""
+"""Pictures of chapter 05: the sky of its first scene, and shadows on models of few polygons."""
 import json
 import math
 import pathlib
@@ -29,6 +29,119 @@ class SkyTest(ChapterPictures):
             found = {color: count for count, color in Image.open(picture).convert("RGB").getcolors(144 * 24)}
             self.assertGreater(len(found), 100)
             self.assertNotIn(BARE, found, f"{found.get(BARE)} pixels, {360 * side / SIDES:.0f} degrees around")
+
+
+def ball(rings):
+    """A ball of `rings` rings, open to no side; and its faces, corners in turn."""
+    sides, points, faces = 2 * rings, [(0, 1, 0)], []
+    for ring in range(1, rings):
+        for side in range(sides):
+            down, turn = math.pi * ring / rings, 2 * math.pi * side / sides
+            points.append((math.sin(down) * math.cos(turn), math.cos(down), math.sin(down) * math.sin(turn)))
+    points.append((0, -1, 0))
+    at = lambda ring, side: 1 + (ring - 1) * sides + side % sides  # noqa: E731
+    for side in range(sides):
+        faces.append((0, at(1, side + 1), at(1, side)))
+        faces.append((len(points) - 1, at(rings - 1, side), at(rings - 1, side + 1)))
+        for ring in range(1, rings - 1):
+            faces.append((at(ring, side), at(ring, side + 1), at(ring + 1, side + 1), at(ring + 1, side)))
+    return points, faces
+
+
+def turned(outline, sides):
+    """An outline of (radius, height), upwards, turned about the y axis; ends at radius 0 are one point each."""
+    points, faces, rows = [], [], []
+    for radius, height in outline:
+        turns = [2 * math.pi * side / sides for side in range(sides if radius else 1)]
+        rows.append([len(points) + i for i in range(len(turns))])
+        points += [(radius * math.cos(turn), height, radius * math.sin(turn)) for turn in turns]
+    for low, high in zip(rows, rows[1:]):
+        for side in range(sides):
+            a, b = low[side % len(low)], low[(side + 1) % len(low)]
+            c, d = high[(side + 1) % len(high)], high[side % len(high)]
+            faces.append(tuple(dict.fromkeys((a, d, c, b))))
+    return points, faces
+
+
+def torus(around, across):
+    points = [((1 + 0.45 * math.cos(v)) * math.cos(u) * 0.7, 0.32 * math.sin(v), (1 + 0.45 * math.cos(v)) * math.sin(u) * 0.7)
+              for u in (2 * math.pi * i / around for i in range(around)) for v in (2 * math.pi * j / across for j in range(across))]
+    at = lambda i, j: i % around * across + j % across  # noqa: E731
+    return points, [(at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)) for i in range(around) for j in range(across)]
+
+
+def box():
+    points = [(x, y, z) for x in (-0.8, 0.8) for y in (-0.8, 0.8) for z in (-0.8, 0.8)]
+    return points, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+
+
+SHAPES = {
+    "ball_3": ball(3), "ball_4": ball(4), "ball_6": ball(6), "ball_8": ball(8), "ball_12": ball(12), "box": box(),
+    "octahedron": turned([(0, -1), (1, 0), (0, 1)], 4), "cone": turned([(0, -0.9), (0.9, -0.9), (0, 1)], 5),
+    "prism": turned([(0, -0.8), (0.8, -0.8), (0.8, 0.8), (0, 0.8)], 6), "torus": torus(7, 5),
+    "vase": turned([(0, -1), (0.6, -0.9), (0.9, -0.3), (0.4, 0.4), (0.7, 1), (0, 0.8)], 7),
+    "drum": turned([(0, -0.5), (1, -0.5), (0.7, 0.5), (0, 0.5)], 9)}
+
+
+def write_smooth(path, points, faces):
+    """An OBJ file whose corners share one normal each, the mean of their faces'."""
+    normals = [[0.0, 0.0, 0.0] for _ in points]
+    for face in faces:
+        for b, c in zip(face[1:], face[2:]):
+            u, v = ([points[to][i] - points[face[0]][i] for i in range(3)] for to in (b, c))
+            across = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+            for corner in (face[0], b, c):
+                normals[corner] = [n + a for n, a in zip(normals[corner], across)]
+    lines = ["v %f %f %f" % point for point in points]
+    lines += ["vn %f %f %f" % tuple(n / math.hypot(*normal) for n in normal) for normal in normals]
+    path.write_text("\n".join(lines + ["f " + " ".join(f"{i + 1}//{i + 1}" for i in face) for face in faces]) + "\n")
+
+
+class LowPolyTest(ChapterPictures):
+    chapter = "05_shadow_maps"
+
+    def test_all_defaults_are_as_rays_on_smooth_shapes_of_few_polygons(self):
+        """An interpolated normal is tilted against its triangle by up to half the angle between two of them."""
+        matt = {"diffuse": [0.7, 0.7, 0.7], "specular": [0, 0, 0]}
+        objects = [{"model": "models/plane.obj", "scale": [30, 1, 30], "material": matt}]
+        for i, (name, shape) in enumerate(SHAPES.items()):
+            write_smooth(self.folder / f"{name}.obj", *shape)
+            objects.append({"model": str(self.folder / f"{name}.obj"), "material": matt,
+                            "position": [3 * (i % 4) - 4.5, 1.3, 3.2 * (i // 4) - 3.2]})
+        scene, file = {"ambient": [0.05, 0.05, 0.05], "objects": objects}, self.folder / "scene.json"
+        scene["camera"] = {"position": [3, 9, 12], "target": [0, 0.6, 0], "fov_deg": 36, "near_m": 0.1, "far_m": 100}
+        scene["lights"] = [{"type": "directional", "direction": [-0.5, -0.8, -0.45], "intensity": 0.9, "shadow": True}]
+        file.write_text(json.dumps(scene))
+        codes = {}
+        for visibility in ("maps", "rays"):
+            picture = self.folder / f"{visibility}.png"
+            self.run_program("--scene", file, "--set", f"visibility={visibility}", "--size", "360x240",
+                             "--screenshot", picture)
+            codes[visibility] = list(Image.open(picture).convert("L").getdata())
+        off = [abs(a - b) for a, b in zip(codes["maps"], codes["rays"])]
+        far_off = sum(one > 40 for one in off)
+        print(f"maps against rays on {len(SHAPES)} shapes: mean {sum(off) / len(off):.3f} codes, {far_off} pixels above 40")
+        self.assertLess(sum(off) / len(off), 0.8)
+        self.assertLess(far_off, 0.008 * len(off))
+
+
+class ScaleTest(ChapterPictures):
+    """Scenes of unusual scale."""
+    chapter = "05_shadow_maps"
+
+    def test_coordinates_far_from_the_origin_are_named(self):
+        """Floats at 5,000,000 are 0.5 apart (IEEE 754)."""
+        model, scene, picture = (self.folder / name for name in ("far.obj", "scene.json", "far.png"))
+        for offset, said in ((5e6, "floats are 0.5"), (0, "")):
+            points, faces = box()
+            model.write_text("".join(f"v {x + offset} {y} {z}\n" for x, y, z in points)
+                             + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in faces))
+            scene.write_text(json.dumps({"camera": {"position": [offset, 1, 5], "target": [offset, 0, 0]},
+                                         "objects": [{"model": str(model)}]}))
+            done = self.run_program("--scene", scene, "--size", "16x16", "--screenshot", picture, silent=False,
+                                    GALLIVM_PERF="nopt")
+            self.assertIn(said, done.stderr)
+            self.assertEqual("m apart" in done.stderr, bool(said))
 
 
 if __name__ == "__main__":
