@@ -34,11 +34,12 @@ void Coverage::record(Frame& frame, const ImageView& image, float cutoff) {
         }
         pass.wait().use(find_).set("alpha_count", counts_).set("factors", factors_).set("coverage", block);
         pass.dispatch({image.mips, image.layers, 1}).wait();
-        pass.use(scale_).set("alpha_count", counts_).set("factors", factors_);
+        const bool halves = image.format == VK_FORMAT_R16G16B16A16_SFLOAT;
+        const Macros result{{"RESULT_FORMAT", halves ? "rgba16f" : "rgba8"}};
+        pass.use(scale_, result).set("alpha_count", counts_).set("factors", factors_);
         for (uint32_t m = 1; m < image.mips; ++m) {
             block.level = static_cast<int>(m);
-            pass.set("coverage", block).set("source", plain_level(image, m), nearest_clamp);
-            pass.set("result", plain_level(image, m)).dispatch_threads(threads(m));
+            pass.set("coverage", block).set("result", plain_level(image, m)).dispatch_threads(threads(m));
         }
     });
 }

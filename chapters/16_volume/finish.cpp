@@ -35,15 +35,16 @@ void for_each_texel(const std::vector<LatheQuad>& quads, glm::uvec2 size, const 
 std::byte code(float value) { return std::byte(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); }
 std::byte srgb_code(float value) { return code(linear_to_srgb(value)); }
 
-using Texels = std::vector<std::byte>;
+using TexelBytes = std::vector<std::byte>;
 
 template <class Code>
-void put(Texels& texels, size_t texel, glm::vec3 color, const Code& to_code) {
+void put(TexelBytes& texels, size_t texel, glm::vec3 color, const Code& to_code) {
     for (int c = 0; c < 3; ++c) texels[4 * texel + size_t(c)] = to_code(color[c]);
     texels[4 * texel + 3] = std::byte(255);
 }
 
-std::shared_ptr<Image> image_of(Gpu& gpu, const char* name, VkFormat format, glm::uvec2 size, const Texels& texels) {
+std::shared_ptr<Image> image_of(Gpu& gpu, const char* name, VkFormat format, glm::uvec2 size,
+                                const TexelBytes& texels) {
     auto image = std::make_shared<Image>(
         gpu.device, Image::Desc{.name = name, .format = format, .size = size, .mips = full_mip_count(size)});
     gpu.upload(*image, mip_levels(format, size, texels));
@@ -80,7 +81,7 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     const auto texels_wide = static_cast<uint32_t>(width.value);
     const glm::uvec2 size(texels_wide, texels_wide / 8);
     const size_t bytes = size_t{4} * size.x * size.y;
-    Texels diffuse(bytes), specular(bytes), emissive(bytes), gloss(bytes);
+    TexelBytes diffuse(bytes), specular(bytes), emissive(bytes), gloss(bytes);
     const auto paint = [&](size_t texel, const LatheQuad& quad, glm::vec2, glm::vec2 at) {
         const LathePanel& panel = parts.panels[quad.panel];
         const bool glows = quad.is_top && is_glowing(panel, at, 1.0f / static_cast<float>(lathe.columns));
@@ -93,7 +94,7 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     };
     unlocked([&] { for_each_texel(parts.quads, size, paint); });
     const std::vector<std::byte> seen = occlusion(gpu, file, parts, size / 2u);
-    Texels occluded(4 * seen.size());
+    TexelBytes occluded(4 * seen.size());
     for (size_t i = 0; i < seen.size(); ++i)
         put(occluded, i, glm::vec3(float(std::to_integer<int>(seen[i])) / 255), code);
     return {.diffuse = image_of(gpu, "albedo", VK_FORMAT_R16G16B16A16_SFLOAT, size, linear_halves(diffuse)),

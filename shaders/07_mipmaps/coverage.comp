@@ -26,19 +26,19 @@ void main() {
     factors[counted] = level == 0 ? 1.0 : keep_coverage(kept / all * here, coverage.cutoff);
 }
 #else
-uniform sampler2DArray source;
 #if STEP == 0
+uniform sampler2DArray source;
 shared uint bins[256];
 #else
-writeonly uniform image2DArray result;
+layout(RESULT_FORMAT) uniform image2DArray result;
 #endif
 
 void main() {
     ivec3 at = ivec3(gl_GlobalInvocationID);
-    bool inside = all(lessThan(at.xy, textureSize(source, 0).xy));
-    vec4 texel = texelFetch(source, inside ? at : ivec3(0), 0);
     counted = at.z * coverage.levels + coverage.level;
 #if STEP == 0
+    bool inside = all(lessThan(at.xy, textureSize(source, 0).xy));
+    vec4 texel = texelFetch(source, inside ? at : ivec3(0), 0);
     bins[gl_LocalInvocationIndex] = 0u;
     barrier();
     if (inside) atomicAdd(bins[int(round(255.0 * clamp(texel.a, 0.0, 1.0)))], 1u);
@@ -46,7 +46,9 @@ void main() {
     uint count = bins[gl_LocalInvocationIndex];
     if (count > 0u) atomicAdd(alpha_count[256 * counted + int(gl_LocalInvocationIndex)], count);
 #else
-    if (inside) imageStore(result, at, vec4(texel.rgb, min(texel.a * factors[counted], 1.0)));
+    if (any(greaterThanEqual(at.xy, imageSize(result).xy))) return;
+    vec4 texel = imageLoad(result, at);
+    imageStore(result, at, vec4(texel.rgb, min(texel.a * factors[counted], 1.0)));
 #endif
 }
 #endif
