@@ -32,7 +32,7 @@ class DeferredLights {
     LightVolumes volumes_;
     bool is_tiled_ = false, has_volumes_ = false;
     LightGrid tiles_;  ///< layout only; workgroups list their lights themselves
-    const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}, {"EMITS", "0"}};
+    const Macros all_{{"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}};
     Pipeline full_screen_ = compute({.shader = "06_deferred/full_screen.comp", .macros = all_});
     Pipeline tiled_ = compute({.shader = "06_deferred/tiled.comp", .macros = all_});
     // [volume]

@@ -108,8 +108,9 @@ class Rewriter {
                 if (!after_operand) operand = out.size() + token.space.size();
                 if (!after_operand && !product_) factors = operand;
                 ++at_;
+                const bool is_size = declares_;
                 std::string inner = expression(close);
-                const bool dynamic = text == "[" && after_operand && !is_number(inner) && !declares_;
+                const bool dynamic = text == "[" && after_operand && !is_number(inner) && !is_size;
                 if (dynamic) inner = "undefined_index(" + inner + ", " + out.substr(operand) + ".length())";
                 out += token.space + text + inner + tokens_[close].space + tokens_[close].text;
                 at_ = close + 1;

@@ -246,7 +246,7 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
         fail(where, ": '{}' is not a storage buffer in the shader", binding->name);
     if (binding->count > 1) fail(where, ": '{}' is an array of buffers, which passes do not bind", binding->name);
-    if (!buffer.handle) fail(where, ": '{}' gets a buffer without a size", binding->name);
+    if (!buffer.handle) return;  // a module's that is not prepared: refused by the draw, unless another is set
     check_stated(where, binding->name, buffer, binding->writable);
     store(*binding, 0, lists_.buffer_infos, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
     missing_ -= !std::exchange(lists_.bound[binding->number].set, true);

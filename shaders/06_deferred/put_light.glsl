@@ -1,6 +1,9 @@
 // Radiance of a pixel, added to the emission in the target if any surface emits.
 #include "06_deferred/reflected.glsl"
 
+#ifndef EMITS
+#define EMITS 0
+#endif
 #if EMITS
 layout(rgba16f) uniform image2D hdr;
 #else

@@ -33,6 +33,7 @@ std::vector<float> floats(const std::vector<std::byte>& bytes) {
     return result;
 }
 
+// Without file and line of the statement.
 std::string refusal_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
     Frame frame(check_device());
     frame.begin({4, 4}, 0);
@@ -41,7 +42,8 @@ std::string refusal_of(const std::function<void(Compute&)>& record, const Comput
         frame.compute("test", access, record);
     } catch (const Failure& e) { text = e.what(); }
     frame.end();
-    return text;
+    REQUIRE(text.starts_with("tests/common/test_gpu.cpp:"));
+    return text.substr(text.find(": ") + 2);
 }
 
 struct Scale {
@@ -117,10 +119,11 @@ TEST_CASE("an image goes through uploads of all levels and read-back unchanged")
 
 TEST_CASE("a shader's error shows file, line and the line") {
     try {
-        const FlatShader flat = flatten_text("void main() {\n    float x = undeclared;\n}\n", "inline.comp", "99", {});
+        const FlatShader flat = flatten_text(
+            "layout(local_size_x = 1) in;\nvoid main() {\n    float x = undeclared;\n}\n", "inline.comp", "99", {});
         compile(Stage::compute, flat.text, "inline.comp");
         FAIL("it compiled");
-    } catch (const ShaderError& e) { CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:2: 'undeclared'")); }
+    } catch (const ShaderError& e) { CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:3: 'undeclared'")); }
 }
 
 TEST_CASE("a chapter cannot include a later one, nor a file that is not there, nor within #if") {

@@ -134,9 +134,6 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
             [&] { frame.compute("x", {.reads = {unwritten}}, [](Compute&) {}); });
     const std::string size = " without a size: a Target has one in Chapter::frame, an Image after fit()";
     refused("pass 'x' states an image" + size, [&] { frame.compute("x", {.writes = {none}}, [](Compute&) {}); });
-    refused("pass 'x': 'values' gets a buffer without a size", [&] {
-        frame.compute("x", {.reads = {nothing}}, [&](Compute& pass) { pass.use(listed).set("values", nothing); });
-    });
     refused("pass 'x': 'into' gets an image" + size,
             [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).set("into", none); }); });
     refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after fit()",

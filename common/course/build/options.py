@@ -14,7 +14,7 @@ def check_options(chapter: str, words: list[str]):
     """Raises UsageError for a flag, a shot or a knob that no source names."""
     if not (ROOT / "common/app/options.cpp").exists():
         return
-    texts = [path.read_text(errors="replace") for folder in sources(chapter) for path in folder.rglob("*.[ch]*")]
+    texts = [path.read_text(errors="replace", encoding="utf-8") for folder in sources(chapter) for path in folder.rglob("*.[ch]*")]
     flags = {flag for text in texts for flag in FLAG.findall(text)} | {"--help", "--version"}
     names = {name for text in texts for name in NAME.findall(text)}
     for word, value in zip(words, [*words[1:], ""]):

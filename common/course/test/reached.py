@@ -16,7 +16,7 @@ EVERYTHING = ("common/base", "common/gpu", "common/image", "common/scene", "comm
 
 def named_files(path: Path) -> set[Path]:
     """The files of the tree that a file includes, or names as a pipeline's shader."""
-    text, found = (ROOT / path).read_text(errors="replace"), set()
+    text, found = (ROOT / path).read_text(errors="replace", encoding="utf-8"), set()
     for name in {*INCLUDE.findall(text), *SHADER.findall(text)}:
         folder, last = Path(name).parent, Path(name).name
         places = [Path(root, folder, below, last) for root in ("", "chapters", "shaders") for below in ("", "exercise", "solution")]
@@ -56,7 +56,7 @@ def draws(chapter: str, assets: list[str]) -> bool:
     """Whether a shot or the code of a chapter names a file of assets, itself or by a scene."""
     names = {Path(name).name for name in assets}
     scenes = {path.name for path in (ROOT / "assets" / "scenes").glob("*.json") if any(name in path.read_text(encoding="utf-8") for name in names)}
-    texts = [path.read_text(errors="replace") for path in [*(ROOT / "chapters" / chapter).rglob("*.[ch]*"), ROOT / "tests" / chapter / "shots.json"]
+    texts = [path.read_text(errors="replace", encoding="utf-8") for path in [*(ROOT / "chapters" / chapter).rglob("*.[ch]*"), ROOT / "tests" / chapter / "shots.json"]
              if path.is_file()]
     return any(name in text for name in names | scenes for text in texts)
 

@@ -37,14 +37,14 @@ def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: s
     folder = BUILD / "study"
     folder.mkdir(parents=True, exist_ok=True)
     file, out = folder / f"redrawn.{name}.study.json", folder / f"redrawn.{name}.json"
-    file.write_text(json.dumps(part))
+    file.write_text(json.dumps(part), encoding="utf-8")
     out.with_name(out.name + ".partial").unlink(missing_ok=True)
     done = subprocess.run([chapter_program(chapter), "--study", out, "--study-file", file, "--study-rounds", "1",
                            "--size", "x".join(map(str, study["size"]))], cwd=ROOT, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode:
         return {"points": [], "failed": done.stdout.strip()[-300:]}
-    return json.loads(out.read_text())
+    return json.loads(out.read_text(encoding="utf-8"))
 
 
 def compared(name: str, study: dict, again: dict, labels: list[str]) -> list[str]:
@@ -69,14 +69,14 @@ def compared(name: str, study: dict, again: dict, labels: list[str]) -> list[str
 def wrong_of(chapter: str, tenth: bool) -> list[str]:
     wrong = []
     for file in sorted((ROOT / "docs/studies").glob(f"{chapter}.*.json")):
-        study = json.loads(file.read_text())
+        study = json.loads(file.read_text(encoding="utf-8"))
         request = ROOT / measured.request_of(study)
         if device_slug(study) != "lavapipe" or not {"truth", "size"} <= set(study) or not request.exists():
             continue
         if "errors_measured" not in study and measured.is_of_earlier(file):
             say(f"{file.stem}: errors of an earlier version; ./course study {chapter[:2]} --errors measures them again")
             continue
-        asked = json.loads(request.read_text())
+        asked = json.loads(request.read_text(encoding="utf-8"))
         labels = [label for label in map(label_of, asked["scenes"]) if label in study.get("scenes", {}) and chosen(chapter, label, tenth)]
         if not labels:
             continue

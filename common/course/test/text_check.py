@@ -255,14 +255,14 @@ def check_index() -> list[str]:
     code = "\n".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
     drawn = {f"{chapter[:2]}.{shot['name']}" for chapter in chapters() for shot in shots(chapter)}
     known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
-    for number, line in enumerate((ROOT / page).read_text().splitlines(), 1):
+    for number, line in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
         cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
         if not line.startswith("|") or len(cells) != 6 or cells[0] in ("term", "---"):
             continue
         term, _, section, knobs, seen, asked = cells
         terms.append(term.casefold())
         target = re.search(r"\((\w+\.md)", section)
-        text = (ROOT / "docs" / target[1]).read_text() if target and (ROOT / "docs" / target[1]).exists() else ""
+        text = (ROOT / "docs" / target[1]).read_text(encoding="utf-8") if target and (ROOT / "docs" / target[1]).exists() else ""
         if term.casefold() not in " ".join(text.split()).casefold():
             wrong.append(f"{page}:{number}: {target and target[1]} does not have the word '{term}'")
         for knob in re.findall(r"`([^`]*)`", knobs):
