@@ -1,4 +1,5 @@
 // G-buffer encodings: GLSL of the module GBuffer.
+#include "04_surface_maps/mesh_plane.glsl"
 #include "06_deferred/pixel.glsl"
 #include "06_deferred/pack_material.glsl"
 #include "06_deferred/normals.glsl"
@@ -53,7 +54,7 @@ struct Stored {
     vec4 position;                   // floats: 16 bytes; method fat only
 };
 
-// Mesh normal in a spare channel: 5 + 5 bits in a half, 12 + 12 in a float.
+// Mesh normal in a spare channel: 5 + 5 bits in a half. In a float the triangle's plane, 12 + 12 bits.
 const int half_bits = 5, float_bits = 12;
 
 Stored store(Pixel p) {
@@ -63,7 +64,7 @@ Stored store(Pixel p) {
 #if GBUFFER_METHOD == GBUFFER_METHOD_FAT
     s.normal = vec4(p.normal, m.occlusion);
     s.diffuse = vec4(m.mixed.diffuse, m.ambient_specular);
-    s.position = vec4(p.position, quantise(encode_normal(p.facing), float_bits));
+    s.position = vec4(p.position, quantise(encode_normal(mesh_plane), float_bits));
 #else
     s.normal = vec4(p.normal, quantise(encode_normal(p.facing), half_bits));
     s.diffuse = vec4(m.mixed.diffuse, m.occlusion + 2.0 * m.ambient_specular);

@@ -22,18 +22,25 @@ float depth_of(ivec2 at) { return texelFetch(gbuffer_depth, at, 0).r; }
 // [plane_of_depth]
 vec3 place_at(ivec2 at, float depth) { return position_from_depth(uvec2(at), depth, view.size, clip_to_offset); }
 
-// To the neighbour on the same triangle: of two, the one nearer in depth.
-vec3 step_on_surface(ivec2 at, float depth, ivec2 along) {
-    ivec2 last = ivec2(view.size) - 1;
-    float before = depth_of(max(at - along, ivec2(0))), after = depth_of(min(at + along, last));
-    bool forward = abs(after - depth) <= abs(before - depth);
-    if (any(lessThan(at - along, ivec2(0)))) forward = true;
-    if (any(greaterThan(at + along, last))) forward = false;
-    vec3 here = place_at(at, depth);
-    return forward ? place_at(at + along, after) - here : here - place_at(at - along, before);
+// Depth error of a line through the next two pixels: on a triangle 1/z, and so depth, is affine on the screen.
+float off_the_line(ivec2 at, float depth, ivec2 along) {
+    ivec2 second = at + 2 * along;
+    if (any(lessThan(second, ivec2(0))) || any(greaterThanEqual(second, ivec2(view.size)))) return 1e30;
+    float near = depth_of(at + along), far = depth_of(second);
+    return near == 0.0 || far == 0.0 ? 1e30 : abs(2.0 * near - far - depth);
 }
 
-// The triangle's plane, which no target holds. Far from the mesh's normal it is that of an outline.
+// To the neighbour that continues the triangle: of two, the one whose line predicts this depth; 0 if neither does.
+vec3 step_on_surface(ivec2 at, float depth, ivec2 along) {
+    float before = off_the_line(at, depth, -along), after = off_the_line(at, depth, along);
+    if (min(before, after) > 2e-4 * depth) return vec3(0.0);
+    ivec2 there = at + (after <= before ? along : -along);
+    vec3 away = place_at(there, depth_of(there)) - place_at(at, depth);
+    return after <= before ? away : -away;
+}
+
+// The triangle's plane, for targets that do not hold it. The mesh's normal where pixels are too few to tell: at outlines,
+// and on triangles of a pixel.
 vec3 plane_of_depth(ivec2 at, float depth, vec3 facing) {
     vec3 plane = cross(step_on_surface(at, depth, ivec2(0, 1)), step_on_surface(at, depth, ivec2(1, 0)));
     plane *= sign(dot(plane, facing)) * inversesqrt(max(dot(plane, plane), 1e-30));
@@ -62,7 +69,11 @@ Pixel read_pixel(ivec2 at, float depth) {
 #if GBUFFER_METHOD != GBUFFER_METHOD_FAT
     p.position = view.eye + position_from_depth(uvec2(at), depth, view.size, clip_to_offset);
 #endif
+#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
+    mesh_plane = p.facing;
+#else
     mesh_plane = plane_of_depth(at, depth, p.facing);
+#endif
     return p;
 }
 // [/read_pixel]

@@ -45,8 +45,8 @@ EQUAL = [
     Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("terrain",)),
     Equal("skin.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("default",)),
     # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
-    # Where a shadow falls, forward knows the triangle's plane and a G-buffer derives it from depths, which fail beside edges.
-    Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.04, sets=(MESH,)),
+    # A surface of triangles faces lights by interpolated normals, and in fat, which holds one normal of the mesh, by planes.
+    Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.005, sets=(MESH,)),
     Equal("gbuffer.method", ("fat", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
     Equal("gbuffer.method", ("packed", "tiled"), codes=1, sets=(MESH,)),
     Equal("gbuffer.volumes", ("on", "off"), codes=1),
