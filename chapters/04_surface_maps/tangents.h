@@ -21,7 +21,11 @@ struct FramedMesh {
 /// frame is one of theirs, and metres_per_uv so large that nothing is displaced along the surface.
 FramedMesh frame_mesh(const Mesh& mesh);
 
-/// Frames of all meshes of a model, in order. Meshes are changed where their frames need more vertices. Work for the
+/// The same, of the texture coordinates that each part's normal map has.
+FramedMesh frame_mesh(const Mesh& mesh, const std::vector<Material>& materials);
+
+/// Frames of all meshes of a model, in order. Meshes are changed where their frames need more vertices; animated ones get
+/// the derivatives that their deformation moves. Work for the
 /// processor alone, on any thread.
 std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 

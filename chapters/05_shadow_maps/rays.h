@@ -17,7 +17,7 @@ struct SceneRays : Module {
     bool through_holes = true;  ///< alpha-tested holes let rays through; false: every triangle is solid
 
     /// Builds the hierarchy and uploads it. Throws InputError where a vertex is no place.
-    void build(Gpu& gpu, const Scene& scene, float time_s = 0);
+    void build(Gpu& gpu, const Scene& scene);
     void prepare(Gpu&, Scene&) override { built_ = false; }
 
     /// Builds it after a scene was loaded; if the scene has moved since, the boxes follow. `maps`: maps that cut
@@ -67,8 +67,7 @@ struct Rays : SceneRays {
     std::string why_not_finite() const;
 };
 
-/// The triangles of a scene's opaque items in world space, in the items' order, nothing cut out of them. `time_s`: of
-/// morph targets.
-std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s = 0);
+/// The triangles of a scene's opaque items in world space, in the items' order, nothing cut out of them.
+std::vector<RayTriangle> ray_triangles(const Scene& scene);
 
 }  // namespace lightwalk
