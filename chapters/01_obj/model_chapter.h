@@ -25,7 +25,7 @@ class ModelChapter : public Chapter {
 
     Model load_model(const std::filesystem::path& file) override {
         Model own;
-        return any_model(file, own) ? own : lightwalk::load_model(file, loader(), static_cast<Tr>(mtl.tr.index));
+        return any_proxy(file, own) ? own : lightwalk::load_model(file, loader(), static_cast<Tr>(mtl.tr.index));
     }
 
     std::vector<std::string> load_exercises() const override {

@@ -55,7 +55,7 @@ void LightGrid::set_view(const View& seen, const Bounds& scene, Cells cells, int
 }
 
 // [record]
-void LightGrid::record(Frame& frame, const Given& lights, const ImageView& depth) {
+void LightGrid::record(Frame& frame, const PassInputs& lights, const ImageView& depth) {
     const uint32_t group_count = static_cast<uint32_t>((lights_ + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
     reserve(frame.gpu.device, masks, "light masks", mask_words());
     reserve(frame.gpu.device, groups, "light groups", VkDeviceSize(group_count) * cell_count());

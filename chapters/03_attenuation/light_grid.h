@@ -27,7 +27,7 @@ class LightGrid {
 
     /// Sorts the lights into the cells, for tiles by the view's `depth`. `lights` gives shaders the lights' buffer and
     /// this grid's view.
-    void record(Frame& frame, const Given& lights, const ImageView& depth);
+    void record(Frame& frame, const PassInputs& lights, const ImageView& depth);
 
     Buffer masks, groups;  ///< layout in light_data.h
     GridView view;

@@ -36,15 +36,15 @@ std::vector<Resource> Lights::reads() const {
 }
 
 void Lights::bind(Pass& pass) const {
-    pass.offer("lights_data", buffer_.buffer);
-    pass.offer("lights_grid", grid_.view);
+    pass.set_if_present("lights_data", buffer_.buffer);
+    pass.set_if_present("lights_grid", grid_.view);
     if (method.is("per_object")) {
-        pass.offer("lights_object_ends", object_lights_.ends);
-        pass.offer("lights_of_objects", object_lights_.lights);
+        pass.set_if_present("lights_object_ends", object_lights_.ends);
+        pass.set_if_present("lights_of_objects", object_lights_.lights);
     }
     if (has_cells()) {
-        pass.offer("lights_masks", grid_.masks);
-        pass.offer("lights_groups", grid_.groups);
+        pass.set_if_present("lights_masks", grid_.masks);
+        pass.set_if_present("lights_groups", grid_.groups);
     }
 }
 

@@ -17,7 +17,7 @@ class ObjectLights {
     Buffer lights;  ///< positions in the LightBuffer, ascending in each list
 
   private:
-    Made made_;
+    Fingerprint made_;
 };
 
 }  // namespace lightwalk

@@ -26,7 +26,7 @@ class LightsWithScattered {
                           std::optional<float> moved_at_s = {});
 
   private:
-    Made still_made_, moved_made_;
+    Fingerprint still_made_, moved_made_;
     LightList own_, still_, moved_;
 };
 

@@ -31,7 +31,7 @@ struct SurfaceMaps : ModelChapter {
         graphics({.vertex = "04_surface_maps/displaced.vert", .fragment = "04_surface_maps/depth.frag"});
 
     SurfaceMaps() {
-        maps.method.alone = true;                     // --method is about maps here
+        maps.method.preferred = true;                 // --method is about maps here
         lights.method.change_default("every_light");  // these scenes have few
     }
     std::string default_scene() const override { return "scenes/courtyard.json"; }

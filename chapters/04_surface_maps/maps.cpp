@@ -8,7 +8,7 @@
 
 #include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/tangents.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 
 namespace lightwalk {
@@ -70,7 +70,7 @@ std::vector<std::vector<std::byte>> encoded(const std::vector<Level>& levels, Vk
 std::shared_ptr<Image> upload_levels(Gpu& gpu, Image::Desc desc, const std::vector<Level>& levels) {
     desc.mips = static_cast<uint32_t>(levels.size());
     auto image = std::make_shared<Image>(gpu.device, desc);
-    gpu.upload(*image, aside([&] { return encoded(levels, desc.format); }));
+    gpu.upload(*image, unlocked([&] { return encoded(levels, desc.format); }));
     return image;
 }
 
@@ -100,7 +100,7 @@ std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
 
 Level read_level(Gpu& gpu, const Image& image) {
     const std::vector<std::byte> bytes = gpu.read_back(image);
-    return aside([&] { return decoded(bytes, image.desc.size, image.desc.format); });
+    return unlocked([&] { return decoded(bytes, image.desc.size, image.desc.format); });
 }
 
 std::vector<std::vector<std::byte>> normal_map_levels(const DecodedTexture& texture) {
@@ -157,7 +157,7 @@ void Maps::draw(Raster& pass, const Scene& scene, const std::vector<Batch>& batc
     const glm::vec3 ambient = scene.ambient();
     for (const Batch& batch : batches) {
         pass.use(cut_finely ? displaced : loaded, variant(batch.item()));
-        pass.offer("ambient", ambient);
+        pass.set_if_present("ambient", ambient);
         if (cut_finely)
             draw_displaced(pass, batch);
         else
@@ -187,7 +187,7 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
                     std::shared_ptr<Image>& kept = scene.images(gpu).derived[{image.get(), normal_levels_name}];
                     if (!kept) {
                         const Level codes = read_level(gpu, *image);
-                        kept = upload_levels(gpu, image->desc, aside([&] { return normal_levels(codes); }));
+                        kept = upload_levels(gpu, image->desc, unlocked([&] { return normal_levels(codes); }));
                     }
                     image = entry = kept;
                     continue;

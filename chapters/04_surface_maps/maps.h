@@ -48,8 +48,8 @@ struct SurfaceModel : Module {
     void prepare(Gpu& gpu, Scene&) override { table_.load(gpu); }
     std::vector<Resource> reads() const override { return {table_.albedos, table_.cosines}; }
     void bind(Pass& pass) const override {
-        pass.offer("ggx_albedos", table_.albedos, linear_clamp);
-        pass.offer("ggx_cosines", table_.cosines, linear_clamp);
+        pass.set_if_present("ggx_albedos", table_.albedos, linear_clamp);
+        pass.set_if_present("ggx_cosines", table_.cosines, linear_clamp);
     }
 
   private:
@@ -137,7 +137,7 @@ struct Maps : Module {
 
     bool makes_levels = true;  ///< false: somebody else does
 
-    void expand(std::vector<const Given*>& into) const override {
+    void expand(std::vector<const PassInputs*>& into) const override {
         Module::expand(into);
         into.insert(into.end(), {&surface, &lamps});
     }

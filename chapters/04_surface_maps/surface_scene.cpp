@@ -32,9 +32,9 @@ std::vector<With> SurfaceScene::given() const {
     return with;
 }
 
-std::vector<const Module*> SurfaceScene::made_of() const {
+std::vector<const Module*> SurfaceScene::dependencies() const {
     std::vector<const Module*> all{this};
-    for (const Given& given : given())
+    for (const PassInputs& given : given())
         if (const auto* module = dynamic_cast<const Module*>(&given)) all.push_back(module);
     return all;
 }
@@ -109,7 +109,7 @@ void SurfaceScene::draw_transparent_triangles(Raster& pass, uint32_t item, const
                                               uint32_t count) const {
     const Batch batch(*scene_, item, 1);
     pass.use(transparent_pipelines().loaded, maps.variant(batch.item()));
-    pass.offer("ambient", scene_->ambient());
+    pass.set_if_present("ambient", scene_->ambient());
     batch.bind(pass);
     pass.draw_indexed(indices, first, count, 1, item);
 }

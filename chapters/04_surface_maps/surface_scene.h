@@ -20,7 +20,7 @@ struct SurfaceScene : Drawing {
     std::function<std::vector<Batch>()> drawn;          ///< none given: the scene's opaque items
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    std::vector<const Module*> made_of() const override;
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override {
         draw_lit(frame, canvas, [&] { lights.record(frame, *scene_, view, canvas.single_depth()); });

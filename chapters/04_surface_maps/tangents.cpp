@@ -5,7 +5,7 @@
 #include "04_surface_maps/exercises.h"
 #include "common/base/exercise.h"
 #include "common/base/progress.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -164,7 +164,7 @@ void add_tangents(Gpu& gpu, const Scene& scene) {
         tangents.clear();
         std::vector<size_t> vertices;
         for (const Mesh& mesh : meshes) vertices.push_back(mesh.vertices.size());
-        const std::vector<std::vector<TangentFrame>> frames = aside([&] { return frame_model(gpu_model.model); });
+        const std::vector<std::vector<TangentFrame>> frames = unlocked([&] { return frame_model(gpu_model.model); });
         for (size_t i = 0; i < meshes.size(); ++i) {
             const Mesh& mesh = meshes[i];
             tangents.push_back(gpu.upload(tangents_name(mesh), frames[i]));

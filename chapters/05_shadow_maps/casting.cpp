@@ -14,7 +14,7 @@ void Casting::add_to(Shadow::Casters& casters) const {
         if (caster->bounds().empty()) continue;
         casters.others.add(caster->bounds());
         casters.others_placed = casters.others_placed * 1000003 + caster->placed();
-        for (const With& with : caster->casts_with()) casters.with.push_back(with);
+        for (const With& with : caster->shadow_modules()) casters.with.push_back(with);
     }
     if (casters.others.empty()) return;
     casters.draw_others = [casting = others_](Raster& pass, const View& light) {

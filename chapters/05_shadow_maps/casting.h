@@ -13,7 +13,7 @@ struct Caster {
     virtual ~Caster() = default;
     virtual Bounds bounds() const = 0;    ///< of all that casts, world space; empty: nothing
     virtual uint64_t placed() const = 0;  ///< another number where that has changed
-    virtual std::vector<With> casts_with() const = 0;
+    virtual std::vector<With> shadow_modules() const = 0;
     virtual void cast(Raster& pass, const View& light) const = 0;
 };
 

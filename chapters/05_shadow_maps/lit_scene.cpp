@@ -14,22 +14,22 @@ LitScene::LitScene(Module& owner, std::string name, std::optional<Shading> fixed
     if (fixed) shading = std::move(*fixed);
 }
 
-std::vector<const Module*> LitScene::made_of() const {
-    std::vector<const Module*> all = surfaces.made_of();
+std::vector<const Module*> LitScene::dependencies() const {
+    std::vector<const Module*> all = surfaces.dependencies();
     all.push_back(this);
     return all;
 }
 
 // A shading that somebody else gave may be a fragment shader alone.
 // [visibility]
-bool LitScene::shades_seen(const Canvas& canvas) const {
+bool LitScene::shades_in_compute(const Canvas& canvas) const {
     return shaded_ && shaded_->is("visibility") && (!shading.opaque || shading.seen) &&
            VisibilityBuffer::suits(maps, canvas);
 }
 
 void LitScene::draw(Frame& frame, const View& view, Canvas& canvas) {
-    if (!shades_seen(canvas)) return draw_lit(frame, view, canvas);
-    draw_seen(frame, canvas, [&] {
+    if (!shades_in_compute(canvas)) return draw_lit(frame, view, canvas);
+    draw_visible(frame, canvas, [&] {
         lights.record(frame, surfaces.scene(), view, canvas.single_depth());
         record_shadows(frame, view);
     });
@@ -42,7 +42,7 @@ void LitScene::draw_lit(Frame& frame, const View& view, Canvas& canvas) {
     });
 }
 
-void LitScene::draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times) {
+void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times) {
     const std::vector<Batch> once = surfaces.opaque_batches();
     std::vector<Batch> drawn;
     for (int i = 0; i < times; ++i) drawn.insert(drawn.end(), once.begin(), once.end());

@@ -20,11 +20,11 @@ struct LitScene : Drawing, ItemCaster {
     Shading& shading = surfaces.shading;
     Shadow shadow;
 
-    void meet(const Drawings& drawings) override { casting_ = Casting(drawings); }
-    std::vector<const Module*> made_of() const override;
+    void find_casters(const Drawings& drawings) override { casting_ = Casting(drawings); }
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { surfaces.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_part() const override { return &surfaces; }
+    const Drawing* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
 
     /// Opaque surfaces, lit as they are drawn, into a canvas of any colour format.
@@ -33,10 +33,10 @@ struct LitScene : Drawing, ItemCaster {
     void record_shadows(Frame& frame, const View& view);
     // [/lit_scene]
 
-    /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_seen() does. `sort` sorts the lights, when
+    /// Whether surfaces are shaded in compute, over a visibility buffer, as draw_visible() does. `sort` sorts the lights, when
     /// there is a depth; every surface is drawn so many times.
-    bool shades_seen(const Canvas& canvas) const;
-    void draw_seen(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
+    bool shades_in_compute(const Canvas& canvas) const;
+    void draw_visible(Frame& frame, Canvas& canvas, const std::function<void()>& sort, int times = 1);
 
   private:
     std::optional<ShadedChoice> shaded_;

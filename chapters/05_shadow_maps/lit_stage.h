@@ -42,7 +42,7 @@ struct LitStage : World {
 
   private:
     const LightList& lamps();
-    Made lamps_made_;
+    Fingerprint lamps_made_;
     LightList own_, lamps_;  ///< the scene's lights, and these with their sizes scaled
     SurfacePipelines shown_{{.fragment = "05_shadow_maps/shown.frag"}};
     Pipeline shown_seen_ = compute({.shader = "05_shadow_maps/shown_seen.comp"});

@@ -39,7 +39,7 @@ struct ShadowMaps : ModelChapter {
     LitStage world{*this};
 
     ShadowMaps() {
-        world.objects.shadow.method.alone = true;  // --method is about shadows here
+        world.objects.shadow.method.preferred = true;  // --method is about shadows here
     }
     std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 

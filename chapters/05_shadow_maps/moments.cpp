@@ -22,14 +22,14 @@ Blur blur_of(int radius, float exponent, float exponent_negative) {
     return blur;
 }
 
-bool MomentMaps::fit(Gpu& gpu, const Image& map, VkFormat format) {
+bool MomentMaps::ensure(Gpu& gpu, const Image& map, VkFormat format) {
     const Image::Desc wanted{.name = map.desc.name + " moments",
                              .format = format,
                              .size = map.desc.size,
                              .mips = full_mip_count(map.desc.size),
                              .layers = map.desc.layers,
                              .kept = true};
-    if (!moments.fit(gpu.device, wanted)) return false;
+    if (!moments.ensure(gpu.device, wanted)) return false;
     between_ = Image(gpu.device, {.name = wanted.name + " between", .format = format, .size = wanted.size});
     return true;
 }

@@ -13,7 +13,7 @@ Blur blur_of(int radius, float exponent, float exponent_negative);
 class MomentMaps {
   public:
     /// Creates as many layers as in `map`, of its size, unless they are there. True: they are new.
-    bool fit(Gpu& gpu, const Image& map, VkFormat format);
+    bool ensure(Gpu& gpu, const Image& map, VkFormat format);
 
     /// Moments of one layer of the map, which view number `view` of `views` sees. `macros` are the module Shadow's:
     /// they say which moments, in which format, and how to blur.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -33,7 +33,7 @@ class Masks {
         const auto [place, added] = known_.try_emplace({image.get(), channel}, 0);
         if (!added) return place->second;
         const Level level = read_level(gpu_, *image);
-        place->second = aside([&] { return add(level, channel); });
+        place->second = unlocked([&] { return add(level, channel); });
         return place->second;
     }
 
@@ -93,7 +93,7 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
 
 void SceneRays::build(Gpu& gpu, const Scene& scene) {
     built_ = true;
-    std::vector<RayTriangle> triangles = aside([&] { return ray_triangles(scene); });
+    std::vector<RayTriangle> triangles = unlocked([&] { return ray_triangles(scene); });
     Masks masks(gpu);
     std::vector<glm::uvec2> cut_by;  // for each item: masks of its colour's alpha, and of its opacity
     for (const DrawItem& item : scene.items) {
@@ -104,8 +104,8 @@ void SceneRays::build(Gpu& gpu, const Scene& scene) {
         if (!is_solid) cut.x = masks.of(item.maps[MapSlot::diffuse], 3);
         cut.y = masks.of(item.maps[MapSlot::opacity], 0);
     }
-    std::vector<RayCutout> with_holes = aside([&] { return cut_with(cut_by, scene, triangles); });
-    bvh_ = aside([&] { return Bvh(triangles); });
+    std::vector<RayCutout> with_holes = unlocked([&] { return cut_with(cut_by, scene, triangles); });
+    bvh_ = unlocked([&] { return Bvh(triangles); });
     placed_ = scene.epoch;
     set_offset();
     nodes_ = gpu.upload("ray nodes", std::as_bytes(bvh_.nodes()));
@@ -161,12 +161,12 @@ std::string Rays::why_not_finite() const {
 }
 
 void SceneRays::bind(Pass& pass) const {
-    pass.offer("rays_nodes", nodes_);
-    pass.offer("rays_triangles", triangles_);
-    pass.offer("rays_cutouts", cutouts_);
-    pass.offer("rays_masks", masks_);
-    pass.offer("rays_texels", texels_);
-    pass.offer("rays_state", state_);
+    pass.set_if_present("rays_nodes", nodes_);
+    pass.set_if_present("rays_triangles", triangles_);
+    pass.set_if_present("rays_cutouts", cutouts_);
+    pass.set_if_present("rays_masks", masks_);
+    pass.set_if_present("rays_texels", texels_);
+    pass.set_if_present("rays_state", state_);
 }
 
 void SceneRays::set_offset() {

@@ -106,7 +106,7 @@ void Shadow::reserve(Frame& frame) {
         Image::Desc desc = wanted;
         desc.name = path() + name;
         desc.format = of;
-        is_new |= image.fit(frame.gpu.device, desc);
+        is_new |= image.ensure(frame.gpu.device, desc);
     };
     fit(map_, ".map", VK_FORMAT_D32_SFLOAT);
     if (has_passed()) {
@@ -117,8 +117,8 @@ void Shadow::reserve(Frame& frame) {
         fit(last_depth_, ".last_depth", VK_FORMAT_R32_SFLOAT);
     }
     if (has_moments())
-        is_new |= moments_.fit(frame.gpu, map_,
-                               format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
+        is_new |= moments_.ensure(frame.gpu, map_,
+                                  format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
     if (is_new) held_.assign(held_.size(), 0);
 }
 // [/layers]
@@ -230,18 +230,18 @@ std::vector<Resource> Shadow::reads() const {
 
 void Shadow::bind(Pass& pass) const {
     constexpr Sampler of_depth{.filter = Filter::nearest, .mip_filter = Filter::nearest, .wrap = Wrap::border};
-    pass.offer("shadow_lights", now_->lights);
-    pass.offer("shadow_views", now_->views);
-    pass.offer("shadow_eye", now_->eye);
-    pass.offer("shadow_map", map_.as_array(), of_depth);
+    pass.set_if_present("shadow_lights", now_->lights);
+    pass.set_if_present("shadow_views", now_->views);
+    pass.set_if_present("shadow_eye", now_->eye);
+    pass.set_if_present("shadow_map", map_.as_array(), of_depth);
     if (has_passed()) {
-        pass.offer("shadow_first", first_.as_array(), linear_clamp);
-        pass.offer("shadow_first_depth", first_depth_.as_array(), nearest_clamp);
-        pass.offer("shadow_passed", passed_.as_array(), linear_clamp);
-        pass.offer("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
+        pass.set_if_present("shadow_first", first_.as_array(), linear_clamp);
+        pass.set_if_present("shadow_first_depth", first_depth_.as_array(), nearest_clamp);
+        pass.set_if_present("shadow_passed", passed_.as_array(), linear_clamp);
+        pass.set_if_present("shadow_last_depth", last_depth_.as_array(), nearest_clamp);
     }
     // A method without moments names them all the same, and reads none.
-    pass.offer("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
+    pass.set_if_present("shadow_moments", has_moments() ? moments_.moments.as_array() : map_.as_array(), linear_clamp);
 }
 
 std::vector<std::string> Shadow::status() const {

@@ -173,7 +173,7 @@ struct Shadow : Module {
     struct OfView {
         Buffer lights, views;  ///< ShadowLight, ShadowView
         ShadowEye eye{};
-        Made found_made, uploaded;
+        Fingerprint found_made, uploaded;
         LightList found_for;
         std::vector<MapView> maps;
         std::vector<ShadowLight> shadow_lights;

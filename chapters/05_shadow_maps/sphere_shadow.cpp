@@ -43,8 +43,8 @@ void SphereShadow::update(const Scene& scene) {
 }
 
 void SphereShadow::bind(Pass& pass) const {
-    pass.offer("sphere_shadow_planet", planet);
-    if (ring) pass.offer("sphere_shadow_ring", *ring, linear_clamp);
+    pass.set_if_present("sphere_shadow_planet", planet);
+    if (ring) pass.set_if_present("sphere_shadow_ring", *ring, linear_clamp);
 }
 
 }  // namespace lightwalk

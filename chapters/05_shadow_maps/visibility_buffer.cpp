@@ -9,7 +9,7 @@ ShadedChoice::ShadedChoice(Module& module)
              "per pixel") {}
 
 Attachment visibility_target(Frame& frame, Image& image, const Canvas& canvas) {
-    image.fit(frame.gpu.device, {.name = "visible", .format = VK_FORMAT_R32G32_UINT, .size = canvas.size()});
+    image.ensure(frame.gpu.device, {.name = "visible", .format = VK_FORMAT_R32G32_UINT, .size = canvas.size()});
     return clear(image, glm::vec4(0.0f));
 }
 
@@ -41,16 +41,16 @@ void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps,
         for (const Batch& batch : batches) {
             const DrawItem& item = batch.item();
             pass.use(pipeline, maps.variant(item)).set("visible", seen_, nearest_clamp).set("result", color);
-            pass.offer("ambient", scene.ambient());
-            pass.offer("instances", scene.instances);
-            pass.offer("materials", scene.materials);
-            pass.offer("map_placements", scene.placements);
-            pass.offer("vertices", item.model->vertices[item.mesh]);
-            pass.offer("indices", item.model->indices[item.mesh]);
-            for (const auto& [name, buffers] : item.model->attributes) pass.offer(name, buffers[item.mesh]);
+            pass.set_if_present("ambient", scene.ambient());
+            pass.set_if_present("instances", scene.instances);
+            pass.set_if_present("materials", scene.materials);
+            pass.set_if_present("map_placements", scene.placements);
+            pass.set_if_present("vertices", item.model->vertices[item.mesh]);
+            pass.set_if_present("indices", item.model->indices[item.mesh]);
+            for (const auto& [name, buffers] : item.model->attributes) pass.set_if_present(name, buffers[item.mesh]);
             for (size_t slot = 0; slot < map_slot_count; ++slot)
-                pass.offer(map_slots()[slot].binding, scene.texture(item, static_cast<MapSlot>(slot)),
-                           item.maps.samplers[slot]);
+                pass.set_if_present(map_slots()[slot].binding, scene.texture(item, static_cast<MapSlot>(slot)),
+                                    item.maps.samplers[slot]);
             const Part& part = item.model->model.meshes[item.mesh].parts[item.part];
             pass.set("seen", glm::uvec3(batch.first, batch.count, part.first_index));
             pass.dispatch_threads(canvas.size());

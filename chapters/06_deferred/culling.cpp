@@ -156,7 +156,7 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
     if (into > 0) access.reads.emplace_back(lists_[0].ranks);
     frame.compute(into > 0 ? "list the objects left" : "list objects", access, [&](Compute& pass) {
         pass.use(which).set("objects", object_data_).set("ranks", list.ranks).set("sums", list.sums).set("look", look);
-        if (pyramid.levels() > 0) pass.offer("pyramid", pyramid.image(), nearest_clamp);
+        if (pyramid.levels() > 0) pass.set_if_present("pyramid", pyramid.image(), nearest_clamp);
         if (into > 0) pass.set("earlier", lists_[0].ranks);
         pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
         pass.use(sum_).set("sums", list.sums).set("total", list.total).set("look", look);

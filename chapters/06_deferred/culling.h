@@ -82,7 +82,7 @@ struct Culling : Module {
     std::vector<CulledObject> objects_;
     std::vector<DrawGroup> groups_;
     std::vector<std::vector<Batch>> found_;  ///< by the processor, of each group
-    Made grouped_;
+    Fingerprint grouped_;
     Buffer object_data_, group_data_;
     List lists_[2];                           ///< a view's first pass, and the objects that appear in the second
     size_t first_list_ = 0, list_count_ = 0;  ///< to draw now

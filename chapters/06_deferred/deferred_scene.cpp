@@ -9,8 +9,8 @@ DeferredScene::DeferredScene(Module& owner, std::string name, std::optional<Shad
     lights.method.change_default("clustered");
 }
 
-std::vector<const Module*> DeferredScene::made_of() const {
-    std::vector<const Module*> all = lit.made_of();
+std::vector<const Module*> DeferredScene::dependencies() const {
+    std::vector<const Module*> all = lit.dependencies();
     all.push_back(&gbuffer);
     all.push_back(&culling);
     return all;
@@ -34,7 +34,7 @@ void DeferredScene::draw_kept(Raster& pass, const SurfacePipelines& both, const 
     const glm::vec3 ambient = scene().ambient();
     for (const Batch& batch : batches) {
         pass.use(both.loaded, maps.variant(batch.item()));
-        pass.offer("ambient", ambient);
+        pass.set_if_present("ambient", ambient);
         culling.draw(pass, batch);
     }
 }
@@ -55,7 +55,7 @@ void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!canvas.has_depth() && !overwrites) return draw_alone(frame, view, canvas);
     // Earlier drawings have left depth or colour but no G-buffer: this scene is drawn apart, then merged by depth.
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
-        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
+        image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = view.size});
     };
     fit(own_color_, " color", VK_FORMAT_R16G16B16A16_SFLOAT);
     fit(own_depth_, " depth", VK_FORMAT_D32_SFLOAT);
@@ -77,7 +77,8 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
     const bool culls = maps.mesh.is("loaded") && (cull == Cull::fixed || cull == Cull::nothing);
     culling.begin(frame, scene(), view, culls ? surfaces.opaque_batches() : std::vector<Batch>());
     const bool forwards = gbuffer.is_forward() || gbuffer.shows_loss();
-    const bool in_compute = !gbuffer.shows_loss() && lit.shades_seen(canvas);  // a visibility buffer has depth itself
+    const bool in_compute =
+        !gbuffer.shows_loss() && lit.shades_in_compute(canvas);  // a visibility buffer has depth itself
     if (depth_first || (forwards && !in_compute && lights.needs_depth()))
         culling.passes(frame, canvas.depth_read_only().view, [&] {
             frame.raster(
@@ -102,7 +103,7 @@ void DeferredScene::draw_alone(Frame& frame, const View& view, Canvas& canvas) {
 void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas) {
     const auto sort_lights = [&] { lights.record(frame, scene(), view, canvas.single_depth()); };
     const bool loss = gbuffer.shows_loss();
-    if (!loss && lit.shades_seen(canvas)) return lit.draw_seen(frame, canvas, sort_lights, times);
+    if (!loss && lit.shades_in_compute(canvas)) return lit.draw_visible(frame, canvas, sort_lights, times);
     sort_lights();
     culling.passes(frame, canvas.depth_read_only().view, [&] {
         const bool clears = loss && !culling.completes();

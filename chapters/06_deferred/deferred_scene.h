@@ -32,14 +32,14 @@ struct DeferredScene : Drawing, ItemCaster {
         left_out
     } cull = Cull::fixed;  ///< of triangles that face away, from the G-buffer
 
-    void meet(const Drawings& drawings) override { lit.meet(drawings); }
-    std::vector<const Module*> made_of() const override;
+    void find_casters(const Drawings& drawings) override { lit.find_casters(drawings); }
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { lit.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     /// The opaque objects of the last draw(), after culling, from another view.
     void draw_kept(Frame& frame, const View& view, Canvas& canvas);
     /// None if a channel of the G-buffer is shown.
-    const Drawing* transparent_part() const override { return gbuffer.show.is("picture") ? &surfaces : nullptr; }
+    const Drawing* transparent_source() const override { return gbuffer.show.is("picture") ? &surfaces : nullptr; }
     const Maps& cut_by() const override { return maps; }
     // [/deferred_scene]
 
@@ -74,7 +74,7 @@ struct DeferredScene : Drawing, ItemCaster {
                                       .fragment = "06_deferred/write.frag",
                                       .cull = VK_CULL_MODE_NONE,
                                       .macros = {{"LEFT_OUT", "1"}}}};
-    Made emission_sought_;
+    Fingerprint emission_sought_;
     bool emits_ = false;
     SurfacePipelines emission_ = added("06_deferred/emission.frag");
     /// Depths behind a geometry shader may differ in the last bit from those without.

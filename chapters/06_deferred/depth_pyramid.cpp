@@ -12,8 +12,8 @@ void DepthPyramid::record(Frame& frame, const ImageView& depth) {
     pixels_ = depth.size();
     const glm::uvec2 half = glm::max(pixels_ / 2u, 1u);
     const auto levels = static_cast<uint32_t>(std::bit_width(std::max(half.x, half.y)));
-    image_.fit(frame.gpu.device,
-               {.name = name_, .format = VK_FORMAT_R32_SFLOAT, .size = half, .mips = levels, .kept = true});
+    image_.ensure(frame.gpu.device,
+                  {.name = name_, .format = VK_FORMAT_R32_SFLOAT, .size = half, .mips = levels, .kept = true});
     const ImageView all(image_);
     frame.compute("depth pyramid", {.reads = {depth, all}, .writes = {all}}, [&](Compute& pass) {
         pass.use(five_levels_);

@@ -29,7 +29,7 @@ void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     images_.clear();
     for (const Texture& t : textures()) {
         Image& image = made_[{view.id, t.name}];
-        image.fit(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
+        image.ensure(frame.gpu.device, {.name = "gbuffer " + t.name, .format = t.format, .size = view.size});
         images_.emplace_back("gbuffer_" + t.name, &image);
     }
 }
@@ -59,10 +59,10 @@ std::vector<Resource> GBuffer::reads() const {
 }
 
 void GBuffer::bind(Pass& pass) const {
-    pass.offer("clip_to_offset", clip_to_offset_);
+    pass.set_if_present("clip_to_offset", clip_to_offset_);
     if (!written_) return;
-    pass.offer("gbuffer_depth", depth_, nearest_clamp);
-    for (const auto& [name, image] : images_) pass.offer(name, *image, nearest_clamp);
+    pass.set_if_present("gbuffer_depth", depth_, nearest_clamp);
+    for (const auto& [name, image] : images_) pass.set_if_present(name, *image, nearest_clamp);
 }
 
 }  // namespace lightwalk

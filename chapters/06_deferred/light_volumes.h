@@ -25,7 +25,7 @@ class LightVolumes {
   private:
     Buffer sphere_, cone_, volumes_;  ///< spheres first, then cones
     uint32_t sphere_corners_ = 0, cone_corners_ = 0, spheres_ = 0, cones_ = 0;
-    Made made_;
+    Fingerprint made_;
 };
 // [/light_volumes]
 

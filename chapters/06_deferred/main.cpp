@@ -27,7 +27,7 @@ struct Deferred : ModelChapter {
                         "m"};
 
     Deferred() {
-        objects.gbuffer.method.alone = true;  // --method is about G-buffers here
+        objects.gbuffer.method.preferred = true;  // --method is about G-buffers here
     }
     std::string default_scene() const override { return "scenes/hundred_lamps.json"; }
 

@@ -62,7 +62,7 @@ void Screens::record(Frame& frame, Scene& scene, const Draw& draw) {
         const Image& picture = screen->picture.now();
         View view = view_of(camera_of(scene.file, screen->camera, frame.time_s, fov_deg), picture.desc.size);
         view.id = views_.of(0, id++);
-        light_.fit(frame.gpu.device, {.name = path() + " light", .size = view.size});
+        light_.ensure(frame.gpu.device, {.name = path() + " light", .size = view.size});
         Canvas canvas(light_, screen->depth, glm::vec4(scene.file.background, 1.0f));
         const ViewScope scope(frame, view);
         draw(view, canvas);

@@ -31,7 +31,7 @@ struct Mipmaps : ModelChapter {
     Flicker flicker{*this, "flicker"};
 
     Mipmaps() {
-        mips.method.alone = true;  // --method is about levels here
+        mips.method.preferred = true;  // --method is about levels here
         objects.maps.makes_levels = false;
         objects.maps.method.change_default("normal");
         commands = {{"mip-bench", "FILE",

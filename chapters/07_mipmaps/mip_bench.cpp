@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "07_mipmaps/texels.h"
-#include "common/app/gpu_load.h"
+#include "common/app/clock_warmer.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/statistics.h"
@@ -140,7 +140,7 @@ class Bench {
 
     Gpu& gpu_;
     json& result_;
-    GpuLoad load_{gpu_};
+    ClockWarmer load_{gpu_};
     Owner owner_;
     MipChain chain_{owner_, "mips"};
     Buffer from_, to_;

@@ -117,7 +117,7 @@ void MipChain::record_single_pass(Frame& frame, const ImageView& image, Macros v
             const auto dispatch = [&](const char* makes, glm::uvec2 groups) {
                 variant.set("MAKES", makes);
                 pass.use(single_pass_, variant).set("tile_means", tiles_);
-                pass.offer("finished", finished_);  // an exercise of the chapter's: it may not be there yet
+                pass.set_if_present("finished", finished_);  // an exercise of the chapter's: it may not be there yet
                 pass.set("source", levels[base], bilinear ? linear_clamp : nearest_clamp);
                 pass.set("levels", std::span(levels).subspan(base + 1, made));
                 pass.set("chain", glm::ivec2(made, next_counter_)).dispatch(glm::uvec3(groups, image.layers));

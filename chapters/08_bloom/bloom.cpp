@@ -47,7 +47,7 @@ void Bloom::set_up(Frame& frame, glm::uvec2 size) {
         const Image::Desc desc{.name = fmt::format("{} {}", path(), i == 0 ? "cut out" : fmt::format("{}", i)),
                                .format = full ? float4 : half4,
                                .size = plan_.sizes[i]};
-        images_[i].fit(frame.gpu.device, desc);
+        images_[i].ensure(frame.gpu.device, desc);
     }
     std::vector<glm::uvec3> groups;
     for (const Step& step : plan_.steps) groups.push_back(groups_of(step, plan_));

@@ -77,11 +77,11 @@ struct Bloom : Module {
     void set_up(Frame& frame, glm::uvec2 size);
     void record_blur(Frame& frame);
 
-    Made plan_made_;
+    Fingerprint plan_made_;
     Plan plan_;
     std::vector<Image> images_;  ///< as in the plan
-    Made groups_made_;
-    Made taps_made_;
+    Fingerprint groups_made_;
+    Fingerprint taps_made_;
     Buffer taps_;      ///< of the plan
     Buffer wanted_;    ///< workgroups of each step, were there something to spread
     Buffer dispatch_;  ///< those, or zeros; after them two words of dispatches.glsl

@@ -3,7 +3,7 @@
 
 #include "01_obj/model_chapter.h"
 #include "04_surface_maps/surfaces.h"
-#include "05_shadow_maps/seen_surfaces.h"
+#include "05_shadow_maps/visible_surfaces.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"
@@ -12,7 +12,7 @@ using namespace lightwalk;
 
 struct SeenWorld : Surfaces {
     using Surfaces::Surfaces;
-    SeenSurfaces seen{*this, "objects", objects};
+    VisibleSurfaces seen{*this, "objects", objects};
     Drawings drawings() override { return {seen}; }
 };
 
@@ -39,7 +39,7 @@ struct BloomChapter : ModelChapter {
     PointSpread point;
 
     BloomChapter() {
-        bloom.method.alone = true;  // --method is about bloom here
+        bloom.method.preferred = true;  // --method is about bloom here
     }
     std::string default_scene() const override { return "scenes/neon.json"; }
 

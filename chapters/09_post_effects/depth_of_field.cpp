@@ -65,7 +65,7 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
     const ImageView color = canvas.color_overwritten();
     for (int i = 0; i < views; ++i) {
         Canvas one(color, canvas.depth_overwritten(), canvas.background());
-        one.mixed_by(canvas.mixing());
+        one.blended_by(canvas.transparency_method());
         draw(frame, from_place(view, lens_place(i, views, radius), focus), one, drawings);
         frame.compute("dof mean", {.reads = {color, mean}, .writes = {mean}}, [&](Compute& pass) {
             pass.use(add_).set("hdr", color, nearest_clamp).set("mean", mean);
@@ -79,7 +79,7 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
 Image& DepthOfField::image(Frame& frame, const char* name, VkFormat format, glm::uvec2 size) {
     Image& found = images_[name];
     const Image::Desc desc{.name = path() + " " + name, .format = format, .size = size};
-    found.fit(frame.gpu.device, desc);
+    found.ensure(frame.gpu.device, desc);
     return found;
 }
 

@@ -50,7 +50,7 @@ struct DepthOfField : Module {
     DofNow now_{};
     std::map<std::string, Image> images_;
     Buffer taps_;
-    Made taps_made_;
+    Fingerprint taps_made_;
     uint32_t tap_count_ = 0;
     Pipeline half_ = compute({.shader = "09_post_effects/dof_half.comp"});
     Pipeline tiles_ = compute({.shader = "09_post_effects/dof_tiles.comp"});

@@ -59,7 +59,7 @@ struct PostEffects : ModelChapter {
 
     PostEffects() {
         set_look(world, *this);
-        world.dof.method.alone = true;  // --method is about depth of field here: the others are fast and exact
+        world.dof.method.preferred = true;  // --method is about depth of field here: the others are fast and exact
     }
     std::string default_scene() const override { return "scenes/evening.json"; }
 

@@ -70,7 +70,7 @@ void Post::set_up(Frame& frame, glm::uvec2 size, size_t images) {
     between_.resize(std::min<size_t>(images, 2));
     for (Image& image : between_) {
         const Image::Desc desc{.name = path() + " between", .format = format, .size = size};
-        image.fit(frame.gpu.device, desc);
+        image.ensure(frame.gpu.device, desc);
     }
     if (dither.is("blue_noise") && !blue_noise_) blue_noise_ = upload_tile(frame.gpu, "blue noise", blue_noise(64));
     if (grain.is("texture") && !grain_tile_) grain_tile_ = upload_tile(frame.gpu, "grain", film_clumps(256));
@@ -83,9 +83,9 @@ std::vector<Resource> Post::reads() const {
 }
 
 void Post::bind(Pass& pass) const {
-    if (exposure.is("automatic")) pass.offer("adapted", automatic.stops(), nearest_clamp);
-    if (blue_noise_) pass.offer("blue_noise", blue_noise_, nearest_clamp);
-    if (grain_tile_) pass.offer("grain_tile", grain_tile_, nearest_clamp);
+    if (exposure.is("automatic")) pass.set_if_present("adapted", automatic.stops(), nearest_clamp);
+    if (blue_noise_) pass.set_if_present("blue_noise", blue_noise_, nearest_clamp);
+    if (grain_tile_) pass.set_if_present("grain_tile", grain_tile_, nearest_clamp);
 }
 
 // [run]

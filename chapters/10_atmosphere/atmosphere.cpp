@@ -48,9 +48,9 @@ Air Atmosphere::air() const {
 }
 
 void Atmosphere::bind(Pass& pass) const {
-    pass.offer("air", air());
-    pass.offer("to_sun", to_sun());
-    if (skylight_) pass.offer("skylight", skylight_);
+    pass.set_if_present("air", air());
+    pass.set_if_present("to_sun", to_sun());
+    if (skylight_) pass.set_if_present("skylight", skylight_);
 }
 
 void Atmosphere::update(Frame& frame) {
@@ -85,7 +85,7 @@ void Atmosphere::make_images(Device& device) {
     const auto scaled = [&](float x) { return static_cast<uint32_t>(std::max(2.0f, std::round(x * table_scale))); };
     const auto table = [&](Image& image, const char* name, glm::vec2 size, float depth) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
-        if (image.fit(
+        if (image.ensure(
                 device,
                 {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true})) {
             lasting_made_.forget();
@@ -144,7 +144,7 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
 
 void Atmosphere::set_lasting(Compute& pass) const {
     pass.set("air_transmittance", transmittance_, linear_clamp);
-    pass.offer("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
+    pass.set_if_present("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
 }
 
 // The work of the two methods with too many iterations, cut into parts.
@@ -156,7 +156,7 @@ std::vector<PathPart> Atmosphere::parts() const {
     return {{.begins = 1, .ends = 1}};
 }
 
-void Atmosphere::shine() {
+void Atmosphere::update_sun() {
     if (scene_) scene_->set_sun(sun());
 }
 
@@ -182,13 +182,13 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
             access.reads.push_back(*table);
     }
     if (truth) {
-        doubt_.fit(frame.gpu.device, {.name = path() + " standard error", .size = view.size});
+        doubt_.ensure(frame.gpu.device, {.name = path() + " standard error", .size = view.size});
         access.writes.push_back(doubt_);
     }
     if (in_parts) {
         const auto so_far = [&](Image& image, const char* name) {
-            image.fit(frame.gpu.device,
-                      {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size});
+            image.ensure(frame.gpu.device,
+                         {.name = path() + name, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size});
             access.reads.push_back(image);
             access.writes.push_back(image);
         };
@@ -208,8 +208,8 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
                 pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
             }
             if (truth) {
-                pass.offer("doubt", doubt_);
-                pass.offer("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
+                pass.set_if_present("doubt", doubt_);
+                pass.set_if_present("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
             }
             pass.dispatch_threads(view.size);
         }

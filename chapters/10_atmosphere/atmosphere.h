@@ -110,14 +110,14 @@ struct Atmosphere : Drawing {
                            {glm::vec3(0.0f), glm::vec3(1.0f)},
                            "Albedo of the ground, for the light it reflects into the air"};
 
-    Phase drawn_in() const override { return Phase::air; }
+    Phase draw_phase() const override { return Phase::air; }
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    void shine() override;
+    void update_sun() override;
     /// Ground lighting under this air, for sunlight_on() and skylight_on().
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
-    /// At the world's origin, exposed: the value of shine().
+    /// At the world's origin, exposed: the value of update_sun().
     Sun sun();
 
     glm::vec3 to_sun() const;  ///< unit length, world space
@@ -148,11 +148,11 @@ struct Atmosphere : Drawing {
     Buffer skylight_;
     bool skylight_uploaded_ = false;  ///< as the table is now
     SkylightTable sky_table_;
-    Made sun_made_;
+    Fingerprint sun_made_;
     glm::vec3 sunlight_{0.0f};
     Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    Made lasting_made_;
-    Made sky_made_;
+    Fingerprint lasting_made_;
+    Fingerprint sky_made_;
     Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
     Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});

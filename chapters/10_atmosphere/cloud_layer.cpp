@@ -9,7 +9,7 @@ namespace lightwalk {
 
 void CloudLayer::update(Frame& frame) {
     if (method.is("none") || std::exchange(has_noise_, true)) return;
-    noise_.fit(
+    noise_.ensure(
         frame.gpu.device,
         {.name = path() + " noise", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(64), .depth = 64, .kept = true});
     frame.compute("cloud noise", {.writes = {noise_}},
@@ -32,7 +32,7 @@ void CloudLayer::draw(Frame& frame, const View& view, Canvas& canvas) {
                       pass.use(march_).set("result", hdr).set("depth", depth, nearest_clamp);
                       pass.set("cloud_noise", noise_, Sampler{.wrap = Wrap::repeat});
                       pass.set("air_transmittance", *transmittance, linear_clamp);
-                      pass.offer("air_multiple", *multiple, linear_clamp);
+                      pass.set_if_present("air_multiple", *multiple, linear_clamp);
                       pass.set("rays", view_rays(view)).set("moved_m", static_cast<float>(moved_m));
                       pass.set("jitter", static_cast<float>(frame.samples.index));
                       pass.dispatch_threads(view.size);

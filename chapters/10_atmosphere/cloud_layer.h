@@ -21,9 +21,9 @@ struct CloudLayer : Drawing {
     Knob<float> drift_m_s{*this, "drift_m_s", 0.0f, {-1e4f, 1e4f}, "Speed of the clouds towards +x", "m/s"};
     Knob<int> steps{*this, "steps", 80, {1, 1024}, "Number of samples on the path of a pixel through the layer"};
 
-    Phase drawn_in() const override { return Phase::air; }
-    const Drawing* lit_by() const override { return &atmosphere_; }
-    std::vector<const Module*> made_of() const override { return {this, &atmosphere_, &planet_}; }
+    Phase draw_phase() const override { return Phase::air; }
+    const Drawing* sun_source() const override { return &atmosphere_; }
+    std::vector<const Module*> dependencies() const override { return {this, &atmosphere_, &planet_}; }
     bool animated() const override { return !method.is("none") && drift_m_s != 0.0f; }
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

@@ -43,7 +43,7 @@ struct HeightFog : Drawing {
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
 
     /// Adds fog to the canvas, by the canvas's depth. One pass, none with method none. Alpha stays.
-    Phase drawn_in() const override { return Phase::fog; }
+    Phase draw_phase() const override { return Phase::fog; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     // [/height_fog]
 

@@ -18,7 +18,7 @@ struct AtmosphereChapter : ModelChapter {
     Knob<float> gain{*this, "gain", 1.0f, {0.0f, 1e6f}, "Scale factor for the brightness of a displayed table"};
 
     AtmosphereChapter() {
-        world.atmosphere.method.alone = true;  // --method is about the air here
+        world.atmosphere.method.preferred = true;  // --method is about the air here
     }
     std::string default_scene() const override { return "scenes/islands.json"; }
 

@@ -9,8 +9,8 @@ struct Mountains : Drawing {
         : Drawing(owner, std::move(name)), atmosphere_(atmosphere), planet_(planet) {}
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    const Drawing* lit_by() const override { return &atmosphere_; }
-    std::vector<const Module*> made_of() const override { return {this, &atmosphere_, &planet_}; }
+    const Drawing* sun_source() const override { return &atmosphere_; }
+    std::vector<const Module*> dependencies() const override { return {this, &atmosphere_, &planet_}; }
     void draw(Frame& frame, const View&, Canvas& canvas) override {
         frame.raster("mountains",
                      {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = {atmosphere_, planet_}},

@@ -25,11 +25,11 @@ void Planet::bind(Pass& pass) const {
     turn = glm::rotate(turn, glm::radians(-latitude_deg.value), glm::vec3(1, 0, 0));
     turn = glm::rotate(turn, glm::radians(90.0f), glm::vec3(1, 0, 0));
     turn = glm::rotate(turn, glm::radians(turn_deg.value), glm::vec3(0, 1, 0));
-    pass.offer("to_map", glm::mat3(turn));
+    pass.set_if_present("to_map", glm::mat3(turn));
     const std::pair<const char*, const std::shared_ptr<Image>&> maps[] = {
         {"day_map", day_}, {"night_map", night_}, {"cloud_map", clouds_}, {"water_map", water_}, {"star_map", stars_}};
     for (const auto& [name, image] : maps)
-        if (image) pass.offer(name, *image, Sampler{.wrap = Wrap::repeat});
+        if (image) pass.set_if_present(name, *image, Sampler{.wrap = Wrap::repeat});
 }
 
 void Planet::draw(Frame& frame, const View& view, Canvas& canvas) {

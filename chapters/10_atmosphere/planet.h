@@ -37,9 +37,9 @@ struct Planet : Drawing {
 
     void prepare(Gpu& gpu, Scene&) override;
     std::string load_key() const override { return map.text(); }
-    Phase drawn_in() const override { return Phase::sky; }
-    const Drawing* lit_by() const override { return &atmosphere_; }
-    std::vector<const Module*> made_of() const override { return {this, &atmosphere_}; }
+    Phase draw_phase() const override { return Phase::sky; }
+    const Drawing* sun_source() const override { return &atmosphere_; }
+    std::vector<const Module*> dependencies() const override { return {this, &atmosphere_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
 

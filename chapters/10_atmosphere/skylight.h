@@ -19,8 +19,8 @@ class SkylightTable {
     int made = 0;  ///< for another air, so far
 
   private:
-    Made scaled_;
-    Made made_;
+    Fingerprint scaled_;
+    Fingerprint made_;
     std::vector<glm::dvec3> of_unit_sun_;
     std::vector<glm::vec3> entries_;
 };

@@ -37,8 +37,8 @@ glm::vec4 Julia::constant_at(double time_s) const {
 void Julia::march(Frame& frame, const View& view) {
     constexpr VkFormat float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
     Device& device = frame.gpu.device;
-    found.fit(device, {.name = path() + " found", .format = float4, .size = view.size});
-    starts_.fit(device, {.name = path() + " starts", .format = float4, .size = (view.size + tile - 1u) / tile});
+    found.ensure(device, {.name = path() + " found", .format = float4, .size = view.size});
+    starts_.ensure(device, {.name = path() + " starts", .format = float4, .size = (view.size + tile - 1u) / tile});
     if (method.is("cone")) {
         // An answer may march no cones: its rays begin behind everything.
         if (!Exercises::uses_solution("11.record_cones")) frame.fill("julia no starts", starts_, glm::vec4(1e6f));
@@ -64,7 +64,7 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
 
     // Shading of the hits; alone in the picture, with the environment behind the set.
     const bool alone = !canvas.has_color() && !canvas.has_depth();
-    if (!alone) own_color_.fit(frame.gpu.device, {.name = path() + " color", .size = view.size});
+    if (!alone) own_color_.ensure(frame.gpu.device, {.name = path() + " color", .size = view.size});
     const ImageView into = alone ? canvas.color_overwritten() : own_color_;
     frame.compute("julia shade", {.reads = {found}, .writes = {into}, .with = {*this, environment_}},
                   [&](Compute& pass) {

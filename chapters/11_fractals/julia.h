@@ -1,8 +1,8 @@
 // Julia drawing: quaternion Julia sets rendered by ray marching.
 #pragma once
-#include "11_fractals/environment.h"
 #include "11_fractals/julia_data.h"
 #include "common/app/drawing.h"
+#include "common/app/environment.h"
 
 namespace lightwalk {
 
@@ -94,7 +94,7 @@ struct Julia : Drawing {
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
     void update(Frame& frame) override { environment_.record(frame, *scene_); }
-    std::vector<const Module*> made_of() const override { return {this, &environment_}; }
+    std::vector<const Module*> dependencies() const override { return {this, &environment_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// c at a time; with constants that do not move, at any.
@@ -102,7 +102,7 @@ struct Julia : Drawing {
     bool animated() const override { return constant.is("morph"); }
 
     std::vector<Resource> reads() const override { return {}; }
-    void bind(Pass& pass) const override { pass.offer("julia_now", now_); }
+    void bind(Pass& pass) const override { pass.set_if_present("julia_now", now_); }
 
     /// Of each pixel: metres along the ray, distances asked for, and MARCH_... of 11_fractals/march_along.glsl.
     Image found;

@@ -23,7 +23,7 @@ struct Fractals : ModelChapter {
                   "the reference of both"};
     DepthError depth_error;
 
-    Fractals() { method.alone = true; }
+    Fractals() { method.preferred = true; }
     std::string default_scene() const override { return "scenes/julia_sunset.json"; }
 
     // For the study: where rays end, and how normals lie, against double precision.

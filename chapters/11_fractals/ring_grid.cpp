@@ -12,7 +12,7 @@ void add_grid_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow)
         }
 }
 
-void RingGrid::fit(Gpu& gpu, uint32_t cells) {
+void RingGrid::ensure(Gpu& gpu, uint32_t cells) {
     if (made_.is_current(cells)) return;
     std::vector<uint32_t> indices;
     add_grid_cells(indices, cells, false);

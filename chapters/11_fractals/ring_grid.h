@@ -15,7 +15,7 @@ void add_grid_cells(std::vector<uint32_t>& indices, uint32_t cells, bool hollow)
 class RingGrid {
   public:
     /// Uploads the triangles, where the number of cells along a side of a ring (a multiple of 4) is another than before.
-    void fit(Gpu& gpu, uint32_t cells);
+    void ensure(Gpu& gpu, uint32_t cells);
 
     /// gl_InstanceIndex is the ring's number, from 0.
     void draw(Raster& pass, uint32_t rings) const;
@@ -29,7 +29,7 @@ class RingGrid {
 
   private:
     Buffer indices_;
-    Made made_;  ///< cells
+    Fingerprint made_;  ///< cells
     uint32_t whole_ = 0, hollow_ = 0;
 };
 

@@ -56,21 +56,21 @@ void Terrain::place(const Frame& frame, const View& view) {
 // [/place]
 
 void Terrain::bind(Pass& pass) const {
-    pass.offer("terrain_now", now_);
+    pass.set_if_present("terrain_now", now_);
     struct Look {
         glm::vec3 land, rock, snow;
         glm::vec2 begins, ends;
     };
-    pass.offer("terrain_mix_look", Look{look.land,
-                                        look.rock,
-                                        look.snow,
-                                        {look.begins.value, look.begins_slope.value},
-                                        {look.ends.value, look.ends_slope.value}});
+    pass.set_if_present("terrain_mix_look", Look{look.land,
+                                                 look.rock,
+                                                 look.snow,
+                                                 {look.begins.value, look.begins_slope.value},
+                                                 {look.ends.value, look.ends_slope.value}});
 }
 
 void Terrain::bind_maps(Pass& pass) const {
-    pass.offer("land_map", *land_);
-    pass.offer("rock_map", *rock_);
+    pass.set_if_present("land_map", *land_);
+    pass.set_if_present("rock_map", *rock_);
 }
 
 // The innermost ring whole, the others hollow.
@@ -114,7 +114,7 @@ void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
 // [draw]
 void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     place(frame, view);
-    grid_.fit(frame.gpu, static_cast<uint32_t>(now_.cells));
+    grid_.ensure(frame.gpu, static_cast<uint32_t>(now_.cells));
     const ViewScope scope(frame, from_);
 
     // 1. The ground.

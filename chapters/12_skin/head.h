@@ -1,8 +1,8 @@
 // Head drawing: skin, eyes and matt parts, under lights with shadows and an environment.
 #pragma once
 #include "05_shadow_maps/lit_scene.h"
-#include "11_fractals/environment.h"
 #include "12_skin/skin.h"
+#include "common/app/environment.h"
 
 namespace lightwalk {
 
@@ -25,7 +25,7 @@ struct Head : Drawing {
     Skin::Shown shown = Skin::Shown::all;
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    std::vector<const Module*> made_of() const override {
+    std::vector<const Module*> dependencies() const override {
         return {&skin, &rays, &objects_.maps, &objects_.lights, &objects_.shadow, &environment_};
     }
     void update(Frame& frame) override;

@@ -21,7 +21,7 @@ struct SkinChapter : ModelChapter {
     Knob<int> level{*this, "level", 0, {0, 5}, "Gaussian to show (show level): 0 is the narrowest"};
 
     SkinChapter() {
-        head.skin.method.alone = true;  // --method is about skin here
+        head.skin.method.preferred = true;  // --method is about skin here
     }
     std::string default_scene() const override { return "scenes/portrait.json"; }
 

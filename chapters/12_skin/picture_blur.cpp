@@ -6,9 +6,9 @@
 
 namespace lightwalk {
 
-void PictureBlur::fit(Device& device, glm::uvec2 size) {
+void PictureBlur::ensure(Device& device, glm::uvec2 size) {
     for (const auto& [image, name] : {std::pair{&light, "skin light"}, {&after, "skin after"}, {&half_, "skin half"}})
-        image->fit(device, {.name = name, .size = size});
+        image->ensure(device, {.name = name, .size = size});
 }
 
 void PictureBlur::record(Frame& frame, const View& view, Canvas& canvas) {

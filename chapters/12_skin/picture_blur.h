@@ -14,7 +14,7 @@ class PictureBlur {
     Image after;  ///< factor applied afterwards
 
     /// Before something is drawn into the two.
-    void fit(Device& device, glm::uvec2 size);
+    void ensure(Device& device, glm::uvec2 size);
 
     /// Blurs `light` along both directions, and adds it to the picture.
     void record(Frame& frame, const View& view, Canvas& canvas);

@@ -14,7 +14,7 @@ namespace {
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat format = half4) {
-    image.fit(frame.gpu.device, {.name = name, .format = format, .size = glm::uvec2(size), .kept = true});
+    image.ensure(frame.gpu.device, {.name = name, .format = format, .size = glm::uvec2(size), .kept = true});
 }
 
 }  // namespace
@@ -124,9 +124,10 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
         });
 }
 
-// [draw_seen]
+// [draw_visible]
 // Which triangle each pixel shows, then a dispatch for each of skin, eyes and cloth.
-void Skin::draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with) {
+void Skin::draw_visible(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit,
+                        const std::vector<With>& with) {
     const DrawItem* skin = skin_of(scene);
     std::vector<Batch> of_skin, of_eyes, others, all;
     for (const Batch& batch : scene.all().batches()) {
@@ -144,7 +145,7 @@ void Skin::draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit
     visibility_.shade(frame, scene, lit.maps, of_eyes, canvas, eye_seen_, with);
     visibility_.shade(frame, scene, lit.maps, of_skin, canvas, look, with);
 }
-// [/draw_seen]
+// [/draw_visible]
 
 // [draw]
 void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, Shown shown) {
@@ -175,7 +176,7 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
                      });
         RasterTargets targets{.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with};
         if (on_screen) {
-            screen_.fit(frame.gpu.device, canvas.size());
+            screen_.ensure(frame.gpu.device, canvas.size());
             targets.color.push_back(clear(screen_.light, glm::vec4(0)));
             targets.color.push_back(clear(screen_.after, glm::vec4(0)));
         }
@@ -184,7 +185,7 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
     const bool in_compute =
         shaded.is("visibility") && shown == Shown::all && !on_screen && VisibilityBuffer::suits(lit.maps, canvas);
     if (in_compute)
-        draw_seen(frame, scene, canvas, lit, with);
+        draw_visible(frame, scene, canvas, lit, with);
     else
         draw_fragments();
     if (!part(scene, Role::cornea)) return;
@@ -207,15 +208,15 @@ std::vector<Resource> Skin::reads() const {
 }
 
 void Skin::bind(Pass& pass) const {
-    pass.offer("shown", shown_);
-    pass.offer("skin_facets", facets_, linear_clamp);
-    pass.offer("skin_reflected", reflected_, linear_clamp);
-    pass.offer("skin_preintegrated", preintegrated_, linear_clamp);
-    pass.offer("skin_occlusion", coarse_.occlusion, linear_clamp);
-    pass.offer("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
-    pass.offer("skin_stretch", coarse_.stretch, linear_clamp);
-    pass.offer("skin_position", coarse_.position, nearest_clamp);
-    pass.offer("skin_diffused", spread_out_ ? diffused() : coarse_.occlusion, linear_clamp);
+    pass.set_if_present("shown", shown_);
+    pass.set_if_present("skin_facets", facets_, linear_clamp);
+    pass.set_if_present("skin_reflected", reflected_, linear_clamp);
+    pass.set_if_present("skin_preintegrated", preintegrated_, linear_clamp);
+    pass.set_if_present("skin_occlusion", coarse_.occlusion, linear_clamp);
+    pass.set_if_present("eye_occlusion", eye_.occlusion ? eye_.occlusion : coarse_.occlusion, linear_clamp);
+    pass.set_if_present("skin_stretch", coarse_.stretch, linear_clamp);
+    pass.set_if_present("skin_position", coarse_.position, nearest_clamp);
+    pass.set_if_present("skin_diffused", spread_out_ ? diffused() : coarse_.occlusion, linear_clamp);
 }
 
 }  // namespace lightwalk

@@ -93,7 +93,7 @@ struct Skin : Module {
     double scale_of(const DrawItem& item) const;
     void make_tables(Frame& frame);
     void light_map(Frame& frame, const Lit& lit);
-    void draw_seen(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with);
+    void draw_visible(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, const std::vector<With>& with);
 
     Unwrapped coarse_, fine_, eye_;
     PictureBlur screen_;
@@ -102,9 +102,9 @@ struct Skin : Module {
     Image facets_, reflected_, preintegrated_;
     bool empty_ = true, spread_out_ = false;  ///< in this frame
     int shown_ = -1;  ///< image shown by draw() instead of the picture, numbered as in skin.frag
-    Made tables_made_;
+    Fingerprint tables_made_;
     int sky_rays_ = 0;
-    mutable Made scale_made_;
+    mutable Fingerprint scale_made_;
     mutable double mm_per_uv_ = 0;
     Pipeline facets_table_ = compute({.shader = "12_skin/facets.comp"});
     Pipeline reflected_table_ = compute({.shader = "12_skin/reflected.comp"});

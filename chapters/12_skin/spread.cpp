@@ -5,7 +5,7 @@ namespace {
 
 void make(Frame& frame, Image& image, const char* name, glm::uvec2 size, VkFormat format) {
     const Image::Desc desc{.name = name, .format = format, .size = size};
-    image.fit(frame.gpu.device, desc);
+    image.ensure(frame.gpu.device, desc);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ void add_charts(Gpu& gpu, const Scene& scene) {
 bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size) {
     if (made_.is_current(&item, scene.epoch, size, maps.epoch())) return false;
     const auto image = [&](Image& made, const char* name, VkFormat format) {
-        made.fit(frame.gpu.device,
-                 {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});
+        made.ensure(frame.gpu.device,
+                    {.name = std::string("skin ") + name, .format = format, .size = glm::uvec2(size), .kept = true});
     };
     constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT, float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
     image(raw_position_, "raw position", float4);
@@ -101,7 +101,7 @@ bool Unwrapped::record(Frame& frame, const Scene& scene, const Maps& maps, const
 
 void Unwrapped::trace_sky(Frame& frame, const SceneRays& rays, uint32_t rays_per_texel) {
     for (Image* image : {&noisy_, &occlusion})
-        image->fit(frame.gpu.device, {.name = "skin occlusion", .size = position.desc.size, .kept = true});
+        image->ensure(frame.gpu.device, {.name = "skin occlusion", .size = position.desc.size, .kept = true});
     frame.compute("occlusion", {.reads = {position, normal}, .writes = {noisy_}, .with = {rays}}, [&](Compute& pass) {
         pass.use(occlusion_).set("skin_position", position, nearest_clamp).set("skin_normal", normal, nearest_clamp);
         pass.set("occlusion_rays", rays_per_texel).set("result", noisy_).dispatch_threads(position.desc.size);

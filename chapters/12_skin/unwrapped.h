@@ -28,7 +28,7 @@ class Unwrapped {
     void forget() { made_.forget(); }
 
   private:
-    Made made_;
+    Fingerprint made_;
     Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;
     Pipeline unwrap_ = graphics({.vertex = "12_skin/unwrap.vert",
                                  .fragment = "12_skin/unwrap.frag",

@@ -6,8 +6,8 @@ namespace lightwalk {
 
 void FourSamples::multisample(Frame& frame, Canvas& canvas) {
     Device& device = frame.gpu.device;
-    color_.fit(device, {.name = "four colours", .size = canvas.size(), .samples = 4});
-    depth_.fit(device, {.name = "four depths", .format = VK_FORMAT_D32_SFLOAT, .size = canvas.size(), .samples = 4});
+    color_.ensure(device, {.name = "four colours", .size = canvas.size(), .samples = 4});
+    depth_.ensure(device, {.name = "four depths", .format = VK_FORMAT_D32_SFLOAT, .size = canvas.size(), .samples = 4});
     canvas.multisampled(color_, depth_);
 }
 

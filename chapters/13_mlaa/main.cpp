@@ -31,7 +31,7 @@ struct MlaaChapter : ModelChapter {
     Flicker flicker;
 
     MlaaChapter() {
-        antialias.method.alone = true;  // --method is about edges here
+        antialias.method.preferred = true;  // --method is about edges here
     }
     std::string default_scene() const override { return "scenes/city.json"; }
 

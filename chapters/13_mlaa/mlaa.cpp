@@ -65,12 +65,12 @@ void Mlaa::set_up(Frame& frame, const Image& picture) {
     Device& device = frame.gpu.device;
     const glm::uvec2 size = picture.desc.size;
     const auto fit = [&](Image& image, const char* name, glm::uvec2 side) {
-        image.fit(device, {.name = path() + name, .format = VK_FORMAT_R32_UINT, .size = side});
+        image.ensure(device, {.name = path() + name, .format = VK_FORMAT_R32_UINT, .size = side});
     };
     for (Buffer* const work : {&work_, &next_work_})
         if (!*work) *work = frame.gpu.upload("mlaa work", std::vector<uint32_t>{0, 1, 1, 0, 0});
     std::swap(work_, next_work_);
-    light_.fit(device, picture.desc);
+    light_.ensure(device, picture.desc);
     if (!follows_edges()) return;
 
     const VkDeviceSize bytes = 4 * VkDeviceSize(size.x) * size.y;

@@ -92,7 +92,7 @@ struct Mlaa : Module {
     Image distances_[2], diagonals_[2];                       ///< for passes that double
     const Image *lengths_ = nullptr, *staircases_ = nullptr;  ///< of those, as the last frame left them
     Image areas_, crossings_;
-    Made tables_made_;
+    Fingerprint tables_made_;
     Image light_;              ///< of listed pixels, before it is mixed; with fxaa_like the picture of the frame before
     Buffer work_, next_work_;  ///< of this frame, and, which this frame empties, of the next
     Buffer list_;

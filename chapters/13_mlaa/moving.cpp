@@ -36,7 +36,7 @@ bool Moving::record(Frame& frame, const Scene& scene, const View& now, const Vie
         if (const auto* surface = dynamic_cast<const MovingSurface*>(&drawing); surface && surface->has_moved())
             surfaces.push_back(surface);
     if (moved.size() == 0 && surfaces.empty()) return false;
-    image_.fit(frame.gpu.device, {.name = "moving", .size = now.size});
+    image_.ensure(frame.gpu.device, {.name = "moving", .size = now.size});
     const MotionPass all{image_, depth, {without_shift(now), without_shift(before)}};
     RasterTargets targets{.color = {clear(image_, glm::vec4(0.0f))}, .reads = {depth}};
     if (moved.size() > 0) targets.reads.emplace_back(instances_);

@@ -37,7 +37,7 @@ glm::dmat4 to_before(const View& now, const View& before) {
 
 }  // namespace
 
-Gathering Taa::gathering() const { return {warm_up, shift_of_frame}; }
+Accumulation Taa::accumulation() const { return {warm_up, shift_of_frame}; }
 
 // Returns whether there is a history to mix with.
 bool Taa::set_up(Frame& frame, glm::uvec2 size, const Seen& seen) {
@@ -45,10 +45,11 @@ bool Taa::set_up(Frame& frame, glm::uvec2 size, const Seen& seen) {
     std::swap(light_[0], light_[1]);
     std::swap(behind_[0], behind_[1]);
     bool is_new = false;
-    for (Image& image : light_) is_new |= image.fit(device, {.name = path() + " history", .size = size, .kept = true});
+    for (Image& image : light_)
+        is_new |= image.ensure(device, {.name = path() + " history", .size = size, .kept = true});
     for (Image& image : behind_)
-        is_new |=
-            image.fit(device, {.name = path() + " behind", .format = VK_FORMAT_R32_SFLOAT, .size = size, .kept = true});
+        is_new |= image.ensure(
+            device, {.name = path() + " behind", .format = VK_FORMAT_R32_SFLOAT, .size = size, .kept = true});
     const std::filesystem::path file = seen.scene ? seen.scene->file.file : std::filesystem::path();
     const bool same = before_ && before_->size == seen.view.size && scene_ == seen.scene && scene_file_ == file;
     scene_ = seen.scene;
@@ -69,7 +70,7 @@ bool Taa::is_unchanged(const Frame& frame, const Seen& seen) {
     for (const Drawing& drawing : seen.drawings) {
         const auto* surface = dynamic_cast<const MovingSurface*>(&drawing);
         moved |= surface && surface->has_moved();
-        for (const Module* module : drawing.made_of()) {
+        for (const Module* module : drawing.dependencies()) {
             drawn.add(module->epoch());
             animated |= module->any_animated();
         }

@@ -23,7 +23,7 @@ struct Seen {
 
 // [taa]
 /// Mixes each frame with the history of the pixel: earlier samples of the same surface. The renderer shifts each
-/// frame within a pixel (Module::gathering); a written picture takes `warm_up` of them from a cold start, so that it
+/// frame within a pixel (Module::accumulation); a written picture takes `warm_up` of them from a cold start, so that it
 /// depends on its time alone.
 struct Taa : Module {
     Taa(Module& owner, std::string name) : Module(owner, std::move(name), "taa") {}
@@ -61,7 +61,7 @@ struct Taa : Module {
 
     /// `picture`: RGBA16F, drawn from the view with its shift; gets the picture without it. Once per frame and module.
     void record(Frame& frame, const Image& picture, const Seen& seen);
-    Gathering gathering() const override;
+    Accumulation accumulation() const override;
     bool animated() const override { return true; }
     // [/taa]
 
@@ -83,7 +83,7 @@ struct Taa : Module {
     Image behind_[2];  ///< R32F: 1/m, of the farthest of 3×3 pixels
     Moving moving_;
     std::optional<View> before_;
-    Made unchanged_;
+    Fingerprint unchanged_;
     LightList lights_;
     const Scene* scene_ = nullptr;
     std::filesystem::path scene_file_;  ///< another scene may be loaded at the same address

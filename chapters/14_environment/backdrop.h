@@ -31,9 +31,9 @@ struct Backdrop : Drawing {
     // [/backdrop]
 
     void prepare(Gpu&, Scene& loaded) override { scene_ = &loaded; }
-    Phase drawn_in() const override { return Phase::backdrop; }
-    std::vector<const Module*> made_of() const override { return {this, &light_}; }
-    void meet(const Drawings& drawings) override { cut_by_ = Casting(drawings).maps(); }
+    Phase draw_phase() const override { return Phase::backdrop; }
+    std::vector<const Module*> dependencies() const override { return {this, &light_}; }
+    void find_casters(const Drawings& drawings) override { cut_by_ = Casting(drawings).maps(); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
   private:

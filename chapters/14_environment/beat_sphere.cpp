@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -56,7 +56,7 @@ Geodesic geodesic_sphere(uint32_t count) {
 
 void BeatSphere::prepare(Gpu& gpu, Scene&) {
     if (directions_) return;
-    const Geodesic sphere = aside([] { return geodesic_sphere(parts); });
+    const Geodesic sphere = unlocked([] { return geodesic_sphere(parts); });
     directions_ = gpu.upload("sphere directions", sphere.directions);
     indices_ = gpu.upload("sphere indices", sphere.indices);
 }
@@ -82,7 +82,7 @@ void BeatSphere::update(Frame& frame) {
 }
 // [/levels]
 
-void BeatSphere::bind(Pass& pass) const { pass.offer("beat_now", now_); }
+void BeatSphere::bind(Pass& pass) const { pass.set_if_present("beat_now", now_); }
 
 // [shade]
 void BeatSphere::shade_ground(Frame& frame, const View& view, Canvas& canvas) {

@@ -71,7 +71,7 @@ struct BeatSphere : Drawing {
 
     void prepare(Gpu& gpu, Scene& scene) override;
     void update(Frame& frame) override;
-    std::vector<const Module*> made_of() const override { return {this, &light_, &music_}; }
+    std::vector<const Module*> dependencies() const override { return {this, &light_, &music_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     bool animated() const override;
     void bind(Pass& pass) const override;

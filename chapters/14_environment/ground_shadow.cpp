@@ -61,10 +61,10 @@ void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
 
 void GroundShadow::record(Frame& frame, const Scene& scene, const Maps* maps, const EnvironmentScale& turn,
                           float ground_y) {
-    arriving.fit(frame.gpu.device, {.name = path() + ".arriving",
-                                    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-                                    .size = glm::uvec2(uint32_t(resolution.value)),
-                                    .kept = true});
+    arriving.ensure(frame.gpu.device, {.name = path() + ".arriving",
+                                       .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                       .size = glm::uvec2(uint32_t(resolution.value)),
+                                       .kept = true});
     if (scene.items.empty() || made_.is_current(scene.epoch, turn.cosine, turn.sine, ground_y, epoch(),
                                                 arriving.desc.size.x, maps ? holes_cut(*maps, scene, frame.time_s) : 0))
         return;

@@ -31,7 +31,7 @@ struct GroundShadow : Module {
   private:
     ImageRgb picture_;
     GroundShadowState state_{};
-    Made made_;
+    Fingerprint made_;
     Buffer lights_;
     Pipeline trace_ = compute({.shader = "14_environment/ground_shadow.comp"});
 };

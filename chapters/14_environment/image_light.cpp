@@ -121,21 +121,22 @@ void ImageLight::filter(Frame& frame, LightCubes& cubes) {
 
 void ImageLight::bind(Pass& pass) const {
     const LightCubes& cubes = *now_;
-    pass.offer("image_light_radiance", cubes.radiance, linear_clamp);
-    pass.offer("image_light_texels", cubes.radiance.as_array(), nearest_clamp);
+    pass.set_if_present("image_light_radiance", cubes.radiance, linear_clamp);
+    pass.set_if_present("image_light_texels", cubes.radiance.as_array(), nearest_clamp);
     if (!radiance_alone) {
-        pass.offer("image_light_prefiltered", cubes.prefiltered, linear_clamp);
-        pass.offer("image_light_irradiance", cubes.irradiance, linear_clamp);
-        pass.offer("image_light_table", table, linear_clamp);
-        pass.offer("image_light_sh", cubes.sh);
+        pass.set_if_present("image_light_prefiltered", cubes.prefiltered, linear_clamp);
+        pass.set_if_present("image_light_irradiance", cubes.irradiance, linear_clamp);
+        pass.set_if_present("image_light_table", table, linear_clamp);
+        pass.set_if_present("image_light_sh", cubes.sh);
     }
     ImageLightState state = now_ == &drawn ? box_ : ImageLightState{};
     state.levels = static_cast<float>(cubes.prefiltered.desc.mips);
     state.texels = static_cast<float>(LightCubes::face_texels);
-    pass.offer("image_light_state", state);
+    pass.set_if_present("image_light_state", state);
     // A drawn cube already includes the scene's rotation and intensity.
-    pass.offer("environment_scale", now_ == &drawn ? EnvironmentScale{.cosine = 1.0f, .sine = 0.0f, .intensity = 1.0f}
-                                                   : environment_scale(*scene_, intensity, turn_deg));
+    pass.set_if_present("environment_scale", now_ == &drawn
+                                                 ? EnvironmentScale{.cosine = 1.0f, .sine = 0.0f, .intensity = 1.0f}
+                                                 : environment_scale(*scene_, intensity, turn_deg));
 }
 
 }  // namespace lightwalk

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "07_mipmaps/mip_chain.h"
-#include "11_fractals/environment.h"
 #include "14_environment/exercises.h"
 #include "14_environment/image_light_data.h"
+#include "common/app/environment.h"
 #include "common/app/module.h"
 #include "common/app/target.h"
 #include "common/base/epoch.h"
@@ -130,14 +130,14 @@ struct ImageLight : Module {
     Pipeline split_sum_ = compute({.shader = "14_environment/split_sum.comp"});
     const Scene* scene_ = nullptr;
     /// Picture, ambient, toggles: a scene that is prepared again with the same light keeps its cubes.
-    Made prepared_;
+    Fingerprint prepared_;
     std::shared_ptr<Image> environment_;  ///< that picture_sh_ is of
     Image even_;                          ///< where there is no picture
     Sh9 picture_sh_{};                    ///< of the scene's picture, as 14.sh_project says
     LightCubes* now_ = &sky;
     ImageLightState box_{};
-    Made made_;
-    Made table_made_;
+    Fingerprint made_;
+    Fingerprint table_made_;
 };
 
 /// The largest level of an RGBA16F picture that is at most `most` texels wide, as numbers. Waits for the device.

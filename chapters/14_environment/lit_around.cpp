@@ -12,8 +12,8 @@ LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
     shading = {.opaque = &surface_, .seen = &seen_, .transparent = &glass_, .with = {light, substances, paint}};
 }
 
-std::vector<const Module*> LitAround::made_of() const {
-    std::vector<const Module*> all = lit.made_of();
+std::vector<const Module*> LitAround::dependencies() const {
+    std::vector<const Module*> all = lit.dependencies();
     all.push_back(this);
     return all;
 }

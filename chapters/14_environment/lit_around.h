@@ -30,11 +30,11 @@ struct LitAround : Drawing, ItemCaster {
     CarPaint paint;
     SceneRays rays;
 
-    void meet(const Drawings& drawings) override { lit.meet(drawings); }
-    std::vector<const Module*> made_of() const override;
+    void find_casters(const Drawings& drawings) override { lit.find_casters(drawings); }
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override;
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_part() const override { return &surfaces; }
+    const Drawing* transparent_source() const override { return &surfaces; }
     const Maps& cut_by() const override { return maps; }
     // [/lit_around]
 

@@ -14,7 +14,7 @@ struct EnvironmentChapter : ModelChapter {
 
     EnvironmentChapter() {
         set_look(world, *this);
-        world.light.method.alone = true;  // --method is about reflections here
+        world.light.method.preferred = true;  // --method is about reflections here
     }
     std::string default_scene() const override { return "scenes/lacquered_statue.json"; }
 

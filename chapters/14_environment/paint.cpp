@@ -11,6 +11,6 @@ void CarPaint::record(Frame& frame) {
                   [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
 }
 
-void CarPaint::bind(Pass& pass) const { pass.offer("paint_table", table, linear_clamp); }
+void CarPaint::bind(Pass& pass) const { pass.set_if_present("paint_table", table, linear_clamp); }
 
 }  // namespace lightwalk

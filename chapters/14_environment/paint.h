@@ -38,7 +38,7 @@ struct CarPaint : Module {
     Target table{*this, {.name = "table", .size = {64, 66}, .kept = true}};
 
   private:
-    Made made_;
+    Fingerprint made_;
     Pipeline fill_ = compute({.shader = "14_environment/paint_table.comp"});
 };
 

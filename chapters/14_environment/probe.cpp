@@ -19,8 +19,8 @@ Camera face_camera(uint32_t face, glm::vec3 center, float near_m, float far_m) {
 // [face]
 void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw) {
     const glm::uvec2 size = cubes.radiance.desc.size;
-    color_.fit(frame.gpu.device, {.name = path() + " color", .size = size});
-    depth_.fit(frame.gpu.device, {.name = path() + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
+    color_.ensure(frame.gpu.device, {.name = path() + " color", .size = size});
+    depth_.ensure(frame.gpu.device, {.name = path() + " depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
     View view = view_of(face_camera(face, center, near_m, scene.file.camera.far_m), size);
     view.id = views_.of(0, face);
     view.sun_disc = !distant;  // the scene's sun lights by itself
@@ -39,10 +39,11 @@ void SceneProbe::draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, 
 // The probe depends on the knobs of the drawings and of their inputs, and on time if one of these is animated.
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const Drawings& drawings) {
     const Drawings drawn = in_order(distant ? of_phases({Phase::sky, Phase::air}, drawings) : drawings);
-    std::vector<const Module*> made_of;
+    std::vector<const Module*> dependencies;
     for (const Drawing& drawing : drawn)
-        for (const Module* module : drawing.made_of()) made_of.push_back(module);
-    record(frame, scene, light, made_of, [&](const View& view, Canvas& canvas) { draw(frame, view, canvas, drawn); });
+        for (const Module* module : drawing.dependencies()) dependencies.push_back(module);
+    record(frame, scene, light, dependencies,
+           [&](const View& view, Canvas& canvas) { draw(frame, view, canvas, drawn); });
 }
 
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, World& world) {
@@ -51,14 +52,14 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, Wor
 }
 
 // [record]
-void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, const std::vector<const Module*>& made_of,
-                        const Draw& draw) {
+void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light,
+                        const std::vector<const Module*>& dependencies, const Draw& draw) {
     drawn_faces = 0;
     if (update.is("off")) return;
     Hash knobs;
     knobs.add(hash_of(epoch(), light.epoch()));
     bool animated = false;
-    for (const Module* module : made_of) {
+    for (const Module* module : dependencies) {
         knobs.add(module->epoch());
         animated |= module->any_animated();
     }

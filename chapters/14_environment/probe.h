@@ -47,11 +47,11 @@ struct SceneProbe : Module {
   private:
     DerivedViews views_;
     using Draw = std::function<void(const View& view, Canvas& canvas)>;
-    void record(Frame& frame, const Scene& scene, ImageLight& light, const std::vector<const Module*>& made_of,
+    void record(Frame& frame, const Scene& scene, ImageLight& light, const std::vector<const Module*>& dependencies,
                 const Draw& draw);
     void draw_face(Frame& frame, const Scene& scene, LightCubes& cubes, uint32_t face, const Draw& draw);
     Image color_, depth_;
-    Made made_;
+    Fingerprint made_;
     uint32_t next_face_ = 0;
     Pipeline to_face_ = compute({.shader = "14_environment/probe_face.comp"});
 };

@@ -18,7 +18,7 @@ struct Step {
 void ScreenOcclusion::record(Frame& frame, const View& view, const ImageView& depth) {
     const glm::uvec2 size(depth.size()), small = resolution.is("half") ? (size + 1u) / 2u : size;
     const auto fit = [&](Image& image, const char* name, glm::uvec2 side) {
-        image.fit(frame.gpu.device, {.name = path() + name, .size = side});
+        image.ensure(frame.gpu.device, {.name = path() + name, .size = side});
     };
     fit(found_, " found", small);
     fit(wide_, " image", size);
@@ -45,7 +45,7 @@ std::vector<Resource> ScreenOcclusion::reads() const {
 }
 
 void ScreenOcclusion::bind(Pass& pass) const {
-    if (wide_) pass.offer("screen_occlusion_image", wide_, nearest_clamp);
+    if (wide_) pass.set_if_present("screen_occlusion_image", wide_, nearest_clamp);
 }
 
 }  // namespace lightwalk

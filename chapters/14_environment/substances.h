@@ -14,7 +14,7 @@ struct Substances : Module {
 
     void prepare(Gpu& gpu, Scene& scene) override;
     std::vector<Resource> reads() const override { return {substances_}; }
-    void bind(Pass& pass) const override { pass.offer("substances", substances_); }
+    void bind(Pass& pass) const override { pass.set_if_present("substances", substances_); }
 
   private:
     Buffer substances_;

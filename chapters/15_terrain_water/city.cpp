@@ -126,24 +126,24 @@ Bounds City::bounds() const {
     return all;
 }
 
-std::vector<With> City::casts_with() const { return {ground_}; }
+std::vector<With> City::shadow_modules() const { return {ground_}; }
 
 // [cast]
 void City::cast(Raster& pass, const View& light) const {
     pass.use(cast_).set("city_boxes", buffer_).set("city_light", glm::vec2(0.0f));
-    draw_seen(pass, light);
+    draw_visible(pass, light);
 }
 // [/cast]
 
 void City::bind(Pass& pass) const {
     if (boxes_.empty()) return;
-    pass.offer("city_boxes", buffer_);
-    pass.offer("city_cells", cells_);
-    pass.offer("city_grid", grid_);
+    pass.set_if_present("city_boxes", buffer_);
+    pass.set_if_present("city_cells", cells_);
+    pass.set_if_present("city_grid", grid_);
 }
 
 // Blocks in a row that the view may see are one draw.
-void City::draw_seen(Raster& pass, const View& view) const {
+void City::draw_visible(Raster& pass, const View& view) const {
     const glm::mat4 rows = glm::transpose(view.view_projection);
     uint32_t first = 0, count = 0;
     const auto flush = [&] {
@@ -177,7 +177,7 @@ void City::draw(Frame& frame, const View& view, Canvas& canvas) {
     const Pipeline& shader = add_shadow(shadowed_by, targets.with) ? draw_shadowed_ : draw_;
     frame.raster("city", targets, [&](Raster& pass) {
         pass.use(shader).set("city_light", light_of(view));
-        draw_seen(pass, view);
+        draw_visible(pass, view);
     });
 }
 

@@ -47,8 +47,8 @@ struct City : Drawing, Caster, SunReceiver {
     // [/city]
 
     void update(Frame& frame) override;
-    const Drawing* lit_by() const override { return &atmosphere_; }
-    std::vector<const Module*> made_of() const override { return {this, &ground_, &atmosphere_}; }
+    const Drawing* sun_source() const override { return &atmosphere_; }
+    std::vector<const Module*> dependencies() const override { return {this, &ground_, &atmosphere_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     size_t box_count() const { return boxes_.size(); }
 
@@ -57,17 +57,17 @@ struct City : Drawing, Caster, SunReceiver {
 
     Bounds bounds() const override;
     uint64_t placed() const override { return placed_; }
-    std::vector<With> casts_with() const override;
+    std::vector<With> shadow_modules() const override;
     void cast(Raster& pass, const View& light) const override;
 
     /// For rays: 15_terrain_water/city_rays.glsl.
     void bind(Pass& pass) const override;
 
   private:
-    void draw_seen(Raster& pass, const View& view) const;
+    void draw_visible(Raster& pass, const View& view) const;
     const Ground& ground_;
     const Atmosphere& atmosphere_;
-    Made made_;
+    Fingerprint made_;
     CityPlan plan_;  ///< of the boxes that are there
     std::vector<CityBlock> blocks_;
     std::vector<CityBox> boxes_;

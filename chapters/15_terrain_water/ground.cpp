@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/base/exercise.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -33,7 +33,7 @@ void Ground::prepare(Gpu& gpu, Scene& scene) {
     file_ = height_map_of(scene.file);
     if (file_.empty()) return;
     name_unused_placement(scene.file, is_height_map_file, "a terrain");
-    source_ = aside([&] { return read_height_map(find_asset(file_)); });
+    source_ = unlocked([&] { return read_height_map(find_asset(file_)); });
     if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
     texels_ = Image(gpu.device, {.name = "elevations",
                                  .format = VK_FORMAT_R32_SFLOAT,
@@ -68,7 +68,8 @@ LandSource Ground::land_source() const {
 void Ground::make_images(Device& device) {
     const uint32_t cells = static_cast<uint32_t>(map_.samples) - 1, top = static_cast<uint32_t>(map_.top);
     const auto image = [&](Image& it, const char* name, VkFormat format, uint32_t side, uint32_t mips) {
-        it.fit(device, {.name = path() + name, .format = format, .size = glm::uvec2(side), .mips = mips, .kept = true});
+        it.ensure(device,
+                  {.name = path() + name, .format = format, .size = glm::uvec2(side), .mips = mips, .kept = true});
     };
     image(heights_, " heights", VK_FORMAT_R32_SFLOAT, cells + 1, 1);
     image(slopes_, " slopes", VK_FORMAT_R16G16B16A16_SFLOAT, cells + 1, full_mip_count(glm::uvec2(cells + 1)));
@@ -133,12 +134,12 @@ void Ground::record(Frame& frame, bool with_errors) {
 }
 
 void Ground::bind(Pass& pass) const {
-    pass.offer("land_map", map_);
+    pass.set_if_present("land_map", map_);
     if (!heights_) return;
-    pass.offer("land_heights", heights_, nearest_clamp);
-    pass.offer("land_slopes", slopes_, linear_clamp);
-    pass.offer("land_bounds", bounds_, nearest_clamp);
-    if (errors_made_) pass.offer("land_errors", errors_, nearest_clamp);
+    pass.set_if_present("land_heights", heights_, nearest_clamp);
+    pass.set_if_present("land_slopes", slopes_, linear_clamp);
+    pass.set_if_present("land_bounds", bounds_, nearest_clamp);
+    if (errors_made_) pass.set_if_present("land_errors", errors_, nearest_clamp);
 }
 
 std::vector<Resource> Ground::reads() const {

@@ -49,7 +49,7 @@ struct Ground : Module {
     Choice precision{*this, "precision", {"8", "12", "16", "float"}, "float", "Bits of a height before it is used"};
 
     /// Reads the height map. Throws InputError.
-    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_height_map_file(file); }
+    bool load_proxy(const std::filesystem::path& file, Model&) const override { return is_height_map_file(file); }
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return precision.text(); }
     /// prepare(), where the scene has another height map than the one that is shown.
@@ -79,7 +79,7 @@ struct Ground : Module {
     std::filesystem::path file_;  ///< of the scene's object
     Image texels_, heights_, slopes_, bounds_, errors_;
     LandMap map_{};
-    Made made_;
+    Fingerprint made_;
     bool errors_made_ = false;
     Pipeline make_heights_ = compute({.shader = "15_terrain_water/make_heights.comp"});
     Pipeline make_slopes_ = compute({.shader = "15_terrain_water/make_slopes.comp"});

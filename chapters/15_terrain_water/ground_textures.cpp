@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
 #include "common/image/mip_levels.h"
@@ -190,7 +190,7 @@ void add_layer(Material material, std::vector<glm::u8vec4>& texels, std::vector<
 
 void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps) {
     std::vector<glm::u8vec4> texels, slopes;
-    aside([&] {
+    unlocked([&] {
         add_layer(Grass(), texels, slopes);
         add_layer(Forest(), texels, slopes);
         add_layer(Rock(), texels, slopes);

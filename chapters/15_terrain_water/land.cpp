@@ -44,7 +44,7 @@ uint64_t Land::triangles() const {
 void Land::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!ground_.exists()) return;
     PerView& kept = views_[view.id];
-    kept.found.fit(frame.gpu.device, {.name = path() + " found", .format = VK_FORMAT_R32_SFLOAT, .size = view.size});
+    kept.found.ensure(frame.gpu.device, {.name = path() + " found", .format = VK_FORMAT_R32_SFLOAT, .size = view.size});
     found_last_ = &kept.found;
     const ViewScope scope(frame, view);
     if (method.is("rays"))
@@ -106,7 +106,7 @@ void Land::draw_rings(Frame& frame, const View& view, Canvas& canvas, const PerV
     for (now.rings = 1; (now.cells << now.rings) < 4 * map.samples; ++now.rings) {}
     const glm::vec2 place = (glm::vec2(view.eye.x, view.eye.z) - map.corner) / map.spacing_m;
     now.middle = glm::ivec2(glm::round(glm::clamp(place, 0.0f, float(map.samples - 1)) / 8.0f)) * 8;
-    rings_.fit(frame.gpu, static_cast<uint32_t>(now.cells));
+    rings_.ensure(frame.gpu, static_cast<uint32_t>(now.cells));
     ring_count_ = static_cast<uint32_t>(now.rings);
     frame.raster("land",
                  {.color = {clear(kept.found, glm::vec4(0.0f))}, .depth = canvas.depth_target(), .with = {ground_}},
@@ -124,10 +124,10 @@ void Land::draw_rays(Frame& frame, const View& view, Canvas& canvas, const PerVi
 
 void Land::bind(Pass& pass) const {
     if (materials_) {
-        pass.offer("materials", materials_);
-        pass.offer("material_bumps", bumps_);
+        pass.set_if_present("materials", materials_);
+        pass.set_if_present("material_bumps", bumps_);
     }
-    if (ground_.exists()) pass.offer("heights_between", ground_.heights(), linear_clamp);
+    if (ground_.exists()) pass.set_if_present("heights_between", ground_.heights(), linear_clamp);
 }
 
 void Land::shade(Frame& frame, const View& view, Canvas& canvas, const PerView& kept) {

@@ -73,8 +73,8 @@ struct Land : Drawing, SunReceiver {
 
     void prepare(Gpu& gpu, Scene& loaded) override;
     void update(Frame& frame) override { ground_.record(frame, !method.is("rings") && !method.is("rays")); }
-    const Drawing* lit_by() const override { return &atmosphere_; }
-    std::vector<const Module*> made_of() const override { return {this, &ground_, &atmosphere_}; }
+    const Drawing* sun_source() const override { return &atmosphere_; }
+    std::vector<const Module*> dependencies() const override { return {this, &ground_, &atmosphere_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
     /// Of the view drawn last: metres along the view, R32F, 0 where there is no ground.

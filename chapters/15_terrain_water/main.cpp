@@ -18,7 +18,7 @@ struct TerrainWater : ModelChapter {
 
     TerrainWater() {
         set_look(shore, *this);
-        shore.land.method.alone = true;  // --method is about the ground here
+        shore.land.method.preferred = true;  // --method is about the ground here
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
 
@@ -56,7 +56,7 @@ struct TerrainWater : ModelChapter {
   private:
     Gpu* gpu_ = nullptr;
     GroundHeights heights_;
-    Made heights_made_;
+    Fingerprint heights_made_;
 };
 
 CHAPTER(TerrainWater)

@@ -19,7 +19,7 @@ void Mirror::record(Frame& frame, const View& view, float level_m, const Drawing
     const Drawings air = of_phases({Phase::sky, Phase::air, Phase::fog}, drawings);
     const glm::uvec2 size = glm::max(glm::uvec2(glm::vec2(view.size) * scale.value), 1u);
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
-        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = size});
+        image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = size});
     };
     fit(color_, " color", VK_FORMAT_R16G16B16A16_SFLOAT);
     fit(oblique_, " oblique depth", VK_FORMAT_D32_SFLOAT);

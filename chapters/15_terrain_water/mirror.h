@@ -15,7 +15,7 @@ struct Mirror : Module {
     /// Opaque drawings are drawn with the water as their near plane, then sky, air and fog behind and before them.
     void record(Frame& frame, const View& view, float level_m, const Drawings& drawings);
     void record(Frame& frame, const View& view, float level_m, World& world) {
-        record(frame, view, level_m, world.ready(frame, view));
+        record(frame, view, level_m, world.prepare_view(frame, view));
     }
     const Image& image() const { return color_; }
     const Image& depth() const {

@@ -71,12 +71,12 @@ std::vector<OceanWave> Ocean::waves(int part) const {
 void Ocean::make(Frame& frame) {
     const auto fit = [&](Image& image, const char* name, VkFormat format, uint32_t layers, uint32_t mips,
                          bool kept = false) {
-        image.fit(frame.gpu.device, {.name = path() + name,
-                                     .format = format,
-                                     .size = glm::uvec2(OCEAN_TEXELS),
-                                     .mips = mips,
-                                     .layers = layers,
-                                     .kept = kept});
+        image.ensure(frame.gpu.device, {.name = path() + name,
+                                        .format = format,
+                                        .size = glm::uvec2(OCEAN_TEXELS),
+                                        .mips = mips,
+                                        .layers = layers,
+                                        .kept = kept});
     };
     fit(fields_, " fields", VK_FORMAT_R32G32B32A32_SFLOAT, layers, 1);
     for (Image& moved : moved_) fit(moved, " moved", VK_FORMAT_R16G16B16A16_SFLOAT, 3, levels, true);
@@ -132,7 +132,7 @@ void Ocean::record(Frame& frame) {
             pass.use(rows_).set("ocean_waves", waves_).set("ocean_now", now).set("fields", fields_);
             pass.set("finished", finished_).dispatch({OCEAN_TEXELS / 2, 3, 1}).wait();
             pass.use(columns_).set("fields", fields_).set("ocean_tiles", tiles_);
-            pass.offer("finished", finished_);  // an exercise of chapter 07's: it may not be there yet
+            pass.set_if_present("finished", finished_);  // an exercise of chapter 07's: it may not be there yet
             pass.set("moved", std::span<const ImageView>(levels_of(moved_[0])));
             pass.set("sloped", std::span<const ImageView>(levels_of(sloped_)));
             pass.dispatch({OCEAN_TEXELS / 4, layers, 1});

@@ -42,7 +42,7 @@ struct Ocean : Module {
     void make(Frame& frame);
     Image fields_, moved_[2], sloped_;  ///< moved_: by this record(), by the one before
     Buffer waves_, tiles_, finished_;   ///< the last two of columns_: its workgroups' results, and their number
-    Made made_;
+    Fingerprint made_;
     glm::vec3 slope_variance_{0};
     double height_variance_ = 0;
     OceanTravel a_second_[3]{};

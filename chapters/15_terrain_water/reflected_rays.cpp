@@ -46,8 +46,8 @@ void ReflectedRays::record(Frame& frame, const View& view, const Image& rays, co
         if (!houses) pass.set("city_boxes", none_).set("city_cells", none_cells_).set("city_grid", CityGrid{.yaw = 0});
         if (!ground_.exists()) {  // never read, but a shader that may read it has it bound
             for (const char* name : {"land_heights", "land_slopes", "land_bounds", "heights_between"})
-                pass.offer(name, no_ground_.layer(0), nearest_clamp);
-            for (const char* name : {"materials", "material_bumps"}) pass.offer(name, no_ground_.as_array());
+                pass.set_if_present(name, no_ground_.layer(0), nearest_clamp);
+            for (const char* name : {"materials", "material_bumps"}) pass.set_if_present(name, no_ground_.as_array());
         }
         pass.dispatch_threads(met.desc.size);
     });

@@ -24,7 +24,7 @@ struct ReflectedRays : Module, WaterRays {
 
     SceneRays objects{*this, "objects"};
 
-    void meet(const Drawings& drawings) override { maps_ = Casting(drawings).maps(); }
+    void find_casters(const Drawings& drawings) override { maps_ = Casting(drawings).maps(); }
     void prepare(Gpu& gpu, Scene& scene) override;
     void record(Frame& frame, const View& view, const Image& rays, const Image& met) override;
     // [/reflected_rays]

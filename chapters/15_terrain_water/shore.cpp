@@ -29,7 +29,7 @@ void Shore::record_view(Frame& frame, const View& view) {
 }
 
 void Shore::draw_view(Frame& frame, const View& view, Canvas& canvas) {
-    canvas.mixed_by(&transparency);
+    canvas.blended_by(&transparency);
     draw(frame, view, canvas, drawings());
 }
 // [/frame]

@@ -7,7 +7,7 @@
 namespace lightwalk {
 
 // Replacement for the end of surfaces' fragment shaders in one pass, and its resources.
-class Transparency::Stage : public Given {
+class Transparency::Stage : public PassInputs {
   public:
     Stage(std::string file, TransparencyNow now) : file_(std::move(file)), now_(now) {}
     Stage& image(const char* name, const ImageView& view) {
@@ -27,9 +27,9 @@ class Transparency::Stage : public Given {
         return all;
     }
     void bind(Pass& pass) const override {
-        pass.offer("transparency_now", now_);
-        for (const auto& [name, view] : images_) pass.offer(name, view, nearest_clamp);
-        for (const auto& [name, one] : buffers_) pass.offer(name, *one);
+        pass.set_if_present("transparency_now", now_);
+        for (const auto& [name, view] : images_) pass.set_if_present(name, view, nearest_clamp);
+        for (const auto& [name, one] : buffers_) pass.set_if_present(name, *one);
     }
 
   private:
@@ -44,18 +44,18 @@ namespace {
 constexpr glm::vec4 nothing(0.0f), everything(1.0f);
 
 // By drawing: a method that needs no order wants as few passes as there are drawings.
-std::vector<SeenThrough> grouped(std::vector<SeenThrough> surfaces) {
-    std::stable_sort(surfaces.begin(), surfaces.end(), [](const SeenThrough& a, const SeenThrough& b) {
+std::vector<TransparentSurface> grouped(std::vector<TransparentSurface> surfaces) {
+    std::stable_sort(surfaces.begin(), surfaces.end(), [](const TransparentSurface& a, const TransparentSurface& b) {
         return std::less<const Drawing*>()(a.drawing, b.drawing);
     });
     return surfaces;
 }
 
 // [sorted]
-std::vector<SeenThrough> back_to_front(const std::vector<SeenThrough>& surfaces, glm::vec3 eye) {
+std::vector<TransparentSurface> back_to_front(const std::vector<TransparentSurface>& surfaces, glm::vec3 eye) {
     std::vector<glm::vec3> middles;
-    for (const SeenThrough& surface : surfaces) middles.push_back(surface.what.middle);
-    std::vector<SeenThrough> sorted;
+    for (const TransparentSurface& surface : surfaces) middles.push_back(surface.what.middle);
+    std::vector<TransparentSurface> sorted;
     for (const uint32_t i : sort_back_to_front(middles, eye))
         if (i < surfaces.size()) sorted.push_back(surfaces[i]);
     return sorted;
@@ -68,9 +68,10 @@ void make_buffer(Frame& frame, Buffer& buffer, const char* name, VkDeviceSize by
 
 }  // namespace
 
-void Transparency::record(Frame& frame, const View& view, Canvas& canvas, const std::vector<SeenThrough>& surfaces) {
+void Transparency::record(Frame& frame, const View& view, Canvas& canvas,
+                          const std::vector<TransparentSurface>& surfaces) {
     float farthest = 0;
-    for (const SeenThrough& surface : surfaces) farthest = std::max(farthest, surface.what.distance_m);
+    for (const TransparentSurface& surface : surfaces) farthest = std::max(farthest, surface.what.distance_m);
     const float near_m = view.camera.near_m;
     now_ = {.near_m = near_m,
             .far_m = std::max(std::min(view.camera.far_m, 4.0f * farthest), 2.0f * near_m),
@@ -89,21 +90,21 @@ void Transparency::record(Frame& frame, const View& view, Canvas& canvas, const 
 }
 
 void Transparency::draw_stage(Frame& frame, const char* pass, RasterTargets targets, const Stage& stage,
-                              const std::vector<SeenThrough>& surfaces) {
+                              const std::vector<TransparentSurface>& surfaces) {
     targets.with.insert(targets.with.end(), {*this, stage});
     draw_surfaces(frame, pass, std::move(targets), surfaces);
 }
 
 // [triangles]
 void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas,
-                                  const std::vector<SeenThrough>& surfaces, Targets& t) {
+                                  const std::vector<TransparentSurface>& surfaces, Targets& t) {
     struct One {
         const Drawing* drawing;
         Drawing::TransparentTriangle what;
     };
     std::vector<One> all;
     std::set<const Drawing*> asked;
-    for (const SeenThrough& surface : surfaces)
+    for (const TransparentSurface& surface : surfaces)
         if (asked.insert(surface.drawing).second)
             for (const auto& triangle : surface.drawing->transparent_triangles(view))
                 all.push_back({surface.drawing, triangle});
@@ -134,15 +135,16 @@ void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas
 // [/triangles]
 
 // [weighted]
-void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
+                                Targets& t) {
     const glm::uvec2 size = canvas.size();
     const VkFormat share = revealage.is("r8") ? VK_FORMAT_R8_UNORM : VK_FORMAT_R16_SFLOAT;
-    t.sum.fit(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
-    t.share.fit(frame.gpu.device, {.name = path() + " share", .format = share, .size = size});
+    t.sum.ensure(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
+    t.share.ensure(frame.gpu.device, {.name = path() + " share", .format = share, .size = size});
     draw_stage(frame, "weighted sum",
                {.color = {clear(t.sum, nothing), clear(t.share, everything)},
                 .depth = canvas.depth_read_only(),
-                .mixing = Mixing{{Blend::add, Blend::multiply}}},
+                .blend_override = BlendOverride{{Blend::add, Blend::multiply}}},
                Stage("15_terrain_water/put_weighted.glsl", now_), surfaces);
     const ImageView color = canvas.color(frame);
     frame.compute("mix", {.reads = {t.sum, t.share, color}, .writes = {color}}, [&](Compute& pass) {
@@ -153,23 +155,26 @@ void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<
 // [/weighted]
 
 // [moments]
-void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
+                                  Targets& t) {
     const glm::uvec2 size = canvas.size();
-    t.moments.fit(frame.gpu.device,
-                  {.name = path() + " moments", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+    t.moments.ensure(frame.gpu.device,
+                     {.name = path() + " moments", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
     // Beside the absorbance there is room for the fifth moment and the sixth.
     const VkFormat beside = method.is("moments6") ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_SFLOAT;
-    t.absorbance.fit(frame.gpu.device, {.name = path() + " absorbance", .format = beside, .size = size});
-    t.sum.fit(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
+    t.absorbance.ensure(frame.gpu.device, {.name = path() + " absorbance", .format = beside, .size = size});
+    t.sum.ensure(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
     draw_stage(frame, "moments",
                {.color = {clear(t.moments, nothing), clear(t.absorbance, nothing)},
                 .depth = canvas.depth_read_only(),
-                .mixing = Mixing{{Blend::add, Blend::add}}},
+                .blend_override = BlendOverride{{Blend::add, Blend::add}}},
                Stage("15_terrain_water/put_moments.glsl", now_), surfaces);
     Stage second("15_terrain_water/put_transmitted.glsl", now_);
     second.image("moments", t.moments).image("absorbance", t.absorbance);
     draw_stage(frame, "transmitted sum",
-               {.color = {clear(t.sum, nothing)}, .depth = canvas.depth_read_only(), .mixing = Mixing{{Blend::add}}},
+               {.color = {clear(t.sum, nothing)},
+                .depth = canvas.depth_read_only(),
+                .blend_override = BlendOverride{{Blend::add}}},
                second, surfaces);
     const ImageView color = canvas.color(frame);
     frame.compute("mix", {.reads = {t.sum, t.absorbance, color}, .writes = {color}}, [&](Compute& pass) {
@@ -180,7 +185,8 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
 // [/moments]
 
 // [lists]
-void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
+                             Targets& t) {
     const glm::uvec2 size = canvas.size();
     make_buffer(frame, t.heads, "list heads", VkDeviceSize(size.x) * size.y * sizeof(uint32_t));
     make_buffer(frame, t.fragments, "listed fragments", VkDeviceSize(now_.capacity) * sizeof(ListedFragment));
@@ -195,7 +201,7 @@ void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<See
                {.depth = canvas.depth_read_only(),
                 .reads = {t.heads, t.fragments, t.count},
                 .writes = {t.heads, t.fragments, t.count},
-                .mixing = Mixing{}},
+                .blend_override = BlendOverride{}},
                stage, surfaces);
     const ImageView color = canvas.color(frame);
     frame.compute("mix", {.reads = {t.heads, t.fragments, color}, .writes = {color}}, [&](Compute& pass) {
@@ -206,12 +212,13 @@ void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<See
 // [/lists]
 
 // [peeling]
-void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t) {
+void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t) {
     const glm::uvec2 size = canvas.size();
-    t.layer.fit(frame.gpu.device, {.name = path() + " layer", .size = size});
+    t.layer.ensure(frame.gpu.device, {.name = path() + " layer", .size = size});
     for (Image& depth : t.layer_depth)
-        depth.fit(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
-    t.peeled.fit(frame.gpu.device, {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
+        depth.ensure(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
+    t.peeled.ensure(frame.gpu.device,
+                    {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
     frame.fill("clear peeled", t.peeled, {0.0f, 0.0f, 0.0f, 1.0f});  // no light, and all of the background is seen
     // Before the first layer there is the near plane.
     frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 1.0f)}, [](Raster&) {});
@@ -220,10 +227,11 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<SeenThro
         Image &nearer = t.layer_depth[(i + 1) % 2], &depth = t.layer_depth[i % 2];
         Stage stage("15_terrain_water/put_layer.glsl", now_);
         stage.image("solid_depth", solid).image("nearer_depth", nearer);
-        draw_stage(
-            frame, "layer",
-            {.color = {clear(t.layer, nothing)}, .depth = clear(depth, 0.0f), .mixing = Mixing{{Blend::opaque}, true}},
-            stage, surfaces);
+        draw_stage(frame, "layer",
+                   {.color = {clear(t.layer, nothing)},
+                    .depth = clear(depth, 0.0f),
+                    .blend_override = BlendOverride{{Blend::opaque}, true}},
+                   stage, surfaces);
         frame.compute("add layer", {.reads = {t.layer, t.peeled}, .writes = {t.peeled}}, [&](Compute& pass) {
             pass.use(add_layer_).set("layer", t.layer, nearest_clamp).set("peeled", t.peeled).dispatch_threads(size);
         });

@@ -11,7 +11,7 @@ namespace lightwalk {
 // [transparency]
 /// In a frame, before anything is drawn:
 ///
-///     canvas.mixed_by(&transparency);
+///     canvas.blended_by(&transparency);
 ///
 /// Then draw() blends transparent surfaces in that canvas by the chosen method.
 struct Transparency : Module, TransparencyMethod {
@@ -53,7 +53,8 @@ struct Transparency : Module, TransparencyMethod {
     Knob<int> peels{*this, "peels", 16, {1, 128}, "Number of layers that are peeled off, nearest first"};
     // [/transparency]
 
-    void record(Frame& frame, const View& view, Canvas& canvas, const std::vector<SeenThrough>& surfaces) override;
+    void record(Frame& frame, const View& view, Canvas& canvas,
+                const std::vector<TransparentSurface>& surfaces) override;
 
   private:
     struct Targets {  ///< of a view
@@ -63,13 +64,13 @@ struct Transparency : Module, TransparencyMethod {
     };
     class Stage;
     void draw_stage(Frame& frame, const char* pass, RasterTargets targets, const Stage& stage,
-                    const std::vector<SeenThrough>& surfaces);
-    void draw_triangles(Frame& frame, const View& view, Canvas& canvas, const std::vector<SeenThrough>& surfaces,
+                    const std::vector<TransparentSurface>& surfaces);
+    void draw_triangles(Frame& frame, const View& view, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                         Targets& t);
-    void add_weighted(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
-    void add_by_moments(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
-    void mix_lists(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
-    void peel(Frame& frame, Canvas& canvas, const std::vector<SeenThrough>& surfaces, Targets& t);
+    void add_weighted(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t);
+    void add_by_moments(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t);
+    void mix_lists(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t);
+    void peel(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t);
     VkFormat sum_format() const {
         return sums.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
     }

@@ -136,10 +136,10 @@ void Water::update(Frame& frame) {
     if (method.is("fft")) ocean.record(frame);
     const float towards_rad = glm::radians(method.is("fft") ? ocean.wind_deg.value : wind_deg.value);
     waterline.record(frame, *scene_, level_m, -glm::vec2(std::cos(towards_rad), std::sin(towards_rad)));
-    foam_tile_.fit(
+    foam_tile_.ensure(
         frame.gpu.device,
         {.name = path() + " foam", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(256), .mips = 1, .kept = true});
-    black_.fit(frame.gpu.device, {.name = path() + " black", .size = glm::uvec2(1), .layers = 3, .kept = true});
+    black_.ensure(frame.gpu.device, {.name = path() + " black", .size = glm::uvec2(1), .layers = 3, .kept = true});
     if (std::exchange(has_foam_, true)) return;
     frame.upload("water rings", rings_, ring_indices());
     frame.compute("foam", {.writes = {foam_tile_}},
@@ -164,13 +164,13 @@ void Water::reflect(Frame& frame, const View& view, const Drawings& drawings) {
 }
 
 void Water::bind(Pass& pass) const {
-    pass.offer("water_now", now_);
-    pass.offer("ocean_moved", method.is("fft") ? ImageView(ocean.moved()) : ImageView(black_).as_array());
-    pass.offer("ocean_sloped", method.is("fft") ? ImageView(ocean.sloped()) : ImageView(black_).as_array());
-    pass.offer("foam_tile", foam_tile_);
+    pass.set_if_present("water_now", now_);
+    pass.set_if_present("ocean_moved", method.is("fft") ? ImageView(ocean.moved()) : ImageView(black_).as_array());
+    pass.set_if_present("ocean_sloped", method.is("fft") ? ImageView(ocean.sloped()) : ImageView(black_).as_array());
+    pass.set_if_present("foam_tile", foam_tile_);
     if (behind_) {
-        pass.offer("behind", behind_, nearest_clamp);
-        pass.offer("behind_depth", behind_depth_, nearest_clamp);
+        pass.set_if_present("behind", behind_, nearest_clamp);
+        pass.set_if_present("behind_depth", behind_depth_, nearest_clamp);
     }
 }
 
@@ -185,7 +185,7 @@ Macros Water::around_objects() const {
 // The surface is drawn once more before its own pass, as the rays that leave it: that is compute's work.
 void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
-        image.fit(frame.gpu.device, {.name = path() + name, .format = format, .size = canvas.size()});
+        image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = canvas.size()});
     };
     fit(rays_, " rays", VK_FORMAT_R32G32B32A32_SFLOAT);
     fit(met_, " met", VK_FORMAT_R16G16B16A16_SFLOAT);
@@ -207,9 +207,9 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     const bool mirrored = now_.mirrored == 1u, below = now_.eye_depth_m > 0;
 
     // 1. The picture behind the water, with its distance.
-    behind_.fit(frame.gpu.device, {.name = path() + " behind", .size = canvas.size()});
-    behind_depth_.fit(frame.gpu.device,
-                      {.name = path() + " behind depth", .format = VK_FORMAT_R32_SFLOAT, .size = canvas.size()});
+    behind_.ensure(frame.gpu.device, {.name = path() + " behind", .size = canvas.size()});
+    behind_depth_.ensure(frame.gpu.device,
+                         {.name = path() + " behind depth", .format = VK_FORMAT_R32_SFLOAT, .size = canvas.size()});
     const ImageView color = canvas.color(frame), depth = canvas.depth(frame);
     frame.compute("behind the water", {.reads = {color, depth}, .writes = {behind_, behind_depth_}},
                   [&](Compute& pass) {
@@ -231,7 +231,7 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = reads, .with = {*this, light_}},
         [&](Raster& pass) {
             pass.use(surface_, variant).set("water_rays", view_rays(view));
-            pass.offer("mirror", mirror_image, linear_clamp);
+            pass.set_if_present("mirror", mirror_image, linear_clamp);
             pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
         });
 

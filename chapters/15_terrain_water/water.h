@@ -14,7 +14,7 @@ namespace lightwalk {
 /// that it hides.
 struct WaterRays {
     virtual ~WaterRays() = default;
-    virtual void meet(const Drawings&) {}  ///< as a drawing is told
+    virtual void find_casters(const Drawings&) {}  ///< as a drawing is told
     virtual void record(Frame& frame, const View& view, const Image& rays, const Image& met) = 0;
 };
 
@@ -81,11 +81,11 @@ struct Water : Drawing, MovingSurface {
     bool sees_surroundings(const View& view) const;
     /// The mirror image, where that is the method and the eye is above the water.
     void reflect(Frame& frame, const View& view, const Drawings& drawings);
-    void meet(const Drawings& drawings) override {
-        if (tracer) tracer->meet(drawings);
+    void find_casters(const Drawings& drawings) override {
+        if (tracer) tracer->find_casters(drawings);
     }
     void update(Frame& frame) override;
-    Phase drawn_in() const override { return Phase::water; }
+    Phase draw_phase() const override { return Phase::water; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
     bool has_moved() const override;

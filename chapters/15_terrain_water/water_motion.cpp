@@ -29,7 +29,7 @@ void Water::draw_motion(Frame& frame, const MotionPass& given) const {
     frame.raster("motion of water", {.color = {keep(given.into)}, .reads = reads, .with = {*this}}, [&](Raster& pass) {
         pass.use(moved_, around_objects()).set("water_now", kept_.now.water).set("water_before", before);
         pass.set("depth", given.depth, nearest_clamp).set("from_to", given.from_to);
-        pass.offer("ocean_moved_before", ocean_before);
+        pass.set_if_present("ocean_moved_before", ocean_before);
         pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
     });
 }

@@ -50,8 +50,8 @@ void Waterline::record(Frame& frame, const Scene& scene, float level_m, glm::vec
 // From above, and clipped at the water: only what is above it is counted.
 void Waterline::draw(Frame& frame, const DrawList& crossing, float level_m, float top_m) {
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
-        image.fit(frame.gpu.device,
-                  {.name = path() + name, .format = format, .size = glm::uvec2(uint32_t(texels)), .kept = true});
+        image.ensure(frame.gpu.device,
+                     {.name = path() + name, .format = format, .size = glm::uvec2(uint32_t(texels)), .kept = true});
     };
     fit(windings_, " windings", VK_FORMAT_R16_SFLOAT);
     fit(along_rows_, " along rows", VK_FORMAT_R32_SFLOAT);
@@ -86,8 +86,8 @@ void Waterline::spread(Frame& frame) {
 
 void Waterline::bind(Pass& pass) const {
     if (!exists_) return;
-    pass.offer("waterline_map", map_);
-    pass.offer("waterline_distances", distances_, linear_clamp);
+    pass.set_if_present("waterline_map", map_);
+    pass.set_if_present("waterline_distances", distances_, linear_clamp);
 }
 
 std::vector<Resource> Waterline::reads() const {

@@ -46,7 +46,7 @@ struct Waterline : Module {
     Image windings_, along_rows_, distances_;
     WaterlineMap map_{};
     bool exists_ = false;
-    Made made_;
+    Fingerprint made_;
     Pipeline wind_ = graphics({.vertex = "05_shadow_maps/caster.vert",
                                .fragment = "15_terrain_water/winding.frag",
                                .cull = VK_CULL_MODE_NONE,

@@ -57,20 +57,20 @@ void BlockPyramid::record(Frame& frame, const Field& field, const Image& transfe
     if (made_.is_current(field.number(), transfer_number, border, Exercises::epoch())) return;
     const glm::uvec3 voxels = ImageView(field.density()).size();
     const glm::uvec3 blocks = (voxels + static_cast<uint32_t>(BLOCK_VOXELS - 1)) / static_cast<uint32_t>(BLOCK_VOXELS);
-    ranges_.fit(frame.gpu.device, {.name = "block ranges",
-                                   .format = VK_FORMAT_R16G16_SFLOAT,
-                                   .size = {blocks.x, blocks.y},
-                                   .depth = blocks.z,
-                                   .kept = true});
+    ranges_.ensure(frame.gpu.device, {.name = "block ranges",
+                                      .format = VK_FORMAT_R16G16_SFLOAT,
+                                      .size = {blocks.x, blocks.y},
+                                      .depth = blocks.z,
+                                      .kept = true});
     // Whole blocks of the coarsest level.
     const uint32_t most = 1u << (BLOCK_LEVELS - 1);
     const glm::uvec3 edges = (blocks + most - 1u) / most * most;
     for (Image* image : {&occupied_, &blocks_})
-        image->fit(frame.gpu.device, {.name = image == &blocks_ ? "empty blocks" : "occupied blocks",
-                                      .format = VK_FORMAT_R8_UNORM,
-                                      .size = {edges.x, edges.y},
-                                      .depth = edges.z,
-                                      .kept = true});
+        image->ensure(frame.gpu.device, {.name = image == &blocks_ ? "empty blocks" : "occupied blocks",
+                                         .format = VK_FORMAT_R8_UNORM,
+                                         .size = {edges.x, edges.y},
+                                         .depth = edges.z,
+                                         .kept = true});
     frame.compute("block ranges", {.reads = {field.density()}, .writes = {ranges_}}, [&](Compute& pass) {
         pass.use(find_).set("voxels", field.density(), nearest_clamp).set("ranges", ranges_).set("border", border);
         pass.dispatch(blocks);

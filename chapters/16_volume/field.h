@@ -35,7 +35,7 @@ struct Field : Module {
     bool from_file_ = false;
     glm::vec3 half_m_{1.0f};
     uint64_t number_ = 0;
-    Made made_;
+    Fingerprint made_;
     Pipeline nebula_ = compute({.shader = "16_volume/nebula.comp"});
 };
 
@@ -54,7 +54,7 @@ struct BlockPyramid {
 
   private:
     Image ranges_, occupied_, blocks_;
-    Made made_;
+    Fingerprint made_;
     Pipeline find_ = compute({.shader = "16_volume/ranges.comp"});
     Pipeline occupy_ = compute({.shader = "16_volume/occupied.comp"});
     Pipeline coarser_ = compute({.shader = "16_volume/coarser.comp"});

@@ -9,7 +9,7 @@
 #include "common/base/files.h"
 #include "common/base/kept.h"
 #include "common/base/patience.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 #include "common/image/mip_levels.h"
 
@@ -76,7 +76,7 @@ void Finish::prepare(Gpu& gpu, Scene& scene) {
 
 Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
     const Lathe lathe = read_lathe(file);
-    const LatheParts parts = aside([&] { return turn_lathe(lathe); });
+    const LatheParts parts = unlocked([&] { return turn_lathe(lathe); });
     const auto texels_wide = static_cast<uint32_t>(width.value);
     const glm::uvec2 size(texels_wide, texels_wide / 8);
     const size_t bytes = size_t{4} * size.x * size.y;
@@ -91,7 +91,7 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
         put(emissive, texel, glows ? lathe.glow_color : glm::vec3(0), srgb_code);
         put(gloss, texel, glm::vec3(quad.is_top ? panel.gloss : 0.75f), code);
     };
-    aside([&] { for_each_texel(parts.quads, size, paint); });
+    unlocked([&] { for_each_texel(parts.quads, size, paint); });
     const std::vector<std::byte> seen = occlusion(gpu, file, parts, size / 2u);
     Texels occluded(4 * seen.size());
     for (size_t i = 0; i < seen.size(); ++i)
@@ -132,7 +132,7 @@ std::vector<std::byte> Finish::bake(Gpu& gpu, const std::filesystem::path& file,
         places[texel] = glm::vec4(mixed(quad.position), 1);
         normals[texel] = glm::vec4(glm::normalize(mixed(quad.normal)), 0);
     };
-    aside([&] { for_each_texel(parts.quads, size, place); });
+    unlocked([&] { for_each_texel(parts.quads, size, place); });
     const Buffer place_buffer = gpu.upload("places", places), normal_buffer = gpu.upload("normals", normals);
     const Buffer result(gpu.device, {.name = "occlusion", .bytes = 4 * places.size()});
     Patience patience("baking the occlusion of " + file.filename().string(), "rows");

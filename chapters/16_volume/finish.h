@@ -17,7 +17,7 @@ struct Finish : Module {
     Knob<float> bake_m{
         *this, "bake_m", 1.0f, {0.01f, 1000.0f}, "Length of these rays: what is farther away occludes nothing", "m"};
 
-    bool stands_for(const std::filesystem::path& file, Model& into) const override {
+    bool load_proxy(const std::filesystem::path& file, Model& into) const override {
         if (!is_lathe_file(file)) return false;
         const Lathe lathe = read_lathe(file);
         into = lathe_model(lathe, turn_lathe(lathe));

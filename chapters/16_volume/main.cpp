@@ -14,7 +14,7 @@ struct VolumeChapter : ModelChapter {
 
     VolumeChapter() {
         set_look(world, *this);
-        world.volume.method.alone = true;  // --method is about the march here
+        world.volume.method.preferred = true;  // --method is about the march here
     }
     std::string default_scene() const override { return "scenes/light_in_rings.json"; }
 

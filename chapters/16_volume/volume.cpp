@@ -86,8 +86,8 @@ void Volume::make_transfer(Frame& frame) {
     if (transfer_made_.is_current(transfer.index, density.value)) return;
     ++transfer_number_;
     transfer_texels_ = transfer_function(transfer.text(), density);
-    transfer_.fit(frame.gpu.device,
-                  {.name = "transfer function", .size = {static_cast<uint32_t>(TRANSFER_TEXELS), 1}, .kept = true});
+    transfer_.ensure(frame.gpu.device,
+                     {.name = "transfer function", .size = {static_cast<uint32_t>(TRANSFER_TEXELS), 1}, .kept = true});
     const std::vector<uint64_t> halves = as_halves(transfer_texels_);
     frame.upload("transfer function", transfer_, std::as_bytes(std::span(halves)));
 }
@@ -103,7 +103,7 @@ void Volume::make_tables(Frame& frame) {
     }
     if (!method.is("preintegrated")) return;
     if (preintegrated_made_.is_current(transfer_number_, now_.step_m, Exercises::epoch())) return;
-    preintegrated_.fit(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
+    preintegrated_.ensure(device, {.name = "preintegrated", .size = glm::uvec2(table_texels), .kept = true});
     const std::vector<uint64_t> halves =
         as_halves(preintegrated_table(transfer_texels_, table_texels, now_.step_m / REFERENCE_M));
     frame.upload("preintegrated", preintegrated_, std::as_bytes(std::span(halves)));
@@ -112,11 +112,11 @@ void Volume::make_tables(Frame& frame) {
 // At half the field's resolution; made again in each frame in which anything it depends on has changed.
 void Volume::make_light(Frame& frame) {
     const glm::uvec3 size = glm::max((ImageView(field.density()).size() + 1u) / 2u, glm::uvec3(1));
-    light_.fit(frame.gpu.device, {.name = "light in the volume",
-                                  .format = VK_FORMAT_R16_SFLOAT,
-                                  .size = {size.x, size.y},
-                                  .depth = size.z,
-                                  .kept = true});
+    light_.ensure(frame.gpu.device, {.name = "light in the volume",
+                                     .format = VK_FORMAT_R16_SFLOAT,
+                                     .size = {size.x, size.y},
+                                     .depth = size.z,
+                                     .kept = true});
     const glm::vec4 waves = wave > 0 ? glm::vec4(now_.wave_phase, now_.wave) : glm::vec4(0.0f);
     if (light_made_.is_current(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near,
                                Exercises::epoch(), waves))
@@ -128,9 +128,9 @@ void Volume::make_light(Frame& frame) {
 std::vector<Resource> Volume::reads() const { return {field.density()}; }
 
 void Volume::bind(Pass& pass) const {
-    pass.offer("volume_field", field.density(), linear_clamp);
-    pass.offer("volume_transfer", transfer_, linear_clamp);
-    pass.offer("volume_now", now_);
+    pass.set_if_present("volume_field", field.density(), linear_clamp);
+    pass.set_if_present("volume_transfer", transfer_, linear_clamp);
+    pass.set_if_present("volume_now", now_);
 }
 
 int Volume::pictures(uint32_t view) const {
@@ -144,7 +144,7 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
     now_ = now(frame);
     now_.rays = view_rays(view);
     Past& past = past_[view.id];
-    if (past.marched.fit(
+    if (past.marched.ensure(
             frame.gpu.device,
             {.name = path() + " marched", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = view.size, .kept = true}))
         past.of.clear();
@@ -163,11 +163,11 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         if (*image) access.reads.emplace_back(*image);
     frame.compute("volume", access, [&](Compute& pass) {
         pass.use(march_).set("result", color).set("depth", depth, nearest_clamp);
-        pass.offer("marched", past.marched);
-        pass.offer("volume_light", light_, linear_clamp);
-        pass.offer("volume_preintegrated", preintegrated_, linear_clamp);
-        pass.offer("volume_noise", noise_, linear_repeat);
-        pass.offer("volume_blocks", pyramid_.blocks(), nearest_clamp);
+        pass.set_if_present("marched", past.marched);
+        pass.set_if_present("volume_light", light_, linear_clamp);
+        pass.set_if_present("volume_preintegrated", preintegrated_, linear_clamp);
+        pass.set_if_present("volume_noise", noise_, linear_repeat);
+        pass.set_if_present("volume_blocks", pyramid_.blocks(), nearest_clamp);
         pass.dispatch_threads(view.size);
     });
     if (method.is("jittered")) ++past.pictures;

@@ -80,8 +80,8 @@ struct Volume : Drawing {
     void prepare(Gpu&, Scene& loaded) override;
     bool animated() const override { return wave > 0 || (shell && !field.is_file()) || method.is("jittered"); }
     void update(Frame& frame) override;
-    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_volume_file(file); }
-    Phase drawn_in() const override { return Phase::air; }
+    bool load_proxy(const std::filesystem::path& file, Model&) const override { return is_volume_file(file); }
+    Phase draw_phase() const override { return Phase::air; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
@@ -99,9 +99,9 @@ struct Volume : Drawing {
     VolumeNow now_{};
     Image transfer_, light_, preintegrated_, noise_;
     uint64_t transfer_number_ = 0;
-    Made transfer_made_;
-    Made preintegrated_made_;
-    Made light_made_;
+    Fingerprint transfer_made_;
+    Fingerprint preintegrated_made_;
+    Fingerprint light_made_;
     struct Past {  ///< of a view
         Image marched;
         std::string of;  ///< key of its picture

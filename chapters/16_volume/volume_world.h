@@ -1,6 +1,6 @@
 // Volume world: a volume, and solid objects seen through a lens.
 #pragma once
-#include "05_shadow_maps/seen_surfaces.h"
+#include "05_shadow_maps/visible_surfaces.h"
 #include "09_post_effects/depth_of_field.h"
 #include "16_volume/finish.h"
 #include "16_volume/volume.h"
@@ -14,7 +14,7 @@ struct VolumeWorld : World {
 
     Finish finish{*this, "finish"};  // before the maps' levels are made of it
     SurfaceScene objects{*this, "objects"};
-    SeenSurfaces seen{*this, "objects", objects};
+    VisibleSurfaces seen{*this, "objects", objects};
     Volume volume{*this, "volume"};
     DepthOfField dof{*this, "dof"};
 

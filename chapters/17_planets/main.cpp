@@ -14,7 +14,7 @@ struct PlanetsChapter : ModelChapter {
 
     PlanetsChapter() {
         set_look(world, *this);
-        world.planets.method.alone = true;  // --method is about the law here
+        world.planets.method.preferred = true;  // --method is about the law here
     }
     std::string default_scene() const override { return "scenes/saturn.json"; }
 

@@ -8,7 +8,7 @@
 #include "17_planets/exercises.h"
 #include "common/base/files.h"
 #include "common/base/kept.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"
 #include "common/image/mip_levels.h"
@@ -58,7 +58,7 @@ std::shared_ptr<Image> slope_image(Gpu& gpu, const Slopes& slopes) {
 }
 
 std::shared_ptr<Image> ring_image(Gpu& gpu, BodyId body) {
-    const std::vector<glm::vec4> strip = aside([&] { return ring_strip(body, ring_texels); });
+    const std::vector<glm::vec4> strip = unlocked([&] { return ring_strip(body, ring_texels); });
     const glm::uvec2 size(ring_texels, 1);
     std::vector<uint64_t> texels;
     for (int layer = 0; layer < 4; ++layer)
@@ -83,7 +83,7 @@ std::vector<uint8_t> kept_pluto_map(int width, int height) {
 
 std::shared_ptr<Image> made_map(Gpu& gpu) {
     const int height = slope_rows * 2;
-    const std::vector<uint8_t> texels = aside([&] { return kept_pluto_map(2 * height, height); });
+    const std::vector<uint8_t> texels = unlocked([&] { return kept_pluto_map(2 * height, height); });
     const glm::uvec2 size(2 * height, height);
     constexpr VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
     auto image = std::make_shared<Image>(
@@ -101,7 +101,7 @@ BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
     if (of.map) maps.color = load(of.map, TextureKind::color);
     if (body == BodyId::pluto) maps.color = made_map(gpu);
     if (of.octaves > 0 && of.map)
-        maps.normals = slope_image(gpu, aside([&] { return slopes_of(read_image_linear(find_asset(of.map)), of); }));
+        maps.normals = slope_image(gpu, unlocked([&] { return slopes_of(read_image_linear(find_asset(of.map)), of); }));
     if (body == BodyId::pluto) {
         const auto of_pluto = [&] {
             const int height = slope_rows;
@@ -110,7 +110,7 @@ BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
             for (size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = glm::vec3(srgb_to_linear(texels[4 * i]));
             return slopes_of(map, of);
         };
-        maps.normals = slope_image(gpu, aside(of_pluto));
+        maps.normals = slope_image(gpu, unlocked(of_pluto));
     }
     if (rings_of(body).outer > 0) maps.rings = ring_image(gpu, body);
     if (body == BodyId::earth) {

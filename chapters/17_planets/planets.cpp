@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "17_planets/exercises.h"
-#include "common/gpu/unseen.h"
+#include "common/gpu/warm_up.h"
 
 namespace lightwalk {
 namespace {
@@ -184,7 +184,7 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     BodyNow now = this->now(one, look, frame, view);
     Rectangle around = pixels_of(view, glm::dvec3(now.center), static_cast<double>(now.reach));
     const bool outside = around.first.x >= around.end.x || around.first.y >= around.end.y;
-    if (outside && !Unseen::is_recorded()) return;
+    if (outside && !WarmUp::is_recording()) return;
     if (outside) around = {};
     now.corner = around.first;
     const auto found = maps_.find(one.body);
@@ -205,21 +205,21 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
     frame.compute(body_names()[static_cast<size_t>(one.body)],
                   {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}}, [&](Compute& pass) {
-                      if (Unseen::is_recorded()) pass.use(other);  // it may come nearer, or go
+                      if (WarmUp::is_recording()) pass.use(other);  // it may come nearer, or go
                       pass.use(pipeline).set("result", hdr).set("depth", depth, nearest_clamp).set("body", now);
-                      pass.offer("air", air_here);
-                      if (sky) pass.offer("skylight", skylight_);
+                      pass.set_if_present("air", air_here);
+                      if (sky) pass.set_if_present("skylight", skylight_);
                       const Sampler around_it{.wrap = Wrap::repeat};
-                      const auto offer = [&](const char* name, const std::shared_ptr<Image>& image,
-                                             const std::shared_ptr<Image>& otherwise) {
-                          pass.offer(name, image ? *image : *otherwise, around_it);
+                      const auto set_if_present = [&](const char* name, const std::shared_ptr<Image>& image,
+                                                      const std::shared_ptr<Image>& otherwise) {
+                          pass.set_if_present(name, image ? *image : *otherwise, around_it);
                       };
-                      offer("body_map", of.color, white_);
-                      offer("normal_map", of.normals, flat_);
-                      offer("night_map", of.night, white_);
-                      offer("water_map", of.water, white_);
-                      offer("cloud_map", of.clouds, white_);
-                      if (of.rings) pass.offer("ring_tables", *of.rings, linear_clamp);
+                      set_if_present("body_map", of.color, white_);
+                      set_if_present("normal_map", of.normals, flat_);
+                      set_if_present("night_map", of.night, white_);
+                      set_if_present("water_map", of.water, white_);
+                      set_if_present("cloud_map", of.clouds, white_);
+                      if (of.rings) pass.set_if_present("ring_tables", *of.rings, linear_clamp);
                       pass.dispatch_threads(glm::uvec2(around.end - around.first));
                   });
 }

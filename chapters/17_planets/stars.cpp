@@ -6,7 +6,7 @@
 
 #include "17_planets/star_data.h"
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -37,7 +37,7 @@ std::vector<Star> read_stars(const std::filesystem::path& file) {
 void Stars::prepare(Gpu& gpu, Scene&) {
     pool_ = std::make_unique<ImagePool>(gpu);
     map_ = pool_->load(find_asset("planets_2k/stars.jpg"), TextureKind::color);
-    const std::vector<Star> stars = aside([] { return read_stars(find_asset("planets/bright_stars.csv")); });
+    const std::vector<Star> stars = unlocked([] { return read_stars(find_asset("planets/bright_stars.csv")); });
     count_ = static_cast<uint32_t>(stars.size());
     stars_ = gpu.upload("stars", stars);
 }

@@ -22,8 +22,8 @@ struct Stars : Drawing {
     // [/stars]
 
     void prepare(Gpu& gpu, Scene&) override;
-    Phase drawn_in() const override { return Phase::backdrop; }
-    std::vector<const Module*> made_of() const override { return {this, &planets_}; }
+    Phase draw_phase() const override { return Phase::backdrop; }
+    std::vector<const Module*> dependencies() const override { return {this, &planets_}; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
   private:

@@ -20,8 +20,8 @@ class MaterialBall : public EditorPart {
   private:
     static constexpr uint32_t size = 88;  ///< pixels
     std::optional<SceneFile> due_;
-    Made made_;
-    Made files_;
+    Fingerprint made_;
+    Fingerprint files_;
     Image8 picture_;
 };
 

@@ -8,7 +8,7 @@ namespace lightwalk {
 
 Playground::Playground() {
     set_look(bench, *this);
-    picker.method.alone = true;  // --method is about picking here
+    picker.method.preferred = true;  // --method is about picking here
     antialias.method.change_default("none");
     objects.maps.in_use = [this] { return maps_due_; };
 }

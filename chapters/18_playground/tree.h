@@ -38,7 +38,7 @@ class Tree {
     std::unordered_set<EntryId> unfolded_;
     std::vector<std::string> words_;
     std::vector<TreeRow> rows_;
-    Made made_;
+    Fingerprint made_;
 };
 
 /// Displayed name of an unnamed entry: "spot light", "model.obj".

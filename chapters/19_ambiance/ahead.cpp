@@ -10,7 +10,7 @@ Ahead::Ahead(Make make) : make_(std::move(make)), thread_([this] { run(); }) {}
 Ahead::~Ahead() {
     stop_ = true;
     wake();
-    const Turn::Aside others;
+    const SharedLock::Unlocked others;
     thread_.join();
 }
 
@@ -32,18 +32,18 @@ std::map<size_t, std::unique_ptr<FilmPart>> Ahead::take() {
 void Ahead::wait() {
     const auto count = made_.size();
     while (is_busy() && made_.size() == count && !failed_) {
-        const Turn::Aside others;
+        const SharedLock::Unlocked others;
         done_.acquire();
     }
 }
 
 void Ahead::run() {
-    Turn::stop_when(&stop_);
-    Turn::take();
+    SharedLock::stop_when(&stop_);
+    SharedLock::lock();
     while (!stop_) {
         if (asked_.empty()) {
             sleeps_ = true;
-            const Turn::Aside others;
+            const SharedLock::Unlocked others;
             wake_.acquire();
             continue;
         }
@@ -51,7 +51,7 @@ void Ahead::run() {
         asked_.pop_front();
         try {
             made_[*making_] = make_(*making_);
-        } catch (const Turn::Stopped&) {
+        } catch (const SharedLock::Stopped&) {
             // Nobody waits for it.
         } catch (...) {
             failed_ = std::current_exception();
@@ -60,7 +60,7 @@ void Ahead::run() {
         making_.reset();
         done_.release();
     }
-    Turn::give();
+    SharedLock::unlock();
 }
 
 }  // namespace lightwalk

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "19_ambiance/part.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 
 // [ahead]
-/// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/turn.h).
+/// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/shared_lock.h).
 /// That thread alone calls these functions.
 class Ahead {
   public:
@@ -39,7 +39,7 @@ class Ahead {
     void run();
     void wake();
     const Make make_;
-    const Turn::Shared shared_;
+    const SharedLock::InUse shared_;
     std::deque<size_t> asked_;
     std::optional<size_t> making_;
     std::map<size_t, std::unique_ptr<FilmPart>> made_;

@@ -15,7 +15,7 @@
 namespace lightwalk {
 
 Ambiance::Ambiance() {
-    method.alone = true;
+    method.preferred = true;
     post.tone.change_default("off");  // the scenes have their own
     objects.in_use = [this] { return !reel.is_open(); };
     reel.before_scenes = [this](Gpu& gpu) { make_effects(gpu); };
@@ -40,14 +40,14 @@ Ambiance::Ambiance() {
 }
 
 // [ready]
-void Ambiance::make_ready(Gpu& gpu, glm::uvec2 size, float time_s) {
+void Ambiance::prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) {
     std::optional<PathKind> kind;
     if (!method.is("as_set")) kind = {static_cast<Spline>(std::min<size_t>(method.index - 1, 2)), 0};
     if (method.is("arc_length")) kind->pieces = 64;
     if (method.is("exact")) kind->pieces = 1024;
     reel.choose(kind);
     if (plays) reel.load_sound();
-    reel.make_ready(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
+    reel.prepare_frame(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
 }
 // [/ready]
 

@@ -32,7 +32,7 @@ struct Ambiance : ModelChapter {
 
     Ambiance();
     std::string default_scene() const override { return "films/ambiance.film"; }
-    void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override;
+    void prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) override;
     void frame(Frame& frame) override;
     float gathered_at(float time_s, int frames_before) const override;
 

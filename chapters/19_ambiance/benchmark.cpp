@@ -4,7 +4,7 @@
 
 #include "19_ambiance/played.h"
 #include "19_ambiance/ways.h"
-#include "common/app/gpu_load.h"
+#include "common/app/clock_warmer.h"
 #include "common/app/headless.h"
 #include "common/app/render.h"
 #include "common/base/error.h"
@@ -53,7 +53,7 @@ json figures(const Measured& of) {
 }
 
 // Each scene on its own, warm: its passes' times, whatever a viewer would see.
-json gpu_sum(Chapter& chapter, const FilmScene& scene, Mlaa& antialias, Frame& frame, GpuLoad& load,
+json gpu_sum(Chapter& chapter, const FilmScene& scene, Mlaa& antialias, Frame& frame, ClockWarmer& load,
              const Options& options) {
     const int frames = options.frames_given ? options.frames : 60;
     std::map<std::string, Measured> measured;
@@ -94,7 +94,7 @@ int run_benchmark(Chapter& chapter, Reel& reel, Mlaa& antialias, const std::stri
     // 2. Each scene's cost on the GPU.
     reel.wait_until_ready();
     Frame frame(*gpu);
-    GpuLoad load(*gpu);
+    ClockWarmer load(*gpu);
     Patience patience("measuring", "scenes");
     for (size_t i = 0; i < film.scenes.size(); ++i) {
         written["scenes"][i]["gpu_sum"] = gpu_sum(chapter, film.scenes[i], antialias, frame, load, options);

@@ -111,7 +111,7 @@ int FilmOut::write(Chapter& chapter, Reel& reel, const std::string& file, const 
                              : FramePipe(ffmpeg(*this, reel, options.size, frames_from, end, unfinished.file));
         ReadBack written;
         Frame frame(*gpu);
-        frame.fly(2);
+        frame.set_frames_in_flight(2);
         frame.on_ended = [&, before = uint64_t(0)](const std::vector<PassTime>&) mutable {
             if (std::exchange(before, written.number()) != before) pipe.write(written.bytes());
         };

@@ -29,7 +29,7 @@ class OwnFrame {
   private:
     Frame& frame_;
     const float time_before_;
-    const Given* const root_before_;
+    const PassInputs* const root_before_;
 };
 
 std::set<std::string> words_of(const std::string& load_state) {

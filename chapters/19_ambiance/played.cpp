@@ -92,7 +92,7 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
     std::vector<double> gpu_ms, ended_ms;  // of recordings; a picture of several samples has several
     std::vector<std::pair<size_t, size_t>> recordings;
     Frame frame(gpu);
-    frame.fly(2);
+    frame.set_frames_in_flight(2);
     frame.on_ended = [&](const std::vector<PassTime>& times) {
         gpu_ms.push_back(0);
         for (const PassTime& time : times) gpu_ms.back() += time.gpu_ms;
@@ -111,7 +111,7 @@ Played play(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
             const double from_ms = clock_ms(CLOCK_BOOTTIME);
             const auto is_early = [&] { return clock_ms(CLOCK_BOOTTIME) - first_ms < 1e3 * time_s; };
             while (is_early() && !reel.is_ready(time_s))
-                aside([] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+                unlocked([] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
             const double stood_ms = clock_ms(CLOCK_BOOTTIME) - from_ms;
             played.stood_s += 1e-3 * stood_ms;
             for (int again = 0; stood_ms > 1 && again < 4; ++again) draw(played.frames.back().number);

@@ -9,7 +9,7 @@
 #include "19_ambiance/level_file.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
-#include "common/gpu/unseen.h"
+#include "common/gpu/warm_up.h"
 
 namespace lightwalk {
 namespace {
@@ -59,8 +59,8 @@ void Reel::choose(const std::optional<PathKind>& kind) {
     chosen_ = kind;
 }
 
-// [make_ready]
-void Reel::make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays) {
+// [prepare_frame]
+void Reel::prepare_frame(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays) {
     std::vector<OnScreen> times;
     for (const FilmScene& scene : film_.scenes) times.push_back({scene.from_s, scene.to_s});
     const size_t room = plays ? size_t(most) : 3;
@@ -112,7 +112,7 @@ void Reel::start_ahead(Gpu& gpu, glm::uvec2 size) {
     unseen_size_ = size;
     ahead_ = std::make_unique<Ahead>([this, &gpu, is_first = true](size_t place) mutable {
         if (std::exchange(is_first, false) && before_scenes) before_scenes(gpu);
-        const Unseen later;
+        const WarmUp later;
         return made(gpu, unseen_size_, place, true);
     });
     titles_.prepare(gpu, film_);
@@ -165,7 +165,7 @@ void Reel::drop_parts(const std::vector<int>& wanted, size_t room) {
     for (auto part = parts_.begin(); part != parts_.end() && parts_.size() + missing > room;)
         part = is_wanted(part->first) ? std::next(part) : parts_.erase(part);
 }
-// [/make_ready]
+// [/prepare_frame]
 
 void Reel::draw_by(size_t scene, KnobSettings way) {
     if (const auto part = parts_.find(scene); part != parts_.end()) part->second->draw_by(way);

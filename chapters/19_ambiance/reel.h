@@ -37,9 +37,9 @@ struct Reel : Module {
     /// Loads the scenes on the screen from `time_s` to `later_s` after it. `plays`: later times will follow. Then a worker
     /// loads the others that 19.warm requests and draws each once, unseen, so that its first visible picture finds its
     /// pipelines and targets made.
-    void make_ready(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
+    void prepare_frame(Gpu& gpu, glm::uvec2 size, double time_s, double later_s, bool plays);
 
-    /// Whether the scenes on the screen at a time are loaded, or make_ready() makes them because no worker does.
+    /// Whether the scenes on the screen at a time are loaded, or prepare_frame() makes them because no worker does.
     bool is_ready(double time_s) const;
 
     /// Waits for all scenes that the worker was asked for.
@@ -84,7 +84,7 @@ struct Reel : Module {
     std::function<void(Gpu&)> before_scenes;
     // [/reel]
 
-    bool stands_for(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
+    bool load_proxy(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
     /// Reads the film. Throws InputError.
     void prepare(Gpu&, Scene&) override;
     std::string load_key() const override { return cut.text(); }
@@ -102,12 +102,12 @@ struct Reel : Module {
 
     Timeline film_;
     std::optional<PathKind> chosen_;
-    Made paths_made_;
+    Fingerprint paths_made_;
     std::map<size_t, std::unique_ptr<FilmPart>> parts_;  ///< by their place in the film
     std::map<size_t, KnobSettings> ways_;                ///< likewise
     const FilmPart* alone_ = nullptr;
     mutable std::map<std::string, KnobBase*> chapter_knobs_;  ///< of the film's tracks
-    Made toggles_;
+    Fingerprint toggles_;
     std::future<Sound> sound_;
     bool has_sound_ = false;
     Titles titles_;

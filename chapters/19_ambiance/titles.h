@@ -21,7 +21,7 @@ class Titles {
   private:
     Typeface face_;
     Buffer glyphs_;
-    Made glyphs_made_;
+    Fingerprint glyphs_made_;
     Pipeline draw_ = compute({.shader = "19_ambiance/title.comp"});
 };
 

@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
@@ -68,7 +68,7 @@ Typeface::Letters Typeface::drawn() {
 
 void Typeface::read() {
     if (letters_) return;
-    letters_ = aside([] {
+    letters_ = unlocked([] {
         static const Letters all = drawn();
         return &all;
     });

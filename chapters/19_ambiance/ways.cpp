@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "common/app/gpu_load.h"
+#include "common/app/clock_warmer.h"
 #include "common/app/headless.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
@@ -80,7 +80,7 @@ class Measuring {
     /// Medians, one for each method, of frames in the middle of playing: one-time work was done in the frame before.
     std::vector<double> times_ms(const std::vector<KnobSettings>& ways) {
         std::vector<std::vector<double>> all(ways.size());
-        GpuLoad load(frame_.gpu);
+        ClockWarmer load(frame_.gpu);
         for (int round = 0; round < rounds; ++round)
             for (const double time_s : times_of(reel_.film().scenes.at(scene_)))
                 for (size_t i = 0; i < ways.size(); ++i) {

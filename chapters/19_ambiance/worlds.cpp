@@ -98,8 +98,8 @@ struct Street : ManyLights {
             crop.origin.x += first;
             View strip = view_of(view.camera, {end - first, view.size.y}, crop);
             strip.id = views_.of(view.id, i);
-            colors_[i].fit(frame.gpu.device, {.name = fmt::format("strip {}", i), .size = strip.size});
-            depths_[i].fit(
+            colors_[i].ensure(frame.gpu.device, {.name = fmt::format("strip {}", i), .size = strip.size});
+            depths_[i].ensure(
                 frame.gpu.device,
                 {.name = fmt::format("strip {} depth", i), .format = VK_FORMAT_D32_SFLOAT, .size = strip.size});
             Canvas own(colors_[i], depths_[i], canvas.background());

@@ -37,7 +37,7 @@ class Chapter : public Module {
     virtual Model load_model(const std::filesystem::path& file) = 0;
 
     /// Called before each frame: creates resources not loaded with the scene. If `plays`, later times may follow.
-    virtual void make_ready(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
+    virtual void prepare_frame(Gpu& /*gpu*/, glm::uvec2 /*size*/, float /*time_s*/) {}
 
     /// Time, in seconds, of an earlier frame that accumulates into the picture at `time_s`.
     virtual float gathered_at(float time_s, int frames_before) const {

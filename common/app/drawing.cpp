@@ -8,18 +8,19 @@
 namespace lightwalk {
 namespace {
 
-void draw_sorted(Frame& frame, Canvas& canvas, std::vector<SeenThrough> all) {
-    std::stable_sort(all.begin(), all.end(),
-                     [](const SeenThrough& a, const SeenThrough& b) { return a.what.distance_m > b.what.distance_m; });
+void draw_sorted(Frame& frame, Canvas& canvas, std::vector<TransparentSurface> all) {
+    std::stable_sort(all.begin(), all.end(), [](const TransparentSurface& a, const TransparentSurface& b) {
+        return a.what.distance_m > b.what.distance_m;
+    });
     draw_surfaces(frame, "transparent", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only()}, all);
 }
 
 }  // namespace
 
-std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings) {
-    std::vector<SeenThrough> all;
+std::vector<TransparentSurface> transparent_surfaces(const View& view, const Drawings& drawings) {
+    std::vector<TransparentSurface> all;
     for (const Drawing& drawing : drawings) {
-        const Drawing* const part = drawing.transparent_part();
+        const Drawing* const part = drawing.transparent_source();
         if (!part) continue;
         for (const Drawing::Transparent& one : part->transparent(view)) all.push_back({part, one});
     }
@@ -27,15 +28,15 @@ std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& 
 }
 
 void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
-                   const std::vector<SeenThrough>& surfaces) {
+                   const std::vector<TransparentSurface>& surfaces) {
     const auto cleared = [](const Attachment& target) { return target.load == Attachment::Load::clear; };
     if (surfaces.empty() && std::any_of(targets.color.begin(), targets.color.end(), cleared))
         frame.raster(pass, targets, [](Raster&) {});
     for (auto first = surfaces.begin(), last = first; first != surfaces.end(); first = last) {
         const Drawing& drawing = *first->drawing;
-        last = std::find_if(first, surfaces.end(), [&](const SeenThrough& s) { return s.drawing != &drawing; });
+        last = std::find_if(first, surfaces.end(), [&](const TransparentSurface& s) { return s.drawing != &drawing; });
         std::vector<Drawing::Transparent> run;
-        std::transform(first, last, std::back_inserter(run), [](const SeenThrough& s) { return s.what; });
+        std::transform(first, last, std::back_inserter(run), [](const TransparentSurface& s) { return s.what; });
         RasterTargets own = targets;
         for (const Resource& read : drawing.transparent_reads()) own.reads.push_back(read);
         for (const With& with : drawing.transparent_with()) own.with.push_back(with);
@@ -46,8 +47,8 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
     }
 }
 
-Canvas& Canvas::mixed_by(TransparencyMethod* method) {
-    mixing_ = method;
+Canvas& Canvas::blended_by(TransparencyMethod* method) {
+    transparency_method_ = method;
     return *this;
 }
 
@@ -110,16 +111,16 @@ const ImageView& Canvas::depth_overwritten() {
     return depth_;
 }
 
-void Drawing::shine_once(const Frame& frame) {
-    if (std::exchange(shone_, frame.number()) != frame.number()) shine();
+void Drawing::update_sun_once(const Frame& frame) {
+    if (std::exchange(sun_updated_, frame.number()) != frame.number()) update_sun();
 }
 
-void Drawing::meet_once(const Frame& frame, const Drawings& all) {
-    if (std::exchange(met_, frame.number()) != frame.number()) meet(all);
+void Drawing::find_casters_once(const Frame& frame, const Drawings& all) {
+    if (std::exchange(met_, frame.number()) != frame.number()) find_casters(all);
 }
 
 void Drawing::update_once(Frame& frame) {
-    shine_once(frame);
+    update_sun_once(frame);
     if (std::exchange(updated_, frame.number()) != frame.number()) update(frame);
 }
 
@@ -131,7 +132,7 @@ void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawin
 Drawings in_order(const Drawings& drawings) {
     Drawings all;
     all.reserve(drawings.size());
-    const auto earlier = [](const Drawing& a, const Drawing& b) { return a.drawn_in() < b.drawn_in(); };
+    const auto earlier = [](const Drawing& a, const Drawing& b) { return a.draw_phase() < b.draw_phase(); };
     for (Drawing& drawing : drawings)
         if (!drawing.in_use || drawing.in_use())
             all.insert(std::upper_bound(all.begin(), all.end(), drawing, earlier), drawing);
@@ -141,15 +142,15 @@ Drawings in_order(const Drawings& drawings) {
 Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings) {
     Drawings some;
     for (Drawing& drawing : drawings)
-        if (std::find(phases.begin(), phases.end(), drawing.drawn_in()) != phases.end()) some.emplace_back(drawing);
+        if (std::find(phases.begin(), phases.end(), drawing.draw_phase()) != phases.end()) some.emplace_back(drawing);
     return some;
 }
 
 void update(Frame& frame, const Drawings& drawings) {
-    for (Drawing& drawing : drawings) drawing.shine_once(frame);
-    for (Drawing& drawing : drawings) drawing.meet_once(frame, drawings);
+    for (Drawing& drawing : drawings) drawing.update_sun_once(frame);
+    for (Drawing& drawing : drawings) drawing.find_casters_once(frame, drawings);
     for (Drawing& drawing : drawings) {
-        if (const Drawing* light = drawing.lit_by(); light && !light->has_shone(frame))
+        if (const Drawing* light = drawing.sun_source(); light && !light->has_updated_sun(frame))
             throw Failure("'{}' is lit by '{}', which this frame does not draw: add it to the drawings", drawing.path(),
                           light->path());
         drawing.update_once(frame);
@@ -161,7 +162,7 @@ void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings&
     const Drawings ordered = in_order(drawings);
     update(frame, ordered);
     for (Drawing& drawing : ordered) {
-        canvas.enter(drawing.drawn_in(), drawing.path());
+        canvas.enter(drawing.draw_phase(), drawing.path());
         drawing.draw(frame, view, canvas);
     }
     canvas.color(frame);
@@ -169,11 +170,11 @@ void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings&
 
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     const ViewScope scope(frame, view);
-    const std::vector<SeenThrough> surfaces = transparent_surfaces(view, in_order(drawings));
+    const std::vector<TransparentSurface> surfaces = transparent_surfaces(view, in_order(drawings));
     if (surfaces.empty()) return;
     canvas.depth(frame);  // clears depth if nothing opaque was drawn
-    if (canvas.mixing())
-        canvas.mixing()->record(frame, view, canvas, surfaces);
+    if (canvas.transparency_method())
+        canvas.transparency_method()->record(frame, view, canvas, surfaces);
     else
         draw_sorted(frame, canvas, surfaces);
 }

@@ -36,8 +36,8 @@ class Canvas {
     Canvas& multisampled(const ImageView& colors, const ImageView& depths);
 
     /// Method for blending transparent surfaces; null: back to front by object.
-    Canvas& mixed_by(TransparencyMethod* method);
-    TransparencyMethod* mixing() const { return colors_ ? nullptr : mixing_; }
+    Canvas& blended_by(TransparencyMethod* method);
+    TransparencyMethod* transparency_method() const { return colors_ ? nullptr : transparency_method_; }
 
     /// Targets for a raster pass; cleared on first use.
     Attachment color_target();
@@ -67,7 +67,7 @@ class Canvas {
   private:
     ImageView color_, depth_, colors_, depths_;
     glm::vec4 background_;
-    TransparencyMethod* mixing_ = nullptr;
+    TransparencyMethod* transparency_method_ = nullptr;
     void begin_color();
     bool color_begun_ = false, depth_begun_ = false;
     Phase phase_ = Phase::backdrop;
@@ -79,19 +79,19 @@ class Drawing : public Module {
   public:
     using Module::Module;
 
-    virtual Phase drawn_in() const { return Phase::opaque; }
+    virtual Phase draw_phase() const { return Phase::opaque; }
 
     /// Called once a frame, before any update(): sets the scene's sun if this drawing has one.
-    virtual void shine() {}
+    virtual void update_sun() {}
 
     /// Drawing that provides sun and atmosphere; null: the scene's lights.
-    virtual const Drawing* lit_by() const { return nullptr; }
+    virtual const Drawing* sun_source() const { return nullptr; }
 
     /// Called once a frame, before any update(), with all drawings of the frame. Shadow maps find their casters here.
-    virtual void meet(const Drawings&) {}
+    virtual void find_casters(const Drawings&) {}
 
     /// Modules whose knobs or animation affect the picture.
-    virtual std::vector<const Module*> made_of() const { return {this}; }
+    virtual std::vector<const Module*> dependencies() const { return {this}; }
 
     /// Called once a frame, before the first draw: work shared by all views.
     virtual void update(Frame&) {}
@@ -107,7 +107,7 @@ class Drawing : public Module {
     };
     virtual std::vector<Transparent> transparent(const View&) const { return {}; }
     /// Drawing that owns the transparent surfaces; null: none at present.
-    virtual const Drawing* transparent_part() const { return this; }
+    virtual const Drawing* transparent_source() const { return this; }
 
     /// Modules and resources of the transparent pass, and draws of surfaces in the given order. Fragment shaders end
     /// with put_surface() (common/put_surface.glsl), through which the method receives colour and alpha.
@@ -126,18 +126,18 @@ class Drawing : public Module {
     virtual void draw_transparent_triangles(Raster&, uint32_t /*item*/, const Buffer& /*indices*/, uint32_t /*first*/,
                                             uint32_t /*count*/) const {}
 
-    /// Calls shine(), update() or meet() unless already done in this frame.
-    void shine_once(const Frame& frame);
+    /// Calls update_sun(), update() or find_casters() unless already done in this frame.
+    void update_sun_once(const Frame& frame);
     void update_once(Frame& frame);
-    void meet_once(const Frame& frame, const Drawings& all);
-    bool has_shone(const Frame& frame) const { return shone_ == frame.number(); }
+    void find_casters_once(const Frame& frame, const Drawings& all);
+    bool has_updated_sun(const Frame& frame) const { return sun_updated_ == frame.number(); }
 
   private:
-    uint64_t shone_ = 0, met_ = 0, updated_ = 0;
+    uint64_t sun_updated_ = 0, met_ = 0, updated_ = 0;
 };
 
 /// Transparent surface with its drawing.
-struct SeenThrough {
+struct TransparentSurface {
     const Drawing* drawing;
     Drawing::Transparent what;
 };
@@ -145,14 +145,14 @@ struct SeenThrough {
 class TransparencyMethod {
   public:
     virtual ~TransparencyMethod() = default;
-    virtual void record(Frame&, const View&, Canvas&, const std::vector<SeenThrough>&) = 0;
+    virtual void record(Frame&, const View&, Canvas&, const std::vector<TransparentSurface>&) = 0;
 };
 
-std::vector<SeenThrough> transparent_surfaces(const View& view, const Drawings& drawings);
+std::vector<TransparentSurface> transparent_surfaces(const View& view, const Drawings& drawings);
 
 /// Draws surfaces in order; consecutive ones of a drawing share a pass. `targets` are always cleared.
 void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
-                   const std::vector<SeenThrough>& surfaces);
+                   const std::vector<TransparentSurface>& surfaces);
 
 /// Drawings in use, sorted by phase; stable within a phase.
 Drawings in_order(const Drawings& drawings);

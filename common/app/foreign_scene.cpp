@@ -30,7 +30,7 @@ void ForeignScene::set_knobs(const SceneFile& scene, const FindKnob& find) {
 
 Model ForeignScene::model(const Module& reader, const std::filesystem::path& file, const std::function<Model()>& load) {
     Model own;
-    if (reader.any_model(file, own)) return own;
+    if (reader.any_proxy(file, own)) return own;
     if (from_.empty() || is_model_file(file)) return load();
     left_out_.insert(file.filename().string());
     own.materials.emplace_back();

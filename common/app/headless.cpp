@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "common/app/gpu_load.h"
+#include "common/app/clock_warmer.h"
 #include "common/app/look.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
@@ -72,7 +72,7 @@ json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter
             {"status", chapter.all_status()}};
 }
 
-// CPU times of recording consecutive frames. GpuLoad empties caches: up to twice as long on an H100's host.
+// CPU times of recording consecutive frames. ClockWarmer empties caches: up to twice as long on an H100's host.
 std::vector<double> recording_in_a_row(Chapter& chapter, Frame& frame, const Options& options) {
     std::vector<double> recording_ms;
     for (int i = 0; i < options.frames; ++i) {
@@ -108,12 +108,12 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     const size_t said_before = gpu.device.validation_message_count();
     load_scene(chapter, gpu, options.scene.empty() ? chapter.default_scene() : options.scene, loading);
     Frame frame(gpu);
-    frame.fly(2);  // as a window whose clock runs
+    frame.set_frames_in_flight(2);  // as a window whose clock runs
     const Look look{.output = options.look};
     Image looked_at;
     look.attach(frame, looked_at, chapter.camera, chapter.scene.bounds);
     // Timing runs discard the first frame, which compiles shaders.
-    GpuLoad load(gpu);
+    ClockWarmer load(gpu);
     const int warm_up = options.timings.empty() ? 0 : 1;
     std::vector<PassTime> first_times;
     std::vector<std::vector<PassTime>> times;

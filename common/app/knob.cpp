@@ -195,7 +195,7 @@ KnobList called(const KnobList& knobs, const std::string& name) {
     KnobList same;
     for (KnobBase* knob : knobs) {
         if (knob->name != name) continue;
-        if (knob->alone || knob->path() == name) return {knob};
+        if (knob->preferred || knob->path() == name) return {knob};
         same.push_back(knob);
     }
     return same;

@@ -54,8 +54,8 @@ class KnobBase {
 
     Module& owner;
     const std::string name, help, unit;
-    bool pinned = false;  ///< set on the command line: overrides scene files
-    bool alone = false;   ///< its short name takes precedence over equal names in other modules
+    bool pinned = false;     ///< set on the command line: overrides scene files
+    bool preferred = false;  ///< its short name takes precedence over equal names in other modules
 };
 
 using KnobList = std::vector<KnobBase*>;

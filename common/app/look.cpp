@@ -96,7 +96,8 @@ void show_image(Frame& frame, const std::string& name, const ImageView& view, co
 }
 
 void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {
-    copy.fit(frame.gpu.device, {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
+    copy.ensure(frame.gpu.device,
+                {.name = "look", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = frame.size, .kept = true});
     show_image(frame, "look", view, copy, {{0, 0}, frame.size, stops, channel}, camera, bounds);
 }
 

@@ -7,7 +7,7 @@
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
@@ -108,8 +108,8 @@ std::span<const std::byte> Module::block(const Binding& binding) const {
     return block->bytes;
 }
 
-void Module::expand(std::vector<const Given*>& into) const {
-    Given::expand(into);
+void Module::expand(std::vector<const PassInputs*>& into) const {
+    PassInputs::expand(into);
     for (const Member& member : members_)
         if (member.module && owner_) member.module->expand(into);  // the chapter's modules are listed individually
 }
@@ -130,7 +130,7 @@ void Module::visit_used(Self& self, const Visit& visit) {
 
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
     visit_used(*this, [&](Module& module) {
-        aside([] {});  // yields to waiting threads
+        unlocked([] {});  // yields to waiting threads
         module.prepare(gpu, scene);
     });
 }
@@ -141,10 +141,10 @@ bool Module::any_animated() const {
     return any;
 }
 
-Gathering Module::longest_gathering() const {
-    Gathering longest;
+Accumulation Module::longest_accumulation() const {
+    Accumulation longest;
     visit_used(*this, [&](const Module& module) {
-        if (const Gathering one = module.gathering(); one.frames > longest.frames) longest = one;
+        if (const Accumulation one = module.accumulation(); one.frames > longest.frames) longest = one;
     });
     return longest;
 }
@@ -157,9 +157,9 @@ const Sound* Module::any_sound() const {
     return any;
 }
 
-bool Module::any_model(const std::filesystem::path& file, Model& into) const {
+bool Module::any_proxy(const std::filesystem::path& file, Model& into) const {
     bool any = false;
-    visit_used(*this, [&](const Module& module) { any = any || module.stands_for(file, into); });
+    visit_used(*this, [&](const Module& module) { any = any || module.load_proxy(file, into); });
     if (any && into.materials.empty()) into.materials.emplace_back();
     return any;
 }

@@ -6,7 +6,7 @@
 
 #include "common/app/knob.h"
 #include "common/base/epoch.h"
-#include "common/gpu/given.h"
+#include "common/gpu/pass_inputs.h"
 
 namespace lightwalk {
 
@@ -17,7 +17,7 @@ struct Sound;
 class TargetBase;
 
 /// Temporal accumulation of a picture.
-struct Gathering {
+struct Accumulation {
     int frames = 0;                           ///< from cold start to final picture; 0: no accumulation
     glm::vec2 (*shift)(int frame) = nullptr;  ///< sub-pixel jitter per frame, -0.5 to 0.5 pixels
 };
@@ -33,7 +33,7 @@ struct Gathering {
 /// Option and scene key: shadow.filter. In GLSL, names start with the module's kind (by default its name): the macro
 /// SHADOW_FILTER, the uniform block `shadow`. Two modules of one kind have separate options and share shaders; a pass
 /// accepts only one of them. A pass that lists a module in `.with` also receives the modules it owns.
-class Module : public Given {
+class Module : public PassInputs {
   public:
     /// Without a name, members have the owner's path, macros and uniform block.
     Module(Module& owner, std::string name, std::string kind = "");
@@ -45,7 +45,7 @@ class Module : public Given {
 
     Macros macros() const override;
     std::span<const std::byte> block(const Binding& binding) const override;
-    void expand(std::vector<const Given*>& into) const override;
+    void expand(std::vector<const PassInputs*>& into) const override;
 
     /// Knobs of this module and its submodules, in declaration order.
     const KnobList& all_knobs() const;
@@ -71,14 +71,14 @@ class Module : public Given {
     /// Text key of prepare()'s dependencies beyond the scene; a change reloads the scene.
     virtual std::string load_key() const { return {}; }
 
-    virtual Gathering gathering() const { return {}; }
+    virtual Accumulation accumulation() const { return {}; }
 
     /// Exercises that run during loading: toggling one reloads the scene.
     virtual std::vector<std::string> load_exercises() const { return {}; }
 
     /// True if this module reads the file itself. `into` receives the proxy model for the scene, without triangles if
     /// the module draws it.
-    virtual bool stands_for(const std::filesystem::path& /*file*/, Model& /*into*/) const { return false; }
+    virtual bool load_proxy(const std::filesystem::path& /*file*/, Model& /*into*/) const { return false; }
 
     /// Sound track of the window, from 0 s on; null: none. Valid until the next prepare().
     virtual const Sound* sound() const { return nullptr; }
@@ -91,8 +91,8 @@ class Module : public Given {
 
     void prepare_all(Gpu& gpu, Scene& scene);
     bool any_animated() const;
-    Gathering longest_gathering() const;
-    bool any_model(const std::filesystem::path& file, Model& into) const;
+    Accumulation longest_accumulation() const;
+    bool any_proxy(const std::filesystem::path& file, Model& into) const;
     const Sound* any_sound() const;
     std::vector<std::string> all_status() const;
     std::string load_state() const;  ///< load keys and toggles of load exercises

@@ -61,9 +61,9 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
     const int samples = picture.sample ? picture.sample->y : int(chapter.samples);
     const int first = picture.sample ? picture.sample->x : 0, last = picture.sample ? first + 1 : samples;
     std::vector<PassTime> times;
-    chapter.make_ready(frame.gpu, picture.size, picture.time_s);
-    const Gathering gathering = chapter.longest_gathering();
-    const int gathered = gathering.frames > 0 ? picture.gathered.value_or(gathering.frames) : 0;
+    chapter.prepare_frame(frame.gpu, picture.size, picture.time_s);
+    const Accumulation accumulation = chapter.longest_accumulation();
+    const int gathered = accumulation.frames > 0 ? picture.gathered.value_or(accumulation.frames) : 0;
     Patience patience("drawing", "samples");
     for (int sample = first; sample < last; ++sample) {
         frame.root = &chapter;
@@ -73,15 +73,15 @@ void render(Chapter& chapter, Frame& frame, const Picture& picture) {
         frame.crop = picture.crop;
         if (frame.crop.whole == glm::uvec2(0)) frame.crop.whole = picture.size;
         if (gathered > 0) chapter.forget_history();
-        if (gathered > 0 || gathering.frames == 0) frame.gathered = 0;
+        if (gathered > 0 || accumulation.frames == 0) frame.gathered = 0;
         for (int before = std::max(gathered, 1) - 1; before >= 0; --before) {
             // Sub-frames continue the jitter sequence.
-            frame.crop.shift =
-                gathering.frames > 0 ? gathering.shift(frame.gathered + sample * gathered) : shift_of(point, samples);
+            frame.crop.shift = accumulation.frames > 0 ? accumulation.shift(frame.gathered + sample * gathered)
+                                                       : shift_of(point, samples);
             const bool is_last = before == 0 && sample + 1 == last;
             record_frame(chapter, frame, picture.size, chapter.gathered_at(picture.time_s, before),
                          is_last ? picture.written : nullptr);
-            if (gathering.frames > 0) ++frame.gathered;
+            if (accumulation.frames > 0) ++frame.gathered;
         }
         if (samples > 1) {
             frame.finish();

@@ -13,7 +13,7 @@ struct Picture {
     unsigned seed = 0;
     Crop crop;
     std::optional<glm::ivec2> sample{};  ///< {index, count}: a single sub-frame; empty: all, in order
-    /// Frames to accumulate from a cold start, 1/60 s apart; 0: continues the last frame; empty: Module::gathering.
+    /// Frames to accumulate from a cold start, 1/60 s apart; 0: continues the last frame; empty: Module::accumulation.
     std::optional<int> gathered{};
     ReadBack* written = nullptr;
 };

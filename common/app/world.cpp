@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-Drawings World::ready(Frame& frame, const View& view) {
+Drawings World::prepare_view(Frame& frame, const View& view) {
     if (std::exchange(begun_, frame.number()) != frame.number()) {
         scene_->forget_sun();  // may belong to a drawing no longer in use
         update(frame, in_order(drawings()));
@@ -16,7 +16,7 @@ Drawings World::ready(Frame& frame, const View& view) {
 
 void World::draw_light(Frame& frame, const View& view, Canvas& canvas) {
     const ViewScope scope(frame, view);
-    ready(frame, view);
+    prepare_view(frame, view);
     draw_view(frame, view, canvas);
 }
 

@@ -15,7 +15,7 @@ class World : public Module {
     /// Renders linear light of a view into a canvas of any size. Requires Scene::animate() for the frame.
     void draw_light(Frame& frame, const View& view, Canvas& canvas);
     /// Prepares the drawings for a view, for callers that render them differently.
-    Drawings ready(Frame& frame, const View& view);
+    Drawings prepare_view(Frame& frame, const View& view);
 
     virtual glm::vec4 background() const { return glm::vec4(scene_->file.background, 1.0f); }
 

@@ -33,7 +33,7 @@ uint64_t hash_of(const Values&... values);
 ///     // ... rebuild
 ///
 /// Inputs are the epochs of what is read, and values that change per frame: time, camera, size.
-class Made {
+class Fingerprint {
   public:
     /// False if the inputs differ from the last call's: rebuild now.
     template <class... Inputs>

@@ -5,7 +5,7 @@
 namespace lightwalk {
 namespace {
 
-Weighed measured(const ChoiceTask& choice, const ChoiceScene& scene, const Row& chosen) {
+ErrorAndCost measured(const ChoiceTask& choice, const ChoiceScene& scene, const Row& chosen) {
     std::vector<int> knobs;
     for (size_t i = 0; i < choice.knobs.size(); ++i) {
         const auto& [name, lowest, highest] = choice.knobs[i];
@@ -18,13 +18,13 @@ Weighed measured(const ChoiceTask& choice, const ChoiceScene& scene, const Row& 
 
 }  // namespace
 
-void weigh(Check& check, const ChoiceTask& choice) {
+void check_choice(Check& check, const ChoiceTask& choice) {
     Probe probe{.include = choice.include, .signature = choice.signature};
     for (size_t i = 0; i < choice.scenes.size(); ++i) probe.inputs.push_back({double(i)});
     const Table chosen = run_probe(check_device(), probe, choice.knobs.size());
     for (size_t i = 0; i < choice.scenes.size(); ++i) {
         const ChoiceScene& scene = choice.scenes[i];
-        const Weighed found = measured(choice, scene, chosen[i]);
+        const ErrorAndCost found = measured(choice, scene, chosen[i]);
         const std::string gave = fmt::format("{} gave {} for {}: ", call_text(probe, probe.inputs[i]),
                                              result_text(probe, chosen[i]), scene.name);
         if (!found.unusable.empty()) {

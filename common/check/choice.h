@@ -10,7 +10,7 @@
 namespace lightwalk {
 
 /// Measured result of one scene.
-struct Weighed {
+struct ErrorAndCost {
     double error = 0;
     double cost = 0;       ///< counts of reads, samples or bytes
     std::string unusable;  ///< reason why it cannot be measured; empty: measured
@@ -24,7 +24,7 @@ struct ChosenKnob {
 struct ChoiceScene {
     std::string name;
     double most_error, most_cost;
-    std::function<Weighed(std::span<const int> knobs)> measure;
+    std::function<ErrorAndCost(std::span<const int> knobs)> measure;
 };
 
 struct ChoiceTask {
@@ -36,6 +36,6 @@ struct ChoiceTask {
 };
 
 /// Expects error and cost of every scene within limits; the note lists all figures.
-void weigh(Check& check, const ChoiceTask& choice);
+void check_choice(Check& check, const ChoiceTask& choice);
 
 }  // namespace lightwalk

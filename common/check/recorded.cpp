@@ -198,7 +198,7 @@ RecordedPass& Recorder::begin(const std::string& name, const std::vector<Resourc
     };
     add_all(reads, pass.reads);
     add_all(writes, pass.writes);
-    for (const Given& one : with)
+    for (const PassInputs& one : with)
         pass.with.push_back(static_cast<uint32_t>(std::ranges::find(cast_->given, &one) - cast_->given.begin()));
     return pass;
 }
@@ -210,7 +210,7 @@ void Recorder::begins(const std::string& pass, const RasterTargets& targets) {
     now.depth = target_of(targets.depth);
     now.layers = targets.layers;
     now.size = targets.size;
-    if (targets.mixing) does_more(".mixing");
+    if (targets.blend_override) does_more(".blend_override");
 }
 
 void Recorder::begins(const std::string& pass, const ComputeAccess& access) {

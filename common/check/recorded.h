@@ -57,7 +57,7 @@ struct RecordedFrame {
 struct Cast {
     std::vector<const Image*> images;
     std::vector<const Pipeline*> pipelines;
-    std::vector<const Given*> given;
+    std::vector<const PassInputs*> given;
     std::vector<std::function<void(Raster&)>> calls;
 };
 

@@ -6,7 +6,7 @@
 #include <ctime>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
 #include "common/gpu/device_wait.h"
@@ -176,7 +176,7 @@ Device::Device(const DeviceOptions& options) : Device() {
 
 Device::~Device() {
     if (handle) {
-        for (const auto& [use, objects] : doomed_) destroy_now(objects);
+        for (const auto& [use, objects] : retired_) destroy_now(objects);
         vkDestroyDevice(handle, nullptr);
     }
     if (messenger_) {
@@ -231,7 +231,7 @@ VkResult wait_for(const Device& device, const std::function<VkResult(uint64_t mo
         return 1'000'000'000 * static_cast<uint64_t>(used.tv_sec) + static_cast<uint64_t>(used.tv_nsec);
     };
     const uint64_t most = device.timeout_ns(), before = used_ns();
-    const Turn::Aside others;
+    const SharedLock::Unlocked others;
     VkResult answer = wait(most);
     for (int again = 1; again < 10 && answer == VK_TIMEOUT && device.software_paths && used_ns() - before < most;
          ++again)

@@ -41,7 +41,7 @@ struct DeviceOptions {
 };
 
 /// Vulkan objects of one resource, destroyed together once no frame uses them.
-struct Doomed {
+struct Retired {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
     std::vector<VkImageView> views;
@@ -89,16 +89,16 @@ class Device {
     /// True while this thread records a frame: from begin_use() to end_recording() or end_use().
     bool is_recording() const;
     void end_recording(uint64_t use);
-    void destroy(Doomed objects);
-    size_t doomed_count() const { return doomed_.size(); }
+    void destroy(Retired objects);
+    size_t retired_count() const { return retired_.size(); }
 
   private:
     Device() = default;  // delegated to: ensures the destructor runs if construction fails
-    void destroy_now(const Doomed& objects);
+    void destroy_now(const Retired& objects);
     std::vector<uint64_t> uses_;
     std::vector<std::pair<uint64_t, std::thread::id>> recording_;
     uint64_t last_use_ = 0;
-    std::vector<std::pair<uint64_t, Doomed>> doomed_;
+    std::vector<std::pair<uint64_t, Retired>> retired_;
 
     friend VkBool32 keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                  const VkDebugUtilsMessengerCallbackDataEXT*, void*);

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/device.h"
 #include "common/gpu/gpu_work.h"
 
@@ -26,7 +26,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
         .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
     VkDeviceMemory result = VK_NULL_HANDLE;
     ++gpu_work.allocations;
-    const VkResult made = aside([&] { return vkAllocateMemory(handle, &allocate_info, nullptr, &result); });
+    const VkResult made = unlocked([&] { return vkAllocateMemory(handle, &allocate_info, nullptr, &result); });
     if (made == VK_SUCCESS) set_name(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<uint64_t>(result), name);
     try {
         check(made, ("memory of " + name).c_str());
@@ -55,21 +55,21 @@ void Device::end_use(uint64_t use) {
     end_recording(use);
     std::erase(uses_, use);
     const uint64_t oldest = uses_.empty() ? UINT64_MAX : *std::min_element(uses_.begin(), uses_.end());
-    std::erase_if(doomed_, [&](const auto& entry) {
+    std::erase_if(retired_, [&](const auto& entry) {
         const bool unused = entry.first < oldest;
         if (unused) destroy_now(entry.second);
         return unused;
     });
 }
 
-void Device::destroy(Doomed objects) {
+void Device::destroy(Retired objects) {
     if (uses_.empty())
         destroy_now(objects);
     else
-        doomed_.emplace_back(last_use_, std::move(objects));
+        retired_.emplace_back(last_use_, std::move(objects));
 }
 
-void Device::destroy_now(const Doomed& objects) {
+void Device::destroy_now(const Retired& objects) {
     for (const VkImageView view : objects.views) vkDestroyImageView(handle, view, nullptr);
     vkDestroyImage(handle, objects.image, nullptr);
     vkDestroyBuffer(handle, objects.buffer, nullptr);

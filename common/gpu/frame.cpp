@@ -145,8 +145,8 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
     rendering.set(name, targets, size, watch_.shows_discarded);
-    all_given(lists_.given, name, targets.with, root);
-    with_given(lists_.reads, targets.reads, lists_.given);
+    all_inputs(lists_.given, name, targets.with, root);
+    with_inputs(lists_.reads, targets.reads, lists_.given);
     state(lists_.stated, name, lists_.reads, targets.writes, &targets);
     check_reads(name, lists_.stated, &rendering);
     const VkCommandBuffer commands = begin_pass(name, "raster");
@@ -171,8 +171,8 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
 
 void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record) {
     const size_t outputs_before = outputs.size();
-    all_given(lists_.given, name, access.with, root);
-    with_given(lists_.reads, access.reads, lists_.given);
+    all_inputs(lists_.given, name, access.with, root);
+    with_inputs(lists_.reads, access.reads, lists_.given);
     state(lists_.stated, name, lists_.reads, access.writes);
     check_reads(name, lists_.stated, nullptr);
     const VkCommandBuffer commands = begin_pass(name, "compute");

@@ -48,12 +48,12 @@ class Frame {
     Image depth;   ///< D32F, reversed: 1 at the near plane, 0 at the far plane
     Image output;  ///< RGBA8, sRGB-encoded: the final picture
 
-    const Given* root = nullptr;  ///< the chapter: its macros and uniforms go into every pass
+    const PassInputs* root = nullptr;  ///< the chapter: its macros and uniforms go into every pass
     Crop crop;
     struct {
         int index = 0, count = 1;  ///< sub-frames averaged into one picture
     } samples;
-    int gathered = 0;  ///< frames since the last cold start (Module::gathering)
+    int gathered = 0;  ///< frames since the last cold start (Module::accumulation)
 
     const Image& linear() const { return samples.count > 1 ? mean_ : hdr; }
 
@@ -108,7 +108,7 @@ class Frame {
     void finish();
 
     /// Sets the maximum number of frames in flight, initially 1. With 2, times and read-backs arrive a frame later.
-    void fly(size_t in_flight);
+    void set_frames_in_flight(size_t in_flight);
 
     std::vector<PassTime> times;  ///< last ended frame, in pass order
     std::function<void(const std::vector<PassTime>&)> on_ended;

@@ -29,7 +29,7 @@ void Frame::finish() {
         if (Recording& one = *recordings_[(current_ + i) % recordings_.size()]; one.ends_at) retire(one);
 }
 
-void Frame::fly(size_t in_flight) {
+void Frame::set_frames_in_flight(size_t in_flight) {
     if (recordings_.size() == in_flight) return;
     finish();
     recordings_.resize(std::max<size_t>(in_flight, 1));

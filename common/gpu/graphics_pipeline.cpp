@@ -52,9 +52,9 @@ std::string state_key(const Pipeline::Graphics& g, const TargetFormats& formats)
     for (const Blend blend : g.blend.values()) add(int(blend));
     for (const VkColorComponentFlags write : g.color_write.values()) add(write + 100);
     for (const VkFormat format : formats.color) key += fmt::format(" {}", int(format));
-    if (formats.mixing) {
-        key += fmt::format(" mixed {}", int(formats.mixing->depth_write));
-        for (const Blend blend : formats.mixing->blend) key += fmt::format(",{}", int(blend));
+    if (formats.blend_override) {
+        key += fmt::format(" mixed {}", int(formats.blend_override->depth_write));
+        for (const Blend blend : formats.blend_override->blend) key += fmt::format(",{}", int(blend));
     }
     return fmt::format("{} depth {} {}{}", key, int(formats.depth), formats.depth_read_only ? "read only " : "",
                        formats.samples);
@@ -88,11 +88,12 @@ VkPipeline create_graphics(Device& device, const Pipeline::Graphics& desc, const
     const VkPipelineDepthStencilStateCreateInfo depth{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = has_depth && desc.depth_test,
-        .depthWriteEnable =
-            has_depth && !formats.depth_read_only && (formats.mixing ? formats.mixing->depth_write : desc.depth_write),
+        .depthWriteEnable = has_depth && !formats.depth_read_only &&
+                            (formats.blend_override ? formats.blend_override->depth_write : desc.depth_write),
         .depthCompareOp = compare_op(desc.depth_compare)};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
-    const PerTarget<Blend> by_target = formats.mixing ? PerTarget<Blend>(formats.mixing->blend) : desc.blend;
+    const PerTarget<Blend> by_target =
+        formats.blend_override ? PerTarget<Blend>(formats.blend_override->blend) : desc.blend;
     for (size_t i = 0; i < formats.color.size(); ++i) {
         const bool absent = formats.color[i] == VK_FORMAT_UNDEFINED;
         blends.push_back(absent ? VkPipelineColorBlendAttachmentState{}

@@ -88,7 +88,7 @@ Image Image::borrowed(Device& device, VkImage handle, const Desc& desc) {
     return image;
 }
 
-bool Image::fit(Device& device, const Desc& wanted) {
+bool Image::ensure(Device& device, const Desc& wanted) {
     if (handle && desc == wanted) return false;
     *this = Image(device, wanted);
     return true;
@@ -96,7 +96,7 @@ bool Image::fit(Device& device, const Desc& wanted) {
 
 Image::~Image() {
     if (!device_) return;
-    Doomed objects{.memory = memory_};
+    Retired objects{.memory = memory_};
     if (owned_) objects.image = handle;
     for (const auto& [view, made] : views_) objects.views.push_back(made);
     device_->destroy(std::move(objects));

@@ -69,7 +69,7 @@ class Image {
     /// Throws Failure if the device does not support such an image or lacks memory.
     Image(Device& device, const Desc& desc);
     /// Recreates the image if its description differs from `wanted`. True: recreated, contents undefined.
-    bool fit(Device& device, const Desc& wanted);
+    bool ensure(Device& device, const Desc& wanted);
     /// Wraps an image owned elsewhere, such as a swapchain image. Views are owned here.
     static Image borrowed(Device& device, VkImage handle, const Desc& desc);
     Image(Image&& other) noexcept { swap(other); }

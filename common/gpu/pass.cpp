@@ -46,7 +46,7 @@ Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_com
     : commands(frame_commands), frame(owner), name(pass_name), lists_(lists) {
     lists_.macros.clear();
     lists_.scopes.clear();
-    for (const Given* one : lists_.given) lists_.macros.push_back(one->macros());
+    for (const PassInputs* one : lists_.given) lists_.macros.push_back(one->macros());
     for (const Macros& macros : lists_.macros) lists_.scopes.push_back(&macros);
     lists_.scopes.push_back(nullptr);
 }
@@ -146,10 +146,10 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
             set_block(binding, *bytes);
             continue;
         }
-        for (const Given* given : lists_.given)
+        for (const PassInputs* given : lists_.given)
             if (const auto bytes = given->block(binding); !bytes.empty()) set_block(binding, bytes);
     }
-    for (const Given* given : lists_.given) given->bind(*this);
+    for (const PassInputs* given : lists_.given) given->bind(*this);
     modules_bind_ = false;
 }
 

@@ -19,7 +19,7 @@ struct PassLists {
         bool set = false;
         uint32_t at = 0;
     };
-    std::vector<const Given*> given;
+    std::vector<const PassInputs*> given;
     std::pair<uint64_t, uint64_t> used;  ///< Pipeline::id and hash of the variant's macros
     std::vector<Resource> reads;
     std::vector<Stated> stated;
@@ -77,13 +77,14 @@ class Pass {
     };
 
     /// Sets a binding if the pipeline has it. For modules, which are used with any kind of pass and shader.
-    void offer(const BindingName& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
+    void set_if_present(const BindingName& binding, const ImageView& view, const Sampler& sampler = linear_repeat) {
         set_images(slot(binding), {&view, 1}, sampler);
     }
-    void offer(const BindingName& binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
+    void set_if_present(const BindingName& binding, const Buffer& buffer) { set_buffer(slot(binding), buffer); }
     template <class T>
     requires(std::is_trivially_copyable_v<T> &&
-             !std::convertible_to<const T&, ImageView>) void offer(const BindingName& binding, const T& value) {
+             !std::convertible_to<const T&, ImageView>) void set_if_present(const BindingName& binding,
+                                                                            const T& value) {
         set_bytes(slot(binding), std::as_bytes(std::span(&value, 1)));
     }
 

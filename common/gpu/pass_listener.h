@@ -10,7 +10,7 @@ namespace lightwalk {
 
 struct Sampler;
 
-/// Receives all recorded calls in order, except module bindings (Given::bind).
+/// Receives all recorded calls in order, except module bindings (PassInputs::bind).
 struct PassListener {
     virtual ~PassListener() = default;
     virtual void begins(const std::string& pass, const RasterTargets& targets) = 0;

@@ -5,7 +5,7 @@
 
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/gpu_work.h"
 #include "common/gpu/hidden_blocks.h"
 #include "common/gpu/sealed.h"
@@ -71,9 +71,9 @@ uint64_t mixed(uint64_t hash, uint64_t value) {
 uint64_t TargetFormats::hash() const {
     uint64_t result = mixed(mixed(mixed(1, static_cast<uint64_t>(depth)), samples), depth_read_only);
     for (const VkFormat format : color) result = mixed(result, static_cast<uint64_t>(format));
-    if (!mixing) return result;
-    result = mixed(result, mixing->depth_write ? 5 : 3);
-    for (const Blend blend : mixing->blend) result = mixed(result, static_cast<uint64_t>(blend));
+    if (!blend_override) return result;
+    result = mixed(result, blend_override->depth_write ? 5 : 3);
+    for (const Blend blend : blend_override->blend) result = mixed(result, static_cast<uint64_t>(blend));
     return result;
 }
 
@@ -195,7 +195,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     if (!variant.error.empty()) throw ShaderError(variant.error);  // failed until the file is edited
     try {
         if (!variant.built) {
-            auto built = aside([&] { return build(pipeline, formats, flat); });
+            auto built = unlocked([&] { return build(pipeline, formats, flat); });
             if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }
     } catch (const ShaderError& e) {

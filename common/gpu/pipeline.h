@@ -65,7 +65,7 @@ struct TargetFormats {
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool depth_read_only = false;
     uint32_t samples = 1;
-    std::optional<Mixing> mixing;
+    std::optional<BlendOverride> blend_override;
     auto operator<=>(const TargetFormats&) const = default;
     uint64_t hash() const;
 };

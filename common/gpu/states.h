@@ -55,10 +55,10 @@ class PerTarget {
 };
 
 /// Blend state that overrides a pass's pipelines, for methods that blend the draws of others.
-struct Mixing {
+struct BlendOverride {
     std::vector<Blend> blend;
     bool depth_write = false;
-    auto operator<=>(const Mixing&) const = default;
+    auto operator<=>(const BlendOverride&) const = default;
 };
 
 }  // namespace lightwalk

@@ -98,7 +98,7 @@ void Rendering::set(const std::string& pass, const RasterTargets& targets, glm::
     formats.depth = VK_FORMAT_UNDEFINED;
     formats.depth_read_only = false;
     formats.samples = 1;
-    formats.mixing = targets.mixing;
+    formats.blend_override = targets.blend_override;
     for (const Attachment& target : targets.color) color_.push_back(add(pass, target, false, shows_discarded));
     if (targets.depth.view) depth_ = add(pass, targets.depth, true, shows_discarded);
     // One absent colour target: without any, Mesa 25's lavapipe blends later targets like the first (lvp_execute.c).
@@ -229,23 +229,23 @@ void add_barriers(Barriers& barriers, bool compute, const std::vector<Stated>& s
     }
 }
 
-std::vector<Resource> Given::reads() const { return {}; }
+std::vector<Resource> PassInputs::reads() const { return {}; }
 
-void all_given(std::vector<const Given*>& all, const std::string& pass, const std::vector<With>& with,
-               const Given* root) {
+void all_inputs(std::vector<const PassInputs*>& all, const std::string& pass, const std::vector<With>& with,
+                const PassInputs* root) {
     all.clear();
     if (root) all.push_back(root);
-    for (const Given& given : with) given.expand(all);
+    for (const PassInputs& given : with) given.expand(all);
     for (size_t i = 0; i < all.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (all[i]->kind() == all[j]->kind())
                 throw Failure("pass '{}' is given two modules of the kind '{}'; it takes one", pass, all[i]->kind());
 }
 
-void with_given(std::vector<Resource>& all, const std::vector<Resource>& reads,
-                const std::vector<const Given*>& given) {
+void with_inputs(std::vector<Resource>& all, const std::vector<Resource>& reads,
+                 const std::vector<const PassInputs*>& given) {
     all = reads;
-    for (const Given* one : given)
+    for (const PassInputs* one : given)
         for (const Resource& resource : one->reads()) all.push_back(resource);
 }
 

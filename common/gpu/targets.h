@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "common/gpu/barrier.h"
-#include "common/gpu/given.h"
+#include "common/gpu/pass_inputs.h"
 #include "common/gpu/pipeline.h"
 
 namespace lightwalk {
@@ -43,7 +43,7 @@ Attachment read_only(const ImageView& view);
 /// Resolves the samples into `into` at the end of the pass: mean for colour, first sample for depth.
 Attachment resolve(Attachment from, const ImageView& into);
 
-using With = std::reference_wrapper<const Given>;
+using With = std::reference_wrapper<const PassInputs>;
 
 /// Raster pass declaration. Shaders may bind the listed resources, the depth target if read_only, and uploads; nothing
 /// else. Example: `.color = {clear(f.hdr, sky), keep(normals)}, .depth = read_only(f.depth)`.
@@ -51,10 +51,10 @@ struct RasterTargets {
     std::vector<Attachment> color;
     Attachment depth;
     std::vector<Resource> reads, writes;
-    std::vector<With> with;        ///< modules: their macros, uniforms, reads and bindings
-    uint32_t layers = 1;           ///< layers per target, for geometry shaders that write gl_Layer
-    glm::uvec2 size{0};            ///< pixels; used without targets; 0: the frame's size
-    std::optional<Mixing> mixing;  ///< overrides every pipeline's blending and depth writes
+    std::vector<With> with;                       ///< modules: their macros, uniforms, reads and bindings
+    uint32_t layers = 1;                          ///< layers per target, for geometry shaders that write gl_Layer
+    glm::uvec2 size{0};                           ///< pixels; used without targets; 0: the frame's size
+    std::optional<BlendOverride> blend_override;  ///< overrides every pipeline's blending and depth writes
 };
 
 /// Compute or transfer pass declaration. Resources in both lists are read and written.
@@ -89,10 +89,11 @@ struct Rendering {
 };
 
 /// Modules of a pass and of `root` (may be null), with dependencies. Throws Failure for two of one kind.
-void all_given(std::vector<const Given*>& all, const std::string& pass, const std::vector<With>& with,
-               const Given* root);
+void all_inputs(std::vector<const PassInputs*>& all, const std::string& pass, const std::vector<With>& with,
+                const PassInputs* root);
 
-void with_given(std::vector<Resource>& all, const std::vector<Resource>& reads, const std::vector<const Given*>& given);
+void with_inputs(std::vector<Resource>& all, const std::vector<Resource>& reads,
+                 const std::vector<const PassInputs*>& given);
 
 /// Resources that a pass's shaders may bind. Throws Failure for overlapping parts with different access.
 void state(std::vector<Stated>& result, const std::string& pass, const std::vector<Resource>& reads,

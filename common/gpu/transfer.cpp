@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/barrier.h"
 #include "common/gpu/gpu.h"
 
@@ -10,11 +10,11 @@ namespace lightwalk {
 namespace {
 
 void fill(const Buffer& staging, size_t at, std::span<const std::byte> bytes) {
-    aside([&] { std::memcpy(staging.mapped + at, bytes.data(), bytes.size()); });
+    unlocked([&] { std::memcpy(staging.mapped + at, bytes.data(), bytes.size()); });
 }
 
 std::vector<std::byte> contents(const Buffer& staging, VkDeviceSize bytes) {
-    return aside([&] { return std::vector<std::byte>(staging.mapped, staging.mapped + bytes); });
+    return unlocked([&] { return std::vector<std::byte>(staging.mapped, staging.mapped + bytes); });
 }
 
 void check_size(const ImageView& view, VkDeviceSize bytes) {

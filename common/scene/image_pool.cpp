@@ -5,7 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/image/image.h"
 #include "common/image/mip_levels.h"
 #include "common/scene/texture_options.h"
@@ -98,7 +98,7 @@ std::shared_ptr<Image> ImagePool::load(const TextureUse& use) {
         enough(channels_[entry.get()]);
         return entry;
     }
-    const DecodedTexture texture = aside([&] { return decode_texture(use); });
+    const DecodedTexture texture = unlocked([&] { return decode_texture(use); });
     const glm::uvec2 size = texture.desc.size;
     if (const uint32_t most = gpu_.device.properties.limits.maxImageDimension2D; std::max(size.x, size.y) > most)
         throw InputError("{}: {}x{} is larger than the device's {}", file, size.x, size.y, most);

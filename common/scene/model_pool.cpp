@@ -1,7 +1,7 @@
 #include "common/scene/model_pool.h"
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -77,7 +77,7 @@ std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path&
     std::shared_ptr<GpuModel>& entry = models_[key_of_model(file)];
     if (entry) return entry;
     auto model = std::make_shared<GpuModel>();
-    model->model = aside([&] { return loader(file); });
+    model->model = unlocked([&] { return loader(file); });
     check_extent(model->model, file);
     pose_model(*model, 0.0f);
     for (const Mesh& mesh : model->model.meshes) {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/app/clock_warmer.h"
 #include "common/app/foreign_scene.h"
-#include "common/app/gpu_load.h"
 #include "common/app/headless.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
@@ -148,7 +148,7 @@ class SceneStudy {
         std::vector<std::vector<double>> totals(points.size());
         // A GPU that was idle while errors were computed runs at a low clock at first, for more than a round of fast
         // frames.
-        GpuLoad load(frame_.gpu);
+        ClockWarmer load(frame_.gpu);
         load.run(std::chrono::milliseconds(rounds_ > 1 ? 1500 : 0));
         if (rounds_ > 1)  // one is a test's, for which the pictures of the errors have warmed up
             for (const StudyPoint& point : points) draw(point);
@@ -181,7 +181,7 @@ class SceneStudy {
     }
     // Milliseconds of a point's passes, also of a table's. On a GPU of a second frame: a table made by the processor lets the
     // clock fall in the first.
-    std::vector<std::pair<std::string, double>> times_of(const StudyPoint& point, GpuLoad& load) {
+    std::vector<std::pair<std::string, double>> times_of(const StudyPoint& point, ClockWarmer& load) {
         load.run();
         draw(point);
         std::vector<std::pair<std::string, double>> times;

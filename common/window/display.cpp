@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 #include "common/gpu/device.h"
 #include "common/window/event_log.h"
 
@@ -170,7 +170,7 @@ VkSurfaceKHR Display::make_surface(VkInstance instance) const {
 
 Input Display::poll(double wait_s) {
     if (wait_s > 0.0)
-        aside([&] { glfwWaitEventsTimeout(wait_s); });
+        unlocked([&] { glfwWaitEventsTimeout(wait_s); });
     else
         glfwPollEvents();
     Input& now = events_->input;

@@ -27,11 +27,11 @@ void add_views(std::vector<ImageView>& views, const std::vector<Resource>& resou
 
 // A pass's own, and those of the modules that it names.
 template <class Statement>
-std::vector<Resource> all_reads(const std::string& pass, const Statement& statement, const Given* root) {
-    std::vector<const Given*> given;
-    all_given(given, pass, statement.with, root);
+std::vector<Resource> all_reads(const std::string& pass, const Statement& statement, const PassInputs* root) {
+    std::vector<const PassInputs*> given;
+    all_inputs(given, pass, statement.with, root);
     std::vector<Resource> all;
-    with_given(all, statement.reads, given);
+    with_inputs(all, statement.reads, given);
     return all;
 }
 

@@ -74,10 +74,10 @@ void FrameGraph::attach(Frame& frame, const Camera& camera, const Bounds& bounds
     flow.frame = &frame;
     flow.own_pass = pass_name;
     if (!shown()) return;
-    images_.fit(frame.gpu.device, {.name = "small images",
-                                   .format = VK_FORMAT_R8G8B8A8_UNORM,
-                                   .size = small * glm::uvec2(columns, rows),
-                                   .kept = true});
+    images_.ensure(frame.gpu.device, {.name = "small images",
+                                      .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                      .size = small * glm::uvec2(columns, rows),
+                                      .kept = true});
     frame.after_pass = [this, &frame, camera, bounds, also = std::move(frame.after_pass), seen = size_t(0)]() mutable {
         if (also) also();
         const size_t end = frame.outputs.size();

@@ -37,7 +37,8 @@ std::string cost_of_knob(const KnobBase& knob, const std::vector<PassTime>& time
 
 // The chapter's own subject: its knobs, and the module with the method that --method sets.
 bool is_own(const std::string& path, const KnobList& knobs) {
-    return path.empty() || std::any_of(knobs.begin(), knobs.end(), [](const KnobBase* knob) { return knob->alone; });
+    return path.empty() ||
+           std::any_of(knobs.begin(), knobs.end(), [](const KnobBase* knob) { return knob->preferred; });
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
 namespace {
@@ -123,7 +123,7 @@ void Swapchain::destroy_images() {
 
 const Image* Swapchain::acquire() {
     const size_t next = (turn_ + 1) % acquired_.size();
-    const VkResult result = aside([&] {
+    const VkResult result = unlocked([&] {
         return vkAcquireNextImageKHR(gpu_.device.handle, handle_, acquire_timeout_ns, acquired_[next], VK_NULL_HANDLE,
                                      &index_);
     });

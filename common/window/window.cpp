@@ -242,8 +242,8 @@ void Window::draw() {
     const bool anew = picture_is_due();
     // What is clicked or asked for arrives with the picture; only a clock that runs draws another one.
     const size_t in_flight = clock_.runs && !picture_.split.on() ? 2 : 1;
-    picture_.fly(in_flight);
-    screen_.fly(in_flight);
+    picture_.set_frames_in_flight(in_flight);
+    screen_.set_frames_in_flight(in_flight);
     if (anew) {
         draw_picture();
     } else if (refines()) {

@@ -30,7 +30,7 @@ void WindowPicture::draw(glm::uvec2 size, float time_s, const std::function<void
         if (split.on() && all_reference(own)) mine.emplace(own, false);
         std::optional<Capture> capture;
         if (captured) {
-            frame_.fly(1);
+            frame_.set_frames_in_flight(1);
             capture.emplace();
         }
         live_.draw(frame_, picture);

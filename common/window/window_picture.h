@@ -35,7 +35,7 @@ class WindowPicture {
     const Image& show(Frame& screen);
     const Image* shown() const { return shown_; }  ///< null: none yet
     const Frame& frame() const { return frame_; }  ///< the chapter's
-    void fly(size_t in_flight) { frame_.fly(in_flight); }
+    void set_frames_in_flight(size_t in_flight) { frame_.set_frames_in_flight(in_flight); }
 
     /// Compares both sides once they are `still`; while they move, each second. Returns whether a figure has come.
     bool compare(bool still, bool moves);

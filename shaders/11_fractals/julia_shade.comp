@@ -2,7 +2,7 @@
 #include "common/structs.h"
 #include "02_lambert_phong/lambert.glsl"
 #include "02_lambert_phong/phong.glsl"
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 #include "11_fractals/julia.glsl"
 #include "common/schlick.glsl"
 

@@ -1,5 +1,5 @@
 // The surroundings behind, out of focus.
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 #include "common/structs.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -3,7 +3,7 @@
 #include "04_surface_maps/surface_maps.glsl"
 #include "05_shadow_maps/shadow.glsl"
 #include "05_shadow_maps/bvh.glsl"
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 #include "12_skin/kelemen_szirmay_kalos.glsl"
 
 layout(location = 0) out vec4 color;

@@ -2,7 +2,7 @@
 #include "common/structs.h"
 #include "03_attenuation/lighting.glsl"
 #include "05_shadow_maps/shadow.glsl"
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 #include "12_skin/charts.glsl"
 #include "12_skin/mix_albedo.glsl"
 #include "12_skin/skin.glsl"

@@ -3,7 +3,7 @@
 #include "03_attenuation/lighting.glsl"
 #include "12_skin/matt_color.glsl"
 #include "05_shadow_maps/shadow.glsl"
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 
 uniform sampler2D eye_occlusion;
 

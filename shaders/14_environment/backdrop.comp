@@ -1,6 +1,6 @@
 // The surroundings behind, and the ground below with the photographed ground projected on it.
-#include "11_fractals/cubic_picture.glsl"
-#include "11_fractals/environment.glsl"
+#include "common/cubic_picture.glsl"
+#include "common/environment.glsl"
 #include "14_environment/backdrop_data.h"
 #include "14_environment/direction_to_equirect.glsl"
 #include "14_environment/projected_ground.glsl"

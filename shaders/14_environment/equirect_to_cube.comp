@@ -1,5 +1,5 @@
 // The first level of a cube of radiance from an equirectangular picture: of each texel the mean of four places in it.
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 #include "14_environment/direction_to_equirect.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,5 +1,5 @@
 // Image-based light: the module ImageLight for shaders.
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 #include "14_environment/box_project.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/image_light_data.h"

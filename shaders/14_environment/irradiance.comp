@@ -1,6 +1,6 @@
 // Irradiance over pi, for each normal the sum over all texels of a small level of the cube: the radiance of a white
 // matt surface. There are fewer normals than GPU lanes, so a workgroup shares the sum of one.
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 #include "common/structs.h"
 

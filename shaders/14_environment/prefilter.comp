@@ -1,6 +1,6 @@
 // One face of one level of the prefiltered cube: the reflection of a surface of that roughness, viewed along its
 // normal.
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
 #include "common/structs.h"

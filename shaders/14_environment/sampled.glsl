@@ -1,5 +1,5 @@
 // Reflections by sums: some directions for each pixel, or all texels of the environment.
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 #include "14_environment/importance_sample_ggx.glsl"
 

@@ -1,5 +1,5 @@
 // An environment as nine colours, from a small level of the cube: the threads of one workgroup share the texels.
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 #include "14_environment/cube_texel.glsl"
 
 layout(local_size_x = 128) in;

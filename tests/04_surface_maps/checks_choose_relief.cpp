@@ -40,7 +40,7 @@ double hit(const Ray& ray, int method, int layers) {
 }
 
 ChoiceScene scene(const std::string& name, int surface, double aside, double most_error, double most_reads) {
-    return {name, most_error, most_reads, [=](std::span<const int> knobs) -> Weighed {
+    return {name, most_error, most_reads, [=](std::span<const int> knobs) -> ErrorAndCost {
                 const int method = knobs[0], layers = knobs[1];
                 double sum = 0;
                 for (int i = 0; i < 128; ++i) {
@@ -54,11 +54,11 @@ ChoiceScene scene(const std::string& name, int surface, double aside, double mos
 }  // namespace
 
 CHECK_EXERCISE("04.choose_relief", "Is the surface straight between two layers, and where does it jump?") {
-    weigh(check, {.include = "04_surface_maps/choose_relief.glsl",
-                  .signature = "ivec2 choose_relief(int surface)",
-                  .knobs = {{"the method", 1, 4}, {"n", 1, 64}},
-                  .error_unit = "%",
-                  .cost_unit = "reads",
-                  .scenes = {scene("the ripples", 0, 0.02, 0.5, 2), scene("the grooves", 1, 0.3, 0.1, 24),
-                             scene("the ramps", 2, 0.15, 0.05, 16)}});
+    check_choice(check, {.include = "04_surface_maps/choose_relief.glsl",
+                         .signature = "ivec2 choose_relief(int surface)",
+                         .knobs = {{"the method", 1, 4}, {"n", 1, 64}},
+                         .error_unit = "%",
+                         .cost_unit = "reads",
+                         .scenes = {scene("the ripples", 0, 0.02, 0.5, 2), scene("the grooves", 1, 0.3, 0.1, 24),
+                                    scene("the ramps", 2, 0.15, 0.05, 16)}});
 }

@@ -10,7 +10,7 @@ namespace {
 
 ChoiceScene scene(const std::string& name, double near_m, double far_m, double seen_from_m, double most_px,
                   double most_mib) {
-    return {name, most_px, most_mib, [=](std::span<const int> knobs) -> Weighed {
+    return {name, most_px, most_mib, [=](std::span<const int> knobs) -> ErrorAndCost {
                 const int count = knobs[0], size = knobs[1];
                 if (size & (size - 1)) return {.unusable = "a size is 512, 1024, 2048 or 4096"};
                 double widest_px = 0;
@@ -29,7 +29,8 @@ ChoiceScene scene(const std::string& name, double near_m, double far_m, double s
 }  // namespace
 
 CHECK_EXERCISE("05.choose_cascades", "A cascade's worst place is its near end: how many times as far is its far end?") {
-    weigh(check, {.include = "05_shadow_maps/choose_cascades.glsl",
+    check_choice(check,
+                 {.include = "05_shadow_maps/choose_cascades.glsl",
                   .signature = "ivec3 choose_cascades(int scene)",
                   .knobs = {{"the number of cascades", 1, 4}, {"a size", 512, 4096}, {"lambda in percent", 0, 100}},
                   .error_unit = " pixels",

@@ -18,7 +18,7 @@ struct Roof : Drawing, Caster {
     void draw(Frame&, const View&, Canvas&) override {}
     Bounds bounds() const override { return square_.bounds; }
     uint64_t placed() const override { return 1; }
-    std::vector<With> casts_with() const override { return {}; }
+    std::vector<With> shadow_modules() const override { return {}; }
     void cast(Raster& pass, const View&) const override { pass.use(cast_).draw(square_); }
 
   private:

@@ -38,7 +38,7 @@ struct OnCulling : OnModules {
         animate(scene, time_s);
         scene.upload_moved(frame);
         look_from(view, frame);
-        ids.fit(gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = view.size});
+        ids.ensure(gpu.device, {.name = "ids", .format = VK_FORMAT_R32_UINT, .size = view.size});
         const std::vector<Batch> batches = scene.opaque().batches();
         bool again = false;
         culling.begin(frame, scene, view, batches);
@@ -162,7 +162,7 @@ TEST_CASE_METHOD(OnCulling, "a texel of the depth pyramid is the farthest of all
         std::vector<float> depths(size_t(size.x) * size.y);
         for (float& depth : depths) depth = float(random() % 65536) / 65536;
         Image depth;
-        depth.fit(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+        depth.ensure(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
         begin({4, 4});
         frame.upload("depth", depth, std::as_bytes(std::span(depths)));
         pyramid.record(frame, depth);

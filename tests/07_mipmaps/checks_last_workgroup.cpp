@@ -169,7 +169,7 @@ void count_last(Check& check, glm::uvec2 groups) {
     frame.begin({4, 4}, 0);
     frame.compute("last", {.reads = {finished}, .writes = {finished, buffer}}, [&](Compute& pass) {
         pass.use(pipeline).set("told", buffer);
-        pass.offer("finished", finished);  // as handed out it is not asked for
+        pass.set_if_present("finished", finished);  // as handed out it is not asked for
         pass.dispatch({groups.x, groups.y, layers});
     });
     frame.end();

@@ -64,7 +64,7 @@ double reads(int method, int radius) {
 
 ChoiceScene blur(double sigma, double most_error, double most_reads) {
     return {"the blur of sigma " + number_text(sigma), most_error, most_reads,
-            [sigma](std::span<const int> knobs) -> Weighed {
+            [sigma](std::span<const int> knobs) -> ErrorAndCost {
                 const int method = knobs[0], radius = knobs[1];
                 return {.error = error(sigma, method, radius), .cost = reads(method, radius)};
             }};
@@ -74,10 +74,10 @@ ChoiceScene blur(double sigma, double most_error, double most_reads) {
 
 CHECK_EXERCISE("08.choose_blur",
                "How many sigmas away does a weight no longer count, and how few texels does it then take?") {
-    weigh(check, {.include = "08_bloom/choose_blur.glsl",
-                  .signature = "ivec2 choose_blur(int blur)",
-                  .knobs = {{"the method", 1, 4}, {"the radius", 0, 256}},
-                  .error_unit = "%",
-                  .cost_unit = "reads",
-                  .scenes = {blur(2, 0.5, 16), blur(12, 1, 80), blur(48, 2.5, 12)}});
+    check_choice(check, {.include = "08_bloom/choose_blur.glsl",
+                         .signature = "ivec2 choose_blur(int blur)",
+                         .knobs = {{"the method", 1, 4}, {"the radius", 0, 256}},
+                         .error_unit = "%",
+                         .cost_unit = "reads",
+                         .scenes = {blur(2, 0.5, 16), blur(12, 1, 80), blur(48, 2.5, 12)}});
 }

@@ -30,7 +30,7 @@ double summed(const Line& line, int method, int n) {
 }
 
 ChoiceScene scene(const std::string& name, const Line& line, double most_error, double most_cost) {
-    return {name, most_error, most_cost, [line](std::span<const int> knobs) -> Weighed {
+    return {name, most_error, most_cost, [line](std::span<const int> knobs) -> ErrorAndCost {
                 const int method = knobs[0], n = knobs[1];
                 const double exact = summed(line, 1, 100000);
                 return {.error = 100 * std::abs(summed(line, method, n) / exact - 1), .cost = n + double(method == 2)};
@@ -41,12 +41,12 @@ ChoiceScene scene(const std::string& name, const Line& line, double most_error, 
 
 CHECK_EXERCISE("10.choose_samples", "Where on its way does a path meet most of its air?") {
     const double start = 6360e3 + 20e3, lowest = 6360e3 + 5e3, half_m = std::sqrt(start * start - lowest * lowest);
-    weigh(check, {.include = "10_atmosphere/choose_samples.glsl",
-                  .signature = "ivec2 choose_samples(int path)",
-                  .knobs = {{"the method", 1, 3}, {"n", 1, 64}},
-                  .error_unit = "%",
-                  .cost_unit = "densities",
-                  .scenes = {scene("the path straight up", {0, 1, 100e3}, 1, 16),
-                             scene("the path past 5 km", {20e3, -half_m / start, 2 * half_m}, 1.25, 4),
-                             scene("the path of 20 km", {0, 0.05, 20e3}, 0.1, 1)}});
+    check_choice(check, {.include = "10_atmosphere/choose_samples.glsl",
+                         .signature = "ivec2 choose_samples(int path)",
+                         .knobs = {{"the method", 1, 3}, {"n", 1, 64}},
+                         .error_unit = "%",
+                         .cost_unit = "densities",
+                         .scenes = {scene("the path straight up", {0, 1, 100e3}, 1, 16),
+                                    scene("the path past 5 km", {20e3, -half_m / start, 2 * half_m}, 1.25, 4),
+                                    scene("the path of 20 km", {0, 0.05, 20e3}, 0.1, 1)}});
 }

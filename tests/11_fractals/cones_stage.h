@@ -62,7 +62,7 @@ void main() {
         using Module::Module;
         float number = 0;
         std::vector<Resource> reads() const override { return {}; }
-        void bind(Pass& pass) const override { pass.offer("number", number); }
+        void bind(Pass& pass) const override { pass.set_if_present("number", number); }
     };
 
     Image image(const char* name, glm::uvec2 texels) {

@@ -6,8 +6,8 @@
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "05_shadow_maps/shadow.h"
-#include "11_fractals/environment.h"
 #include "12_skin/skin.h"
+#include "common/app/environment.h"
 
 namespace lightwalk {
 

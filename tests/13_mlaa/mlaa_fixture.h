@@ -54,7 +54,7 @@ struct OnMlaa : OnModules {
   private:
     /// The lengths that words of edges tell.
     void scan(glm::uvec2 size) {
-        scanned_.fit(gpu.device, {.name = "scanned", .format = VK_FORMAT_R32_UINT, .size = size});
+        scanned_.ensure(gpu.device, {.name = "scanned", .format = VK_FORMAT_R32_UINT, .size = size});
         const ComputeAccess access{
             .reads = {antialias.edge_rows(), antialias.edge_columns()}, .writes = {scanned_}, .with = {antialias}};
         frame.compute("scanned", access, [&](Compute& pass) {

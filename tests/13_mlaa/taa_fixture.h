@@ -25,13 +25,13 @@ struct OnTaa : OnModules {
     /// One frame of world(x, y), each pixel sampled where its shift says.
     template <class World>
     ImageRgb draw(glm::uvec2 size, const World& world) {
-        const glm::vec2 shift = taa.gathering().shift(drawn++);
+        const glm::vec2 shift = taa.accumulation().shift(drawn++);
         const View view = view_of(camera, size, {.whole = size, .shift = shift});
         std::vector<float> depths;
         const auto at = [&](int x, int y) { return world(float(x) + 0.5f + shift.x, float(y) + 0.5f + shift.y); };
         for (uint32_t y = 0; y < size.y; ++y)
             for (uint32_t x = 0; x < size.x; ++x) depths.push_back(at(int(x), int(y)).depth);
-        depth.fit(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+        depth.ensure(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
         const auto light = [&](int x, int y) { return at(x, y).light; };
         filter_frame(picture, size, half_texels(size, light, 0.25f), [&] {
             frame.upload("depth", depth, std::as_bytes(std::span(depths)));

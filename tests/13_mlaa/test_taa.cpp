@@ -21,7 +21,7 @@ double largest_difference(const ImageRgb& a, const ImageRgb& b) {
 }  // namespace
 
 TEST_CASE_METHOD(OnTaa, "shifts: evenly spread over the pixel, and none of them twice") {
-    const auto shift = taa.gathering().shift;
+    const auto shift = taa.accumulation().shift;
     glm::dvec2 mean(0);
     std::vector<int> cells(16, 0);
     for (int i = 0; i < 48; ++i) {

@@ -127,7 +127,7 @@ TEST_CASE_METHOD(OnMlaa, "smaa_like keeps the edges that each pixel alone would 
         filter("smaa_like", size, mixture);
         const std::vector<uint64_t> by_words = after();
         const auto rows = numbers<uint32_t>(gpu.read_back(antialias.edge_rows()));
-        edges.fit(gpu.device, {.name = "kept edges", .format = VK_FORMAT_R32_UINT, .size = size});
+        edges.ensure(gpu.device, {.name = "kept edges", .format = VK_FORMAT_R32_UINT, .size = size});
         filter_frame(original, size, before, [&] {
             frame.compute("alone", {.reads = {original}, .writes = {edges}, .with = {antialias}}, [&](Compute& pass) {
                 pass.use(alone).set("picture", original, nearest_clamp).set("edges", edges).dispatch_threads(size);

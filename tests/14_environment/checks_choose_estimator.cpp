@@ -66,7 +66,7 @@ double from_sun(const Surface& surface, int n) {
 double both(const Surface& surface, int n) { return from_sun(surface, n / 2) + estimated(surface, 2, n - n / 2, true); }
 
 ChoiceScene scene(const std::string& name, const Surface& surface, double most_error, double most_directions) {
-    return {name, most_error, most_directions, [surface](std::span<const int> knobs) -> Weighed {
+    return {name, most_error, most_directions, [surface](std::span<const int> knobs) -> ErrorAndCost {
                 const int method = knobs[0], n = knobs[1];
                 const double exact = surface.polished ? estimated(surface, 3, 100000) : both(surface, 200000);
                 const double got = method == 4 ? both(surface, n) : estimated(surface, method, n);
@@ -78,12 +78,12 @@ ChoiceScene scene(const std::string& name, const Surface& surface, double most_e
 
 CHECK_EXERCISE("14.choose_estimator",
                "What is large in the integrand: the light, the cosine, or the lobe? Put directions there.") {
-    weigh(check, {.include = "14_environment/choose_estimator.glsl",
-                  .signature = "ivec2 choose_estimator(int surface)",
-                  .knobs = {{"the method", 1, 4}, {"n", 2, 256}},
-                  .error_unit = "%",
-                  .cost_unit = "directions",
-                  .scenes = {scene("the matt one under clouds", {1, false, false}, 0.4, 16),
-                             scene("the polished one", {0.04, true, false}, 1, 8),
-                             scene("the matt one in the sun", {1, false, true}, 1, 16)}});
+    check_choice(check, {.include = "14_environment/choose_estimator.glsl",
+                         .signature = "ivec2 choose_estimator(int surface)",
+                         .knobs = {{"the method", 1, 4}, {"n", 2, 256}},
+                         .error_unit = "%",
+                         .cost_unit = "directions",
+                         .scenes = {scene("the matt one under clouds", {1, false, false}, 0.4, 16),
+                                    scene("the polished one", {0.04, true, false}, 1, 8),
+                                    scene("the matt one in the sun", {1, false, true}, 1, 16)}});
 }

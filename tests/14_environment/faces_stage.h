@@ -42,7 +42,7 @@ void main() {
     struct Giving : Module {
         using Module::Module;
         std::vector<Resource> reads() const override { return {}; }
-        void bind(Pass& pass) const override { pass.offer("given", 0.0f); }
+        void bind(Pass& pass) const override { pass.set_if_present("given", 0.0f); }
     };
 
     Image cube(const char* name) {

@@ -41,7 +41,7 @@ struct OnOcclusion : OnModules {
                 stored.push_back(t > 0 ? float((1 / t - rays.inverse_far) / (rays.inverse_near - rays.inverse_far))
                                        : 0.0f);
             }
-        depth.fit(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
+        depth.ensure(gpu.device, {.name = "depth", .format = VK_FORMAT_R32_SFLOAT, .size = size});
         begin(size);
         frame.upload("depth", depth, std::as_bytes(std::span(stored)));
         occlusion.record(frame, view, depth);

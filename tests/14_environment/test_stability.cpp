@@ -267,7 +267,7 @@ TEST_CASE_METHOD(OnLight,
     // One side of an edge and the other, from each face alone and from the cube.
     load(256, 128, [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x * d.z + 0.7 * d.x + d.z); });
     const Pipeline read_edges = compute_pipeline("read edges", R"(
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 layout(local_size_x = 64) in;
 uniform samplerCube cube;
 uniform sampler2DArray faces;

@@ -184,14 +184,14 @@ std::set<Key> run_chunks(const ChunkTrial& trial, const ChunkMap& map, uint32_t&
     frame.upload("draws", draws, std::vector<uint32_t>{6 * CHUNK_CELLS * CHUNK_CELLS, 0, 0, 0, 0});
     frame.compute("chunks", {.reads = {list, draws, errors, bounds}, .writes = {list, draws}}, [&](Compute& pass) {
         pass.use(pipeline).set("chunk_list", list).set("chunk_draw", draws);
-        pass.offer("land_errors", errors, nearest_clamp);
-        pass.offer("land_bounds", bounds, nearest_clamp);
-        pass.offer("land_map", LandMap{.corner = glm::vec2(-0.5f * float(cells)),
-                                       .spacing_m = 1,
-                                       .samples = int(cells) + 1,
-                                       .top = trial.top,
-                                       .highest_m = 0});
-        pass.offer("chunk_view", ChunkView{trial.to_clip, trial.eye, trial.metres_per_m, -1});
+        pass.set_if_present("land_errors", errors, nearest_clamp);
+        pass.set_if_present("land_bounds", bounds, nearest_clamp);
+        pass.set_if_present("land_map", LandMap{.corner = glm::vec2(-0.5f * float(cells)),
+                                                .spacing_m = 1,
+                                                .samples = int(cells) + 1,
+                                                .top = trial.top,
+                                                .highest_m = 0});
+        pass.set_if_present("chunk_view", ChunkView{trial.to_clip, trial.eye, trial.metres_per_m, -1});
         pass.dispatch_threads(glm::uvec2(chunks, 1));
     });
     frame.end();

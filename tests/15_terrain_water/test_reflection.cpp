@@ -100,7 +100,7 @@ TEST_CASE_METHOD(OnWater, "reflections of a wall in waves, by each method, again
 TEST_CASE_METHOD(OnWater, "a transparent surface is seen in the mirror before the sky") {
     struct : Wall {
         using Wall::Wall;
-        Phase drawn_in() const override { return Phase::sky; }
+        Phase draw_phase() const override { return Phase::sky; }
     } sky(owner);
     sky.left = -9000;
     sky.right = 9000;

@@ -255,7 +255,7 @@ TEST_CASE_METHOD(OnMovingWater,
         ImageRgb sum = lit(i, {0, 0}, false);
         for (glm::vec3& p : sum.pixels) p = glm::vec3(0);
         for (int s = 0; s < 16; ++s) {
-            const ImageRgb one = lit(i, taa.gathering().shift(s), false);
+            const ImageRgb one = lit(i, taa.accumulation().shift(s), false);
             for (size_t p = 0; p < sum.pixels.size(); ++p) sum.pixels[p] += one.pixels[p] / 16.0f;
         }
         return sum;
@@ -266,7 +266,7 @@ TEST_CASE_METHOD(OnMovingWater,
         taa.motion.value = follows;
         owner.forget_history();
         ImageRgb found[2];
-        for (int i = 0; i <= last; ++i) found[i % 2] = lit(i, taa.gathering().shift(i), true);
+        for (int i = 0; i <= last; ++i) found[i % 2] = lit(i, taa.accumulation().shift(i), true);
         glm::dvec2 sum(0);
         for (size_t p = 0; p < now.pixels.size(); ++p) {
             const glm::vec3 off = found[last % 2].pixels[p] - now.pixels[p];

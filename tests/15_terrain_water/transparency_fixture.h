@@ -84,7 +84,7 @@ struct OnTransparency : OnModules {
         const View view = view_of(camera, size);
         begin(size);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(background, 1.0f));
-        canvas.mixed_by(&transparency);
+        canvas.blended_by(&transparency);
         lightwalk::draw(frame, view, canvas, {drawing});
         frame.end();
         return read_linear(gpu, frame.hdr);

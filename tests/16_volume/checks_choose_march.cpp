@@ -51,7 +51,7 @@ Passed marched(int volume, int method, int n) {
 }
 
 ChoiceScene scene(const std::string& name, int volume, double most_error, double most_reads) {
-    return {name, most_error, most_reads, [volume](std::span<const int> knobs) -> Weighed {
+    return {name, most_error, most_reads, [volume](std::span<const int> knobs) -> ErrorAndCost {
                 const int method = knobs[0], n = knobs[1];
                 const Passed exact = marched(volume, 1, 100000), got = marched(volume, method, n);
                 return {
@@ -67,7 +67,8 @@ ChoiceScene scene(const std::string& name, int volume, double most_error, double
 CHECK_EXERCISE(
     "16.choose_march",
     "Between two reads, is it the density that changes quickly, or what the transfer function makes of it?") {
-    weigh(check, {.include = "16_volume/choose_march.glsl",
+    check_choice(check,
+                 {.include = "16_volume/choose_march.glsl",
                   .signature = "ivec2 choose_march(int volume)",
                   .knobs = {{"the method", 1, 3}, {"n", 1, 128}},
                   .error_unit = "%",

@@ -5,7 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "common/gpu/gpu_work.h"
-#include "common/gpu/unseen.h"
+#include "common/gpu/warm_up.h"
 #include "common/scene/image_pool.h"
 #include "common/scene/scene_file.h"
 #include "planets_fixture.h"
@@ -171,7 +171,7 @@ TEST_CASE_METHOD(OnPlanets, "a planet behind the camera hides nothing of the sky
 TEST_CASE_METHOD(OnPlanets, "an unseen picture builds what bodies need that come nearer or into the picture later") {
     look_at("earth", 4, 30);
     {
-        const Unseen later;
+        const WarmUp later;
         picture();
     }
     const uint64_t before = gpu_work.pipelines;

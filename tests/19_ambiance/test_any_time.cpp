@@ -169,7 +169,7 @@ TEST_CASE(
         chapter.plays = true;
         load_scene(chapter, gpu, "tests/19_ambiance/short.film");
         Frame frame(gpu);
-        frame.fly(in_flight);
+        frame.set_frames_in_flight(in_flight);
         std::vector<std::vector<std::byte>> all;
         for (const double time_s : {0.25, 0.5, 1.0, 1.75, 2.5, 3.75, 4.75}) {
             render(chapter, frame, {{64, 36}, static_cast<float>(time_s), 0, {}});

@@ -43,7 +43,7 @@ struct OnModules : DeviceTest {
     template <class Record>
     void filter_frame(Image& image, glm::uvec2 size, const std::vector<uint64_t>& texels, const Record& record,
                       float time_s = 0) {
-        image.fit(gpu.device, {.name = "picture", .size = size});
+        image.ensure(gpu.device, {.name = "picture", .size = size});
         begin({4, 4}, time_s);
         frame.upload("picture", image, std::as_bytes(std::span(texels)));
         record();

@@ -20,7 +20,7 @@ TEST_CASE("epochs rise") {
 }
 
 TEST_CASE("a table that was never made has to be made, and then stays") {
-    Made made;
+    Fingerprint made;
     CHECK_FALSE(bool(made));
     CHECK_FALSE(made.is_current(1, std::string("a")));
     CHECK(bool(made));
@@ -29,7 +29,7 @@ TEST_CASE("a table that was never made has to be made, and then stays") {
 }
 
 TEST_CASE("each input counts, and an earlier one that returns is a change") {
-    Made made;
+    Fingerprint made;
     CHECK_FALSE(made.is_current(1, 2.0f, std::string("a")));
     CHECK_FALSE(made.is_current(3, 2.0f, std::string("a")));
     CHECK_FALSE(made.is_current(3, 2.5f, std::string("a")));
@@ -39,7 +39,7 @@ TEST_CASE("each input counts, and an earlier one that returns is a change") {
 }
 
 TEST_CASE("a forgotten table is made again from the same inputs") {
-    Made made;
+    Fingerprint made;
     CHECK_FALSE(made.is_current(1));
     made.forget();
     CHECK_FALSE(bool(made));

@@ -17,7 +17,7 @@ struct Reader : Module {
     Choice method{*this, "method", {"plain", "tiled"}, "plain", "Method"};
     Knob<int> samples{*this, "samples", 1, {1, 16}, "Samples"};
     Lamp lamp{*this, "lamp"};
-    bool stands_for(const std::filesystem::path& file, Model&) const override { return file.extension() == ".tower"; }
+    bool load_proxy(const std::filesystem::path& file, Model&) const override { return file.extension() == ".tower"; }
 };
 
 // The error, or else what the line about it names.

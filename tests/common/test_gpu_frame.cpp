@@ -50,7 +50,7 @@ TEST_CASE_METHOD(OnDevice, "an upload within a frame grows its buffer, is timed,
         REQUIRE(frame.times.size() == 6);
         CHECK(frame.times[0].name == "values");
         CHECK(frame.times[0].stage == "transfer");
-        CHECK(gpu.device.doomed_count() == 0);
+        CHECK(gpu.device.retired_count() == 0);
     }
     CHECK(values.bytes == 200);
     CHECK(values.capacity >= 200000);
@@ -100,16 +100,16 @@ TEST_CASE_METHOD(OnDevice, "what recorded passes use lives until the frame has e
     frame.raster("a", {.color = {clear(bloom, glm::vec4(1))}}, [](Raster&) {});
     bloom = image({.size = {4, 4}});
     frame.raster("b", {.color = {clear(bloom, glm::vec4(1))}}, [](Raster&) {});
-    CHECK(gpu.device.doomed_count() == 3);  // an image, a buffer, and their staging buffer
+    CHECK(gpu.device.retired_count() == 3);  // an image, a buffer, and their staging buffer
     frame.end();
-    CHECK(gpu.device.doomed_count() == 0);
+    CHECK(gpu.device.retired_count() == 0);
     CHECK(read<uint32_t>(out)[0] == 10);
 
     frame.begin({4, 4}, 0);
     { const Buffer gone(gpu.device, {.name = "gone", .bytes = 16}); }
-    CHECK(gpu.device.doomed_count() == 1);
+    CHECK(gpu.device.retired_count() == 1);
     frame.end();
-    CHECK(gpu.device.doomed_count() == 0);
+    CHECK(gpu.device.retired_count() == 0);
 }
 
 TEST_CASE_METHOD(OnDevice, "a frame within another one is refused: it would run before what the first has recorded") {

@@ -108,7 +108,9 @@ void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(number)); }
     CHECK(failure_of([&] { record([](Compute&) {}); }) == "pass 'part' draws or dispatches without 'number' being set");
     CHECK(failure_of([&] { record([](Compute& pass) { pass.set("nobody", 1.0f); }); }) ==
           "pass 'part': its shaders have no binding 'nobody'; they have: into, number, absent, missing");
-    record([](Compute& pass) { pass.set("number", 2.0f).set("missing", glm::vec4(1)).offer("missing", glm::vec4(1)); });
+    record([](Compute& pass) {
+        pass.set("number", 2.0f).set("missing", glm::vec4(1)).set_if_present("missing", glm::vec4(1));
+    });
     frame.end();
     CHECK(value(into) == 2);
 }

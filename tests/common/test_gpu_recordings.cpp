@@ -43,7 +43,7 @@ std::vector<uint32_t> sums_of(Gpu& gpu, Frame& frame, uint32_t frames) {
     }
     frame.finish();
     frame.on_ended = nullptr;
-    CHECK(gpu.device.doomed_count() == 0);
+    CHECK(gpu.device.retired_count() == 0);
     return arrived;
 }
 
@@ -54,14 +54,14 @@ TEST_CASE_METHOD(OnDevice, "with one, two or three frames in flight each has its
     std::vector<uint32_t> right;
     for (uint32_t i = 0; i < 20; ++i) right.push_back(1001 * i);
     for (const size_t in_flight : {1u, 2u, 3u, 2u, 1u}) {
-        frame.fly(in_flight);
+        frame.set_frames_in_flight(in_flight);
         CHECK(sums_of(gpu, frame, 20) == right);
     }
 }
 
 TEST_CASE_METHOD(OnDevice, "of two frames in flight one may be abandoned, and one may be empty") {
     frame.end();
-    frame.fly(2);
+    frame.set_frames_in_flight(2);
     frame.begin({4, 4}, 0);
     frame.begin({4, 4}, 0);
     frame.end();

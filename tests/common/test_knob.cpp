@@ -99,7 +99,7 @@ TEST_CASE("a name alone finds the one knob that has it, or the one that answers 
     Outer outer;
     const KnobList knobs = outer.all_knobs();
     CHECK_THROWS_WITH(find_knob(knobs, "filter"), "knob 'filter' could be sun.filter or lamp.filter");
-    outer.lamp.filter.alone = true;
+    outer.lamp.filter.preferred = true;
     CHECK(&find_knob(knobs, "filter") == &outer.lamp.filter);
     CHECK(has_short_name(knobs, outer.lamp.filter));
     CHECK(!has_short_name(knobs, outer.sun.filter));
@@ -140,12 +140,12 @@ TEST_CASE("what a pass is given brings its own modules along; a chapter does not
         using Module::Module;
         Inner inner{*this, "inner"};
     } nest(outer, "nest");
-    std::vector<const Given*> all;
+    std::vector<const PassInputs*> all;
     nest.expand(all);
-    CHECK(all == std::vector<const Given*>{&nest, &nest.inner});
+    CHECK(all == std::vector<const PassInputs*>{&nest, &nest.inner});
     all.clear();
     outer.expand(all);
-    CHECK(all == std::vector<const Given*>{&outer});
+    CHECK(all == std::vector<const PassInputs*>{&outer});
     CHECK(nest.inner.path() == "nest.inner");
 }
 

@@ -32,7 +32,7 @@ struct GlassValley : ModelChapter {
 
         // By phase: opaque surfaces, the sky behind them, the air and the fog; transparent surfaces last.
         Canvas canvas(frame.hdr, frame.depth);
-        canvas.mixed_by(&glass);
+        canvas.blended_by(&glass);
         draw(frame, view, canvas, {terrain, objects, sky, atmosphere, fog});
 
         // Linear light: bloom, then edges; then tones, and sRGB.

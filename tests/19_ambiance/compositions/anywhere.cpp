@@ -18,7 +18,9 @@ struct Anywhere : ModelChapter {
 
     Anywhere() { cube.update.change_default("always"); }
     std::string default_scene() const override { return "scenes/lake_city.json"; }
-    void make_ready(Gpu& gpu, glm::uvec2 size, float time_s) override { reel.make_ready(gpu, size, time_s, 0, false); }
+    void prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) override {
+        reel.prepare_frame(gpu, size, time_s, 0, false);
+    }
 
     void frame(Frame& frame) override {
         const View view = set_view(frame, shore);

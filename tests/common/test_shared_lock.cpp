@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "catch.h"
-#include "common/base/turn.h"
+#include "common/base/shared_lock.h"
 
 using namespace lightwalk;
 
@@ -13,35 +13,35 @@ TEST_CASE("one thread at a time has the turn, and one that asks for it gets it w
         std::this_thread::yield();
         --inside;
     };
-    CHECK_FALSE(Turn::is_mine());
+    CHECK_FALSE(SharedLock::is_held());
     {
-        const Turn::Shared shared;
-        CHECK(Turn::is_mine());
+        const SharedLock::InUse shared;
+        CHECK(SharedLock::is_held());
         std::thread other([&] {
             for (int i = 0; i < 100; ++i) {
-                Turn::take();
+                SharedLock::lock();
                 enter();
                 ++turns;
-                Turn::give();
+                SharedLock::unlock();
             }
         });
         for (int i = 0; i < 1000000 && turns < 100; ++i) {
             enter();
-            aside([] {});
+            unlocked([] {});
         }
         CHECK(turns == 100);
-        aside([&] { other.join(); });
-        CHECK(aside([] { return Turn::is_mine(); }) == false);
+        unlocked([&] { other.join(); });
+        CHECK(unlocked([] { return SharedLock::is_held(); }) == false);
     }
-    CHECK_FALSE(Turn::is_mine());
+    CHECK_FALSE(SharedLock::is_held());
     CHECK(most_inside == 1);
 }
 
 TEST_CASE("a thread that shall end does so where it would give its turn") {
     std::atomic<bool> stop = false;
-    Turn::stop_when(&stop);
-    CHECK(aside([] { return 1; }) == 1);
+    SharedLock::stop_when(&stop);
+    CHECK(unlocked([] { return 1; }) == 1);
     stop = true;
-    CHECK_THROWS_AS(aside([] { return 1; }), Turn::Stopped);
-    Turn::stop_when(nullptr);
+    CHECK_THROWS_AS(unlocked([] { return 1; }), SharedLock::Stopped);
+    SharedLock::stop_when(nullptr);
 }

@@ -1,7 +1,7 @@
 // Irradiance: for each normal the sum over a small level of the picture, each texel with its exact solid angle and the
 // cosine at its middle. A thread has one texel of each of the six faces, for which it reads the picture once.
 #include "common/structs.h"
-#include "11_fractals/environment_map.glsl"
+#include "common/environment_map.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

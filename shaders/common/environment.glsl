@@ -2,7 +2,7 @@
 // EnvironmentLight in `.with` has them.
 uniform samplerCube environment_cube;
 uniform samplerCube environment_irradiance_cube;
-layout(scalar) uniform EnvironmentScaleBlock {  // EnvironmentScale of 11_fractals/environment.h
+layout(scalar) uniform EnvironmentScaleBlock {  // EnvironmentScale of common/app/environment.h
     float cosine, sine;                         // of the turn about +y, counter-clockwise seen from above
     float intensity;                            // scale factor of radiance and irradiance
 } environment_scale;

@@ -9,7 +9,7 @@
 
 namespace lightwalk {
 
-/// The uniform block of 11_fractals/environment.glsl.
+/// The uniform block of common/environment.glsl.
 struct EnvironmentScale {
     float cosine, sine;  ///< of the turn about +y, counter-clockwise seen from above
     float intensity;
@@ -19,7 +19,7 @@ struct EnvironmentScale {
 EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg);
 
 // [environment]
-/// Gives shaders environment_radiance() and environment_irradiance() of 11_fractals/environment.glsl. In each frame
+/// Gives shaders environment_radiance() and environment_irradiance() of common/environment.glsl. In each frame
 /// record(), before the first pass that states it in `.with`:
 ///
 ///     environment.record(frame, scene);
@@ -55,11 +55,11 @@ struct EnvironmentLight : Module {
 
   private:
     const Image& picture_of(Frame& frame, const Scene& scene);
-    Pipeline draw_ = compute({.shader = "11_fractals/environment_radiance.comp"});
-    Pipeline sum_ = compute({.shader = "11_fractals/environment_irradiance.comp"});
+    Pipeline draw_ = compute({.shader = "common/environment_radiance.comp"});
+    Pipeline sum_ = compute({.shader = "common/environment_irradiance.comp"});
     Image even_;  ///< where there is no picture
-    Made even_made_;
-    Made made_;
+    Fingerprint even_made_;
+    Fingerprint made_;
     std::shared_ptr<Image> made_from_;
     const Scene* scene_ = nullptr;  ///< of the last record()
 };

@@ -6,17 +6,17 @@
 namespace lightwalk {
 
 /// Draws the surfaces of a SurfaceScene, as it would itself or over a visibility buffer. Both have the same owner and name.
-struct SeenSurfaces : Drawing {
-    SeenSurfaces(Module& owner, std::string name, SurfaceScene& scene_surfaces)
+struct VisibleSurfaces : Drawing {
+    VisibleSurfaces(Module& owner, std::string name, SurfaceScene& scene_surfaces)
         : Drawing(owner, std::move(name)), surfaces(scene_surfaces) {}
 
     SurfaceScene& surfaces;
     ShadedChoice shaded{*this};
 
-    std::vector<const Module*> made_of() const override;
+    std::vector<const Module*> dependencies() const override;
     void update(Frame& frame) override { surfaces.update_once(frame); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    const Drawing* transparent_part() const override { return &surfaces; }
+    const Drawing* transparent_source() const override { return &surfaces; }
 
   private:
     VisibilityBuffer seen_;

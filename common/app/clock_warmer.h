@@ -7,9 +7,9 @@
 namespace lightwalk {
 
 /// Keeps a GPU at full clock during measurements: with pauses between frames, an H200 runs at half its clock.
-class GpuLoad {
+class ClockWarmer {
   public:
-    explicit GpuLoad(Gpu& gpu) : frame_(gpu) {}
+    explicit ClockWarmer(Gpu& gpu) : frame_(gpu) {}
 
     /// Keeps the device busy for `duration`, up to 0.5 s longer until it is at full speed. Blocks. Nothing on the software path.
     void run(std::chrono::milliseconds duration = std::chrono::milliseconds(30));

@@ -1,6 +1,6 @@
 // One level of the cube: from the picture's level with texels as large, by a cubic B-spline.
-#include "11_fractals/cubic_picture.glsl"
-#include "11_fractals/environment_map.glsl"
+#include "common/cubic_picture.glsl"
+#include "common/environment_map.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

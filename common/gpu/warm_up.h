@@ -4,12 +4,12 @@
 namespace lightwalk {
 
 /// Scope in which this thread records frames that are not shown, so drawings also build pipelines needed later.
-class Unseen {
+class WarmUp {
   public:
-    Unseen() { ++alive(); }
-    ~Unseen() { --alive(); }
-    Unseen(const Unseen&) = delete;
-    static bool is_recorded() { return alive() > 0; }
+    WarmUp() { ++alive(); }
+    ~WarmUp() { --alive(); }
+    WarmUp(const WarmUp&) = delete;
+    static bool is_recording() { return alive() > 0; }
 
   private:
     static int& alive() {

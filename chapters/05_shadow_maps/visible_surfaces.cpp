@@ -1,14 +1,14 @@
-#include "05_shadow_maps/seen_surfaces.h"
+#include "05_shadow_maps/visible_surfaces.h"
 
 namespace lightwalk {
 
-std::vector<const Module*> SeenSurfaces::made_of() const {
-    std::vector<const Module*> all = surfaces.made_of();
+std::vector<const Module*> VisibleSurfaces::dependencies() const {
+    std::vector<const Module*> all = surfaces.dependencies();
     all.push_back(this);
     return all;
 }
 
-void SeenSurfaces::draw(Frame& frame, const View& view, Canvas& canvas) {
+void VisibleSurfaces::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!shaded.is("visibility") || surfaces.shading.opaque || !VisibilityBuffer::suits(surfaces.maps, canvas))
         return surfaces.draw(frame, view, canvas);
     const Scene& scene = surfaces.scene();

@@ -11,9 +11,9 @@ namespace lightwalk {
 class Pass;
 struct Resource;
 
-class Given {
+class PassInputs {
   public:
-    virtual ~Given() = default;
+    virtual ~PassInputs() = default;
 
     /// Prefix of its macros, blocks and bindings. A pass accepts one instance of each kind.
     virtual const std::string& kind() const = 0;
@@ -27,7 +27,7 @@ class Given {
     /// Sets this module's bindings in the pass's current pipeline. Called after each use().
     virtual void bind(Pass&) const {}
 
-    virtual void expand(std::vector<const Given*>& into) const { into.push_back(this); }
+    virtual void expand(std::vector<const PassInputs*>& into) const { into.push_back(this); }
 };
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-#include "11_fractals/environment.h"
+#include "common/app/environment.h"
 
 #include <glm/gtc/packing.hpp>
 
@@ -44,9 +44,9 @@ EnvironmentScale environment_scale(const Scene& scene, float intensity, float tu
 }
 
 void EnvironmentLight::bind(Pass& pass) const {
-    pass.offer("environment_cube", radiance, linear_clamp);
-    pass.offer("environment_irradiance_cube", irradiance, linear_clamp);
-    pass.offer("environment_scale", environment_scale(*scene_, intensity, turn_deg));
+    pass.set_if_present("environment_cube", radiance, linear_clamp);
+    pass.set_if_present("environment_irradiance_cube", irradiance, linear_clamp);
+    pass.set_if_present("environment_scale", environment_scale(*scene_, intensity, turn_deg));
 }
 
 }  // namespace lightwalk

@@ -1,4 +1,4 @@
-#include "common/app/gpu_load.h"
+#include "common/app/clock_warmer.h"
 
 namespace lightwalk {
 namespace {
@@ -8,7 +8,7 @@ constexpr double enough_ms = 2;
 
 }  // namespace
 
-void GpuLoad::run(std::chrono::milliseconds duration) {
+void ClockWarmer::run(std::chrono::milliseconds duration) {
     if (frame_.gpu.device.software_paths) return;
     if (!result_) result_ = Buffer(frame_.gpu.device, {.name = "load", .bytes = 16});
     const auto until = std::chrono::steady_clock::now() + duration, at_most = until + std::chrono::milliseconds(500);

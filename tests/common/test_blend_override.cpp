@@ -8,9 +8,11 @@ TEST_CASE_METHOD(OnDevice, "a pass's mixing overrules the blending and the depth
     const Image color = image({.name = "color", .format = four_floats, .size = {4, 4}});
     const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
     const Pipeline opaque = quad_pipeline({.depth_write = false});
-    const auto drawn = [&](std::optional<Mixing> mixing) {
+    const auto drawn = [&](std::optional<BlendOverride> blend_override) {
         frame.raster("draw",
-                     {.color = {clear(color, glm::vec4(0))}, .depth = clear(depth, 0.25f), .mixing = std::move(mixing)},
+                     {.color = {clear(color, glm::vec4(0))},
+                      .depth = clear(depth, 0.25f),
+                      .blend_override = std::move(blend_override)},
                      [&](Raster& pass) {
                          pass.use(opaque).set("quad", Quad{}).set("paint", Paint{.first = glm::vec4(0.25f)});
                          pass.draw(6).draw(6);
@@ -21,8 +23,8 @@ TEST_CASE_METHOD(OnDevice, "a pass's mixing overrules the blending and the depth
         return result;
     };
     CHECK(drawn({}) == std::pair(0.25f, 0.25f));
-    CHECK(drawn(Mixing{{Blend::add}, false}) == std::pair(0.5f, 0.25f));
-    CHECK(drawn(Mixing{{Blend::opaque}, true}) == std::pair(0.25f, 0.5f));
+    CHECK(drawn(BlendOverride{{Blend::add}, false}) == std::pair(0.5f, 0.25f));
+    CHECK(drawn(BlendOverride{{Blend::opaque}, true}) == std::pair(0.25f, 0.5f));
     CHECK(drawn({}) == std::pair(0.25f, 0.25f));
 }
 

@@ -2,7 +2,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "../common/module_fixture.h"
-#include "11_fractals/environment.h"
+#include "common/app/environment.h"
 #include "common/image/image.h"
 #include "common/scene/scene_file.h"
 
@@ -36,7 +36,7 @@ struct OnEnvironment : OnModules {
     EnvironmentLight environment{owner, "environment"};
     Scene scene;
     Pipeline read_both = compute_pipeline("read environment", R"(
-#include "11_fractals/environment.glsl"
+#include "common/environment.glsl"
 layout(local_size_x = 64) in;
 layout(scalar) readonly buffer DirectionBuffer { vec3 directions[]; };
 layout(scalar) writeonly buffer FoundBuffer { vec3 found[]; };
