@@ -117,7 +117,7 @@ TextureMap take_map(std::string_view rest, const fs::path& folder, std::vector<s
 // Statements seen in one material.
 struct Said {
     std::optional<float> d, tr;
-    bool ns = false, ks = false, ke = false, pr = false, pm = false, tf = false;
+    bool ns = false, ka = false, ks = false, ke = false, pr = false, pm = false, tf = false;
 };
 
 struct Reader {
@@ -147,6 +147,7 @@ struct Reader {
                 m.*color = *value;
             else
                 m.left_out.push_back(written + " as a spectrum or XYZ");
+            said.ka |= keyword == "ka";
             said.ks |= keyword == "ks";
             said.ke |= keyword == "ke";
         } else if (float Material::*number = number_of(keyword)) {
@@ -187,6 +188,13 @@ struct Reader {
         if (m.metalness_map && !said.pm) m.metalness = 1;
         if (m.emissive_map && !said.ke) m.emissive = glm::vec3(1);
         m.unlit = m.illumination == 0;
+        if (m.illumination == 1 && !m.metallic_roughness) {  // diffuse alone
+            m.specular = glm::vec3(0);
+            m.specular_map = m.shininess_map = {};
+        }
+        // Ambient light takes Kd. A grey Ka, or one of Kd's hue, is what programs write where they mean nothing by it.
+        const bool is_grey = m.ambient.r == m.ambient.g && m.ambient.g == m.ambient.b;
+        if (said.ka && !is_grey && glm::length(glm::cross(m.ambient, m.diffuse)) > 1e-3f) m.left_out.push_back("Ka");
         if (m.opacity_map && !m.opacity_map.channel) m.opacity_map.channel = alpha_if_any;
         if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
     }
@@ -264,20 +272,6 @@ struct Reader {
     }
 };
 
-// `mtllib` may name several files, and a name may hold spaces: the whole line is a name where such a file exists.
-std::vector<fs::path> library_files(const std::string& written, const fs::path& folder) {
-    std::error_code ignored;
-    const fs::path whole = resolve_file(written, folder);
-    if (fs::exists(whole, ignored) || written.find(' ') == written.npos) return {whole};
-    std::vector<fs::path> files;
-    std::string_view rest = written;
-    for (std::string_view word; !(word = next_word(rest)).empty();) {
-        files.push_back(resolve_file(word, folder));
-        if (!fs::exists(files.back(), ignored)) return {whole};
-    }
-    return files;
-}
-
 }  // namespace
 
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name, const fs::path& folder, Tr tr) {
@@ -305,7 +299,7 @@ std::vector<Material> find_materials(const std::vector<std::string>& names, cons
                                      const fs::path& folder, Tr tr) {
     std::map<std::string, Material> known;
     for (const std::string& written : libraries)
-        for (const fs::path& file : library_files(written, folder)) {
+        for (const fs::path& file : resolve_files(written, folder)) {
             std::error_code ignored;
             if (!fs::is_regular_file(file, ignored)) {
                 warn("{}: no such material file; its materials are plain", file.string());

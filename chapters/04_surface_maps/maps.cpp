@@ -175,7 +175,8 @@ std::set<const Image*> make_mips(Gpu& gpu, Scene& scene, float cutoff) {
             if (!image) continue;
             const float own = item.material.alpha_cutoff;
             if (slot == MapSlot::diffuse && own == 0.0f && !item.material.blend) continue;  // alpha unused
-            const float least = cutoff < 0.0f || own <= 0.0f ? cutoff : own;
+            // The material's threshold is for alpha times opacity; the texture's alone is larger by that factor.
+            const float least = cutoff < 0.0f || own <= 0.0f ? cutoff : own / std::max(item.material.opacity, 1e-3f);
             std::shared_ptr<Image>& entry = made[{image.get(), slot, least}];
             if (!entry) {
                 if (slot == MapSlot::diffuse && !scene.images()->has_alpha(*image)) {

@@ -93,10 +93,11 @@ std::vector<TransparentSource::TransparentTriangle> SurfaceScene::transparent_tr
         const DrawItem& item = scene_->items[i];
         const Mesh& mesh = item.model->model.meshes[item.mesh];
         const Part& part = mesh.parts[item.part];
+        const std::vector<Vertex>& vertices = vertices_of(*item.model, item.mesh);
         for (uint32_t at = part.first_index; at + 2 < part.first_index + part.index_count; at += 3) {
             const glm::uvec3 corners(mesh.indices[at], mesh.indices[at + 1], mesh.indices[at + 2]);
-            const glm::vec3 sum = mesh.vertices[corners.x].position + mesh.vertices[corners.y].position +
-                                  mesh.vertices[corners.z].position;
+            const glm::vec3 sum =
+                vertices[corners.x].position + vertices[corners.y].position + vertices[corners.z].position;
             const glm::vec3 middle(item.transform * glm::vec4(sum / 3.0f, 1.0f));
             all.push_back({glm::length(middle - view.eye), i, corners});
         }

@@ -47,10 +47,55 @@ TangentFrame joined(const Sum& sum, glm::vec3 normal) {
     return frame;
 }
 
+// Whether the map that needs a tangent has the second texture coordinates.
+bool is_of_second_uvs(const Mesh& mesh, const Material& material) {
+    if (mesh.second_uvs.empty()) return false;
+    for (const TextureMap* map : {&material.normal_map, &material.bump_map, &material.displacement_map})
+        if (*map) return map->place.set == 1;
+    return false;
+}
+
+Derivatives derivatives_of(const TangentFrame& frame, glm::vec3 normal) {
+    const glm::vec3 across = frame.handedness * glm::cross(normal, frame.tangent);
+    const glm::vec3 along_v =
+        frame.cos_uv * frame.tangent + std::sqrt(std::max(1.0f - frame.cos_uv * frame.cos_uv, 0.0f)) * across;
+    return {frame.metres_per_uv.x * frame.tangent, frame.metres_per_uv.y * along_v};
+}
+
+// How a triangle's position changes with u is linear in its corners: a target's weight scales the difference.
+void add_derivatives(Mesh& mesh, const std::vector<Material>& materials) {
+    Deformation& how = mesh.deformation;
+    how.derivatives.clear();
+    Mesh shape;
+    shape.second_uvs = mesh.second_uvs;
+    shape.indices = mesh.indices;
+    shape.parts = mesh.parts;
+    for (size_t target = 0; target <= how.targets.size(); ++target) {
+        std::vector<float> weights(how.targets.size(), 0.0f);
+        if (target > 0) weights[target - 1] = 1.0f;
+        shape.vertices = morphed(mesh, weights);
+        const std::vector<TangentFrame> frames = frame_mesh(shape, materials).frames;
+        for (size_t i = 0; i < shape.vertices.size(); ++i) {
+            Derivatives one = derivatives_of(frames[i], shape.vertices[i].normal);
+            if (target > 0) {
+                one.per_u -= how.derivatives[i].per_u;
+                one.per_v -= how.derivatives[i].per_v;
+            }
+            how.derivatives.push_back(one);
+        }
+    }
+}
+
 }  // namespace
 
-FramedMesh frame_mesh(const Mesh& mesh) {
+FramedMesh frame_mesh(const Mesh& mesh) { return frame_mesh(mesh, {}); }
+
+FramedMesh frame_mesh(const Mesh& mesh, const std::vector<Material>& materials) {
     FramedMesh result{mesh.vertices, mesh.indices, {}, {}};
+    std::vector<bool> second(mesh.indices.size(), false);
+    for (const Part& part : mesh.parts)
+        if (part.material < materials.size() && is_of_second_uvs(mesh, materials[part.material]))
+            std::fill_n(second.begin() + part.first_index, part.index_count, true);
     std::vector<Sum> sums(mesh.vertices.size());
     std::map<uint32_t, uint32_t> mirrored;  // vertex → its twin of the other handedness
     const auto frame_of = tangent_frame.function();
@@ -59,9 +104,13 @@ FramedMesh frame_mesh(const Mesh& mesh) {
     for (size_t i = 0; i < mesh.indices.size(); ++i) {
         if (waited_for && i % reported_corners == 0) waited_for->step(reported_corners);
         const size_t first = i - i % 3;
-        const Vertex& a = mesh.vertices[mesh.indices[i]];
-        const Vertex& b = mesh.vertices[mesh.indices[first + (i + 1) % 3]];
-        const Vertex& c = mesh.vertices[mesh.indices[first + (i + 2) % 3]];
+        const auto corner = [&](size_t k) {
+            const uint32_t index = mesh.indices[first + (i + k) % 3];
+            Vertex one = mesh.vertices[index];
+            if (second[i]) one.uv = mesh.second_uvs[index];
+            return one;
+        };
+        const Vertex a = corner(0), b = corner(1), c = corner(2);
         const TangentFrame frame = frame_of(a, b, c);
         const bool directed = frame.metres_per_uv.x > 0.0f && frame.metres_per_uv.y > 0.0f;
         const float weight = directed ? static_cast<float>(angle_at(a, b, c)) : 0.0f;
@@ -70,7 +119,7 @@ FramedMesh frame_mesh(const Mesh& mesh) {
             const auto [twin, added] = mirrored.emplace(vertex, static_cast<uint32_t>(sums.size()));
             if (added) {
                 sums.emplace_back();
-                result.vertices.push_back(a);
+                result.vertices.push_back(Vertex(result.vertices[vertex]));
                 result.copies.push_back(vertex);
             }
             vertex = result.indices[i] = twin->second;
@@ -89,11 +138,13 @@ FramedMesh frame_mesh(const Mesh& mesh) {
 std::vector<std::vector<TangentFrame>> frame_model(Model& model) {
     std::vector<std::vector<TangentFrame>> all;
     for (Mesh& mesh : model.meshes) {
-        FramedMesh framed = frame_mesh(mesh);
+        FramedMesh framed = frame_mesh(mesh, model.materials);
         all.push_back(std::move(framed.frames));
-        if (framed.vertices.size() == mesh.vertices.size()) continue;
-        mesh.add_copies(framed.copies);
-        mesh.indices = std::move(framed.indices);
+        if (framed.vertices.size() != mesh.vertices.size()) {
+            mesh.add_copies(framed.copies);
+            mesh.indices = std::move(framed.indices);
+        }
+        if (mesh.deformation && !model.motions.empty()) add_derivatives(mesh, model.materials);
     }
     return all;
 }
@@ -121,6 +172,7 @@ void add_tangents(Gpu& gpu, const Scene& scene) {
             gpu_model.vertices[i] = gpu.upload(mesh.name + " vertices", mesh.vertices);
             gpu_model.indices[i] = gpu.upload(mesh.name + " indices", mesh.indices);
         }
+        gpu_model.animated.clear();
         upload_rare_attributes(gpu, gpu_model);
     }
 }

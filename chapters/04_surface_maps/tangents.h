@@ -21,7 +21,11 @@ struct FramedMesh {
 /// frame is one triangle's, and metres_per_uv so large that nothing is displaced along the surface.
 FramedMesh frame_mesh(const Mesh& mesh);
 
-/// Frames of all meshes of a model, in order. Adds vertices to meshes that need duplicates. Thread-safe.
+/// The same for the texture coordinates that each part's normal map reads.
+FramedMesh frame_mesh(const Mesh& mesh, const std::vector<Material>& materials);
+
+/// Frames of all meshes of a model, in order. Adds vertices to meshes that need duplicates, and to animated meshes the
+/// derivatives that their deformation moves. Thread-safe.
 std::vector<std::vector<TangentFrame>> frame_model(Model& model);
 
 /// Name of a mesh's buffer of frames, with the code that made it, the student's or the reference.

@@ -61,11 +61,14 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
     for (size_t i = 0; i < scene.items.size(); ++i) {
         const DrawItem& item = scene.items[i];
         if (item.transparent) continue;
+        // As the surface is drawn: a material's own threshold is one of alpha times its opacity.
+        const float own = item.material.alpha_cutoff;
+        const float cutoff = own > 0.0f ? own / std::max(item.material.opacity, 1e-3f) : -1.0f;
         for_each_triangle(item, mesh_of(item).vertices, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
             RayTriangle& triangle = triangles.at(next++);
             if (cut_by[i] == glm::uvec2(0)) return;
             triangle.cutout = static_cast<uint32_t>(with_holes.size());
-            with_holes.push_back({a.uv, b.uv, c.uv, cut_by[i].x, cut_by[i].y});
+            with_holes.push_back({a.uv, b.uv, c.uv, cut_by[i].x, cut_by[i].y, cutoff});
         });
     }
     return with_holes;
@@ -73,36 +76,29 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
 
 }  // namespace
 
-std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s) {
+std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     std::vector<RayTriangle> triangles;
-    std::map<const Mesh*, std::vector<Vertex>> moved;  // deformed by skins and morphs
     for (const DrawItem& item : scene.items) {
         if (item.transparent) continue;
-        const Mesh& mesh = mesh_of(item);
-        const auto vertices = [&]() -> const std::vector<Vertex>& {
-            if (!mesh.deformation) return mesh.vertices;
-            const auto [place, added] = moved.try_emplace(&mesh);
-            if (added) place->second = deformed(item.model->model, mesh, item.model->nodes, time_s);
-            return place->second;
-        };
-        for_each_triangle(item, vertices(), [&](const Vertex& a, const Vertex& b, const Vertex& c) {
-            const auto placed = [&](const Vertex& v) {
-                return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
-            };
-            triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
-        });
+        for_each_triangle(item, vertices_of(*item.model, item.mesh),
+                          [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+                              const auto placed = [&](const Vertex& v) {
+                                  return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
+                              };
+                              triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
+                          });
     }
     return triangles;
 }
 
-void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
+void SceneRays::build(Gpu& gpu, const Scene& scene) {
     built_ = true;
-    std::vector<RayTriangle> triangles = unlocked([&] { return ray_triangles(scene, time_s); });
+    std::vector<RayTriangle> triangles = unlocked([&] { return ray_triangles(scene); });
     Masks masks(gpu);
     std::vector<glm::uvec2> cut_by;  // per item: masks of colour alpha and of opacity
     for (const DrawItem& item : scene.items) {
         glm::uvec2& cut = cut_by.emplace_back(0);
-        if (item.transparent) continue;
+        if (item.transparent || item.material.alpha_cutoff == 0.0f) continue;  // 0: alpha says nothing
         const std::shared_ptr<Image>& loaded = item.loaded_maps[MapSlot::diffuse];
         const bool is_solid = loaded && scene.images() && !scene.images()->has_alpha(*loaded);
         if (!is_solid) cut.x = masks.of(item.maps[MapSlot::diffuse], 3);
@@ -122,7 +118,7 @@ void SceneRays::build(Gpu& gpu, const Scene& scene, float time_s) {
 }
 
 void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
-    if (!built_) build(frame.gpu, scene, frame.time_s);
+    if (!built_) build(frame.gpu, scene);
     if (maps) {
         state_.cutoff = maps->cutoff;
         state_.wobble = maps->wobble;
@@ -132,7 +128,7 @@ void SceneRays::record(Frame& frame, const Scene& scene, const Maps* maps) {
         state_.time_s = frame.time_s;
     }
     if (scene.epoch == placed_) return;
-    bvh_.refit(ray_triangles(scene, frame.time_s));
+    bvh_.refit(ray_triangles(scene));
     placed_ = scene.epoch;
     set_offset();
     frame.upload("ray nodes", nodes_, std::as_bytes(bvh_.nodes()));

@@ -17,7 +17,7 @@ struct SceneRays : Module {
     bool through_holes = true;  ///< alpha-tested holes let rays through; false: every triangle is solid
 
     /// Builds and uploads the hierarchy. Throws InputError for a vertex that is not finite.
-    void build(Gpu& gpu, const Scene& scene, float time_s = 0);
+    void build(Gpu& gpu, const Scene& scene);
     void prepare(Gpu&, Scene&) override { built_ = false; }
 
     /// Builds the hierarchy of a new scene, or refits it to a moved one. `maps`: maps that cut holes, with their
@@ -66,7 +66,7 @@ struct Rays : SceneRays {
     std::string why_not_finite() const;
 };
 
-/// World-space triangles of opaque items, in the items' order, without cut-outs. `time_s`: time of morph targets.
-std::vector<RayTriangle> ray_triangles(const Scene& scene, float time_s = 0);
+/// World-space triangles of opaque items, in the items' order, without cut-outs.
+std::vector<RayTriangle> ray_triangles(const Scene& scene);
 
 }  // namespace lightwalk

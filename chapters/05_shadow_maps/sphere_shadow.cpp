@@ -16,7 +16,7 @@ const DrawItem* item_of(const Scene& scene, Role role) {
 // Distances of the nearest and farthest vertex from the mesh's origin, world metres.
 std::pair<float, float> radii(const DrawItem& item) {
     float nearest = INFINITY, farthest = 0;
-    for (const Vertex& vertex : item.model->model.meshes[item.mesh].vertices) {
+    for (const Vertex& vertex : vertices_of(*item.model, item.mesh)) {
         const float r = glm::length(glm::mat3(item.transform) * vertex.position);
         nearest = std::min(nearest, r);
         farthest = std::max(farthest, r);

@@ -31,6 +31,9 @@ struct Fractal : World {
     Terrain terrain{*this, "terrain"};
 
     Drawings drawings() override { return subject.is("julia") ? set.drawings() : Drawings{terrain}; }
+    Eye eye(const Frame& frame, const Camera& given) override {
+        return subject.is("terrain") ? terrain.eye(given, frame.time_s) : Eye{given};
+    }
     glm::vec4 background() const override { return {0.0f, 0.0f, 0.0f, 1.0f}; }
     std::vector<std::pair<std::string, std::string>> look() const override { return set.look(); }
 };

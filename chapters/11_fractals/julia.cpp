@@ -10,7 +10,7 @@ constexpr glm::vec4 gallery[] = {{-0.445f, 0.339f, -0.0889f, -0.562f}, {-0.2f, 0
                                  {-0.291f, -0.399f, 0.339f, 0.437f},   {-0.125f, -0.256f, 0.847f, 0.0895f},
                                  {-0.213f, -0.041f, -0.563f, -0.56f},  {-1.0f, 0.2f, 0.0f, 0.0f},
                                  {0.285f, 0.01f, 0.0f, 0.0f}};
-constexpr int morphed = 6;            // of them: not the dust
+constexpr int on_curve = 6;           // of them: not the dust
 constexpr double seconds_each = 4.0;  // of the morph's way from one to the next
 
 // Catmull and Rom's curve (1974) through p1 and p2.
@@ -27,8 +27,8 @@ glm::vec4 Julia::constant_at(double time_s) const {
     if (!constant.is("morph")) return gallery[constant.index - 1];
     const double turn = time_s / seconds_each, whole = std::floor(turn);
     const auto at = [&](int i) {
-        const auto index = static_cast<int>(std::fmod(whole, double(morphed))) + i + 2 * morphed;
-        return glm::dvec4(gallery[index % morphed]);
+        const auto index = static_cast<int>(std::fmod(whole, double(on_curve))) + i + 2 * on_curve;
+        return glm::dvec4(gallery[index % on_curve]);
     };
     return along_curve(at(-1), at(0), at(1), at(2), turn - whole);
 }

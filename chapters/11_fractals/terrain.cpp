@@ -23,23 +23,30 @@ glm::dvec2 Terrain::flight_m(const Camera& camera, double time_s) const {
     return 1e3 * glm::dvec2(start_x_km.value, start_z_km.value) + (length > 0 ? way / length * along : glm::dvec2(0));
 }
 
+World::Eye Terrain::eye(const Camera& camera, float time_s) const {
+    const glm::dvec2 flight = flight_m(camera, double(time_s));
+    const double ground = ground_m(flight + glm::dvec2(camera.position.x, camera.position.z), 4);
+    return {camera, glm::dvec3(flight.x, ground, flight.y)};
+}
+
 // [place]
 // The grid stays below the camera; its origin in the noise moves by whole cells, so that no vertex slides over the
 // ground. The camera itself moves the remainder.
 void Terrain::place(const Frame& frame, const View& view) {
     const Camera& camera = view.camera;
-    const glm::dvec2 flight = flight_m(camera, double(frame.time_s)), spacing(static_cast<double>(spacing_m));
+    // The caller's place if it has one, which is then that of all drawings.
+    const glm::dvec3 origin = view.exact_eye ? *view.exact_eye : *eye(camera, frame.time_s).exact;
+    const glm::dvec2 flight(origin.x, origin.z), spacing(static_cast<double>(spacing_m));
     const glm::dvec2 middle = glm::floor(flight / spacing) * spacing, rest = flight - middle;
     const NoisePlace noise = NoisePlace::at(middle / double(wave_m));
-    const double ground = ground_m(flight + glm::dvec2(camera.position.x, camera.position.z), 4);
-    const glm::vec3 moved(rest.x, ground, rest.y);
-    Camera eye = camera;
-    eye.position += moved;
-    eye.target += moved;
-    from_ = view_of(eye, view.size, view.crop);
+    const glm::vec3 moved(rest.x, origin.y, rest.y);
+    Camera from = camera;
+    from.position += moved;
+    from.target += moved;
+    from_ = view_of(from, view.size, view.crop);
     now_ = {.cell = noise.cell,
             .offset = glm::vec2(noise.offset),
-            .eye = eye.position,
+            .eye = from.position,
             .pixel_rad = view.pixel_rad(),
             .to_sun = scene_->sun().to_sun,
             .cells = std::max(4, cells / 4 * 4),

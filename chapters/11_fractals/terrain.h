@@ -5,6 +5,7 @@
 #include "11_fractals/noise.h"
 #include "11_fractals/ring_grid.h"
 #include "11_fractals/terrain_data.h"
+#include "common/app/world.h"
 #include "common/scene/image_pool.h"
 
 namespace lightwalk {
@@ -100,6 +101,8 @@ struct Terrain : Drawing {
     double ground_m(glm::dvec2 world_m, double octaves) const;
     /// Where the flight is at a time, x and z in metres.
     glm::dvec2 flight_m(const Camera& camera, double time_s) const;
+    /// The camera's place in the flight's world at a time, for World::eye(): the view that all drawings have.
+    World::Eye eye(const Camera& camera, float time_s) const;
     bool animated() const override { return speed_m_s > 0; }
 
     void bind(Pass& pass) const override;

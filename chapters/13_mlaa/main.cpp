@@ -76,7 +76,8 @@ struct MlaaChapter : ModelChapter {
         draw_light(frame, view);
 
         // 2. Anti-aliasing by a filter or over frames, unless the picture was drawn with several samples.
-        antialias.record(frame, frame.hdr, {view, frame.depth, world.has_triangles() ? &scene : nullptr});
+        antialias.record(frame, frame.hdr,
+                         {view, frame.depth, world.has_triangles() ? &scene : nullptr, world.drawings()});
 
         // 3. The edges or the lengths instead of the picture, if the knob says so.
         if (!show.is("picture")) antialias.show_edges(frame, frame.hdr, show.is("lengths"));

@@ -38,6 +38,9 @@ struct Outlines : World {
     bool has_triangles() const { return subject.is("objects"); }
 
     Drawings drawings() override { return {subjects_[subject.index]}; }
+    Eye eye(const Frame& frame, const Camera& given) override {
+        return subject.is("terrain") ? terrain.eye(given, frame.time_s) : Eye{given};
+    }
     std::vector<std::pair<std::string, std::string>> look() const override {
         return {{"bloom.method", "none"}, {"post.tone", "off"}};
     }

@@ -11,7 +11,7 @@ struct TaaPush {
     glm::vec2 shift;      ///< of this frame, pixels
     float inverse_near, inverse_far;
     float at_rest, in_motion, gamma;
-    uint32_t valid;
+    uint32_t valid, rests;
 };
 
 // J. H. Halton's sequence (1960) in one base, less 1/2.
@@ -58,6 +58,30 @@ bool Taa::set_up(Frame& frame, glm::uvec2 size, const Seen& seen) {
     return remembered_.valid && same && !is_new;
 }
 
+// [rests]
+// Whether camera, scene, lights and drawings are as in the frame before: then each frame is one more sample of the same
+// picture.
+bool Taa::is_unchanged(const Frame& frame, const Seen& seen) {
+    const View& now = seen.view;
+    const LightList lights = seen.scene ? seen.scene->lights() : nullptr;
+    const bool same_lights = std::exchange(lights_, lights) == lights;
+    Hash drawn;
+    bool moved = false, animated = false;
+    for (const Drawing& drawing : seen.drawings) {
+        const auto* surface = dynamic_cast<const MovingSurface*>(&drawing);
+        moved |= surface && surface->has_moved();
+        for (const Module* module : drawing.dependencies()) {
+            drawn.add(module->epoch());
+            animated |= module->any_animated();
+        }
+    }
+    const bool same =
+        unchanged_.is_current(now.camera, now.exact_eye.value_or(glm::dvec3(0.0)), now.crop.origin, now.crop.whole,
+                              seen.scene ? seen.scene->epoch : 0, drawn.value, animated ? frame.time_s : 0.0f);
+    return same && same_lights && !moved && !seen.drawings.empty();
+}
+// [/rests]
+
 // [record]
 void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
     const bool valid = set_up(frame, picture.desc.size, seen);
@@ -76,7 +100,8 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
                  .at_rest = at_rest,
                  .in_motion = in_motion,
                  .gamma = gamma,
-                 .valid = valid};
+                 .valid = valid,
+                 .rests = is_unchanged(frame, seen) && valid};
     ComputeAccess access{.reads = {picture, seen.depth}, .writes = {light, behind}, .with = {*this}};
     for (const Image* image : {&light_before, &behind_before})
         if (valid) access.reads.emplace_back(*image);

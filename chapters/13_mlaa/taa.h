@@ -5,6 +5,7 @@
 
 #include "13_mlaa/moving.h"
 #include "common/app/target.h"
+#include "common/base/epoch.h"
 #include "common/scene/view.h"
 
 namespace lightwalk {
@@ -15,7 +16,8 @@ struct Seen {
     const View& view;              ///< that it was drawn from
     const ImageView& depth;        ///< D32F, reversed: 0 where nothing is
     const Scene* scene = nullptr;  ///< its items may move; null: nothing does
-    Drawings drawings{};           ///< of the picture; those that are a MovingSurface may move as well
+    /// Of the picture; those that are a MovingSurface may move as well. None: whether the picture rests is not known.
+    Drawings drawings{};
 };
 // [/seen]
 
@@ -28,7 +30,11 @@ struct Taa : Module {
 
     Knob<int> warm_up{*this, "warm_up", 32, {1, 256}, "Frames drawn from a cold start for a picture that is written"};
     Knob<float> at_rest{
-        *this, "at_rest", 32.0f, {1.0f, 256.0f}, "Samples that the history of a pixel at rest is worth at most"};
+        *this,
+        "at_rest",
+        32.0f,
+        {1.0f, 256.0f},
+        "Samples that the history of a pixel at rest is worth at most, while something in the picture moves"};
     Knob<float> in_motion{
         *this, "in_motion", 6.0f, {1.0f, 256.0f}, "Samples that it is worth where it moves by a pixel or more a frame"};
     Choice clipping{
@@ -69,6 +75,7 @@ struct Taa : Module {
         bool valid = false, written = false;
     };
     bool set_up(Frame& frame, glm::uvec2 size, const Seen& seen);
+    bool is_unchanged(const Frame& frame, const Seen& seen);
 
     Remembered remembered_{*this};
     Image
@@ -76,6 +83,8 @@ struct Taa : Module {
     Image behind_[2];  ///< R32F: 1/m, of the farthest of 3×3 pixels
     Moving moving_;
     std::optional<View> before_;
+    Fingerprint unchanged_;
+    LightList lights_;
     const Scene* scene_ = nullptr;
     std::filesystem::path scene_file_;  ///< another scene may be loaded at the same address
     Pipeline still_ = compute({.shader = "13_mlaa/taa.comp", .macros = {{"MOVING", "0"}}});

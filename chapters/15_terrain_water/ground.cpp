@@ -20,11 +20,9 @@ void quantise(std::vector<float>& heights, double bits) {
         height = static_cast<float>(least + step * std::round((double(height) - least) / step));
 }
 
-// The first one that is shown.
 std::filesystem::path height_map_of(const SceneFile& scene) {
-    for (const SceneObject& object : scene.objects)
-        if (is_height_map_file(object.model) && !object.hidden) return object.model;
-    return {};
+    const SceneObject* const object = first_shown(scene, is_height_map_file);
+    return object ? object->model : std::filesystem::path();
 }
 
 }  // namespace
@@ -34,6 +32,7 @@ void Ground::prepare(Gpu& gpu, Scene& scene) {
     made_.forget();
     file_ = height_map_of(scene.file);
     if (file_.empty()) return;
+    name_unused_placement(scene.file, is_height_map_file, "a terrain");
     source_ = unlocked([&] { return read_height_map(find_asset(file_)); });
     if (!precision.is("float")) quantise(source_.elevation_m, std::stod(precision.text()));
     texels_ = Image(gpu.device, {.name = "elevations",

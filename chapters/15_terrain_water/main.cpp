@@ -4,6 +4,7 @@
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
+#include "15_terrain_water/ground_heights.h"
 #include "15_terrain_water/land_error.h"
 #include "15_terrain_water/shore.h"
 #include "common/window/run.h"
@@ -20,6 +21,14 @@ struct TerrainWater : ModelChapter {
         shore.land.method.preferred = true;  // --method is about the ground here
     }
     std::string default_scene() const override { return "scenes/valley.json"; }
+
+    // The camera of a window stays at a person's height above the ground.
+    std::optional<float> lowest_eye_m(const glm::vec3& position) override {
+        if (!gpu_ || !shore.ground.exists()) return {};
+        if (!heights_made_.is_current(shore.ground.epoch(), scene.epoch)) heights_ = read_heights(*gpu_, shore.ground);
+        const auto ground_m = heights_.height_at({position.x, position.z});
+        return ground_m ? std::optional(*ground_m + 1.7f) : std::nullopt;
+    }
 
     // For the study: where the ground lies, against rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
@@ -41,6 +50,13 @@ struct TerrainWater : ModelChapter {
         encode_srgb(frame);
     }
     // [/frame]
+
+    void prepare(Gpu& gpu, Scene&) override { gpu_ = &gpu; }
+
+  private:
+    Gpu* gpu_ = nullptr;
+    GroundHeights heights_;
+    Fingerprint heights_made_;
 };
 
 CHAPTER(TerrainWater)

@@ -7,25 +7,34 @@
 
 namespace lightwalk {
 
+// What a scene shows whose volumes are all hidden.
+static VolumeData empty_volume() {
+    VolumeData data;
+    data.size = glm::uvec3(2);
+    data.spacing_m = glm::vec3(1);
+    data.bytes.assign(8, std::byte(0));
+    return data;
+}
+
 bool is_volume_file(const std::filesystem::path& file) { return file.extension() == ".volume"; }
 
 void Field::prepare(Gpu& gpu, Scene& scene) {
     from_file_ = false;
     made_.forget();
-    for (const SceneObject& object : scene.file.objects) {
-        if (!is_volume_file(object.model)) continue;
-        const VolumeData data = read_volume(find_asset(object.model));
-        density_ = Image(gpu.device, {.name = path() + " density",
-                                      .format = data.is_half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R8_UNORM,
-                                      .size = {data.size.x, data.size.y},
-                                      .depth = data.size.z});
-        gpu.upload(density_, data.bytes);
-        const glm::vec3 extent = glm::vec3(data.size) * data.spacing_m;
-        half_m_ = extent / std::max({extent.x, extent.y, extent.z});
-        from_file_ = true;
-        ++number_;
-        return;
-    }
+    const auto& objects = scene.file.objects;
+    if (std::none_of(objects.begin(), objects.end(), [](const auto& one) { return is_volume_file(one.model); })) return;
+    from_file_ = true;
+    ++number_;
+    name_unused_placement(scene.file, is_volume_file, "a volume");
+    const SceneObject* const shown = first_shown(scene.file, is_volume_file);
+    const VolumeData data = shown ? read_volume(find_asset(shown->model)) : empty_volume();
+    density_ = Image(gpu.device, {.name = path() + " density",
+                                  .format = data.is_half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R8_UNORM,
+                                  .size = {data.size.x, data.size.y},
+                                  .depth = data.size.z});
+    gpu.upload(density_, data.bytes);
+    const glm::vec3 extent = glm::vec3(data.size) * data.spacing_m;
+    half_m_ = extent / std::max({extent.x, extent.y, extent.z});
 }
 
 void Field::record(Frame& frame) {

@@ -10,7 +10,7 @@ namespace lightwalk {
 Arrival::Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read)
     : gpu_(gpu), file_(std::move(file)), read_(std::move(read)) {
     model_->model = std::move(read_.model);
-    model_->nodes = world_transforms(model_->model, 0.0f);
+    pose_model(*model_, 0.0f);
     const std::vector<Mesh>& meshes = model_->model.meshes;
     std::vector<Buffer>& tangents = model_->attributes["tangents"];
     for (std::vector<Buffer>* buffers : {&model_->vertices, &model_->indices, &tangents})

@@ -181,7 +181,8 @@ void EditorWindow::bring_up_to_date(Gpu& gpu) {
     if (!std::exchange(view_.gpu, &gpu)) {
         // In a window, and where no other scene was asked for, the tour has one of its own.
         const std::filesystem::path& shown = editor.store.path;
-        if (automatic && tour_.shown() && !shown.empty() && find_asset(shown) == find_asset(default_scene()))
+        if (automatic && !scene_is_given && tour_.shown() && !shown.empty() &&
+            find_asset(shown) == find_asset(default_scene()))
             opens = find_asset(Tour::scene);
     }
     Playground::bring_up_to_date(gpu);

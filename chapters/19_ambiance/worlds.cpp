@@ -60,6 +60,7 @@ struct ClimbingLights : ManyLights {
     Knob<float> figure_m{*this, "figure_m", 1.8f, {0.01f, 1000.0f}, "Height that the lights climb to", "m"};
     Knob<float> girth_m{*this, "girth_m", 0.5f, {0.01f, 1000.0f}, "Distance of the lights from its axis, at the foot",
                         "m"};
+    bool animated() const override { return climbers > 0 || ManyLights::animated(); }
 
   protected:
     // Spirals with steps of the golden angle. Each light is born at the foot, and fades out at the top.

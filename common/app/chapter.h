@@ -44,6 +44,8 @@ class Chapter : public Module {
         return time_s - static_cast<float>(frames_before) / 60.0f;
     }
 
+    bool scene_is_given = false;  ///< the person named the scene that is shown
+
     bool plays = false;  ///< animation clock running: in a window or while a film is written
 
     int camera_of_file = 0;  ///< 1-based camera of a bare model file; 0: none
@@ -68,6 +70,9 @@ class Chapter : public Module {
     virtual std::string why_not_finite() const { return {}; }
 
     bool animated() const override { return scene.moves(); }
+
+    /// Height in metres below which the camera of a window does not go at a position; none: anywhere.
+    virtual std::optional<float> lowest_eye_m(const glm::vec3& /*position*/) { return {}; }
 };
 
 using MakeChapter = std::function<std::unique_ptr<Chapter>()>;

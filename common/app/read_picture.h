@@ -5,6 +5,9 @@
 
 namespace lightwalk {
 
+/// Value of a texel as stored: RGBA32F, RGBA16F, or RGBA8.
+glm::vec4 texel_value(VkFormat format, std::span<const std::byte> texel);
+
 /// First mip and layer as linear RGB, from half floats, floats or sRGB bytes. Blocks.
 ImageRgb read_linear(Gpu& gpu, const ImageView& view);
 

@@ -26,7 +26,9 @@ std::string words_for(int signal) {
             return "did not return within " + std::to_string(call_limit_s()) + " s: does a loop never end?";
         case SIGSEGV:
         case SIGBUS:
-            return "crashed: it reads or writes memory that is not its own, or calls itself without an end";
+            return "crashed: it reads or writes memory that is not its own, as a loop does that never ends, or calls "
+                   "itself "
+                   "without an end";
         case SIGFPE:
             return "crashed: it divides an integer by 0";
         default:

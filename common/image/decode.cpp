@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -26,12 +27,26 @@ void fields(Bytes& bytes, Decoded& picture) {
 
 namespace {
 
-// stb accepts truncated JPEGs. The end marker (FFD9) must follow the last start of scan (FFDA).
+// stb accepts truncated JPEGs: the end marker (FFD9) must follow the coded data of a scan (ITU-T T.81, B.1.1). Bytes behind
+// it are no part of the picture.
 bool is_cut_jpeg(std::string_view bytes) {
     if (!bytes.starts_with("\xFF\xD8")) return false;
-    const std::string_view scan = "\xFF\xDA";
-    const size_t end = bytes.rfind("\xFF\xD9");
-    return end == bytes.npos || bytes.find(scan) == bytes.npos || bytes.find(scan, end) != bytes.npos;
+    const auto byte = [&](size_t at) { return static_cast<uint8_t>(bytes[at]); };
+    bool has_scan = false;
+    for (size_t at = 2; at + 1 < bytes.size();) {
+        const uint8_t code = byte(at + 1);
+        // Within coded data 0 follows a byte of FF; restarts (FFD0 to FFD7) and fill bytes have no length either.
+        const bool is_marker = byte(at) == 0xFF && code != 0 && code != 0xFF && !(code >= 0xD0 && code <= 0xD7);
+        if (!is_marker) {
+            ++at;
+            continue;
+        }
+        if (code == 0xD9) return !has_scan;
+        has_scan |= code == 0xDA;
+        if (at + 3 >= bytes.size()) return true;
+        at += 2u + (size_t{byte(at + 2)} << 8 | byte(at + 3));
+    }
+    return true;
 }
 
 // stb reports oversized PNGs as "unknown", so the header is checked first: big-endian width and height at byte 16.
@@ -83,6 +98,8 @@ Decoded read_header(const fs::path& path, std::string_view bytes) {
         if (known) reject_as(path, "has a broken header");
         reject(path, "is not an image");
     }
+    // stb reports the height of a BMP as the file has it: negative where rows run from the top.
+    if (bytes.starts_with("BM") && picture.height < 0) picture.height = -std::max(picture.height, -INT_MAX);
     check_image_size(path, picture.width, picture.height);
     return picture;
 }

@@ -36,16 +36,18 @@ Instance instance_of(const DrawItem& item, size_t index) {
 
 bool Scene::place(DrawItem& item) const {
     const glm::mat4 transform = objects_[item.object].world * item.model->nodes[item.node];
-    if (transform == item.transform && !item.bounds.empty()) return false;
+    const bool moved = transform != item.transform || item.bounds.empty();
+    if (!moved && !item.model->model.meshes[item.mesh].deformation) return false;
+    const MeshPose& pose = item.model->poses[item.mesh];
     item.transform = transform;
-    item.bounds = transformed(item.model->model.meshes[item.mesh].bounds, transform);
-    item.mirrored = glm::determinant(glm::mat3(transform)) < 0.0f;
-    return true;
+    item.bounds = transformed(pose.bounds, transform);
+    item.mirrored = (glm::determinant(glm::mat3(transform)) < 0.0f) != pose.mirrored;
+    return moved;
 }
 
 void Scene::place_objects(float time_s) {
     time_s_ = time_s;
-    for (const auto& model : moving_models_) model->nodes = world_transforms(model->model, time_s);
+    for (const auto& model : moving_models_) pose_model(*model, time_s);
     for (size_t i = 0; i < objects_.size(); ++i) {
         Placed& object = objects_[i];
         if (!object.moves) continue;
@@ -62,8 +64,7 @@ void animate(Scene& scene, float time_s) {
     for (const uint32_t i : scene.moving_items_) {
         DrawItem& item = scene.items[i];
         const bool was_mirrored = item.mirrored;
-        if (!scene.place(item)) continue;
-        moved = scene.to_upload_[i] = true;
+        if (scene.place(item)) moved = scene.to_upload_[i] = true;
         turned_over |= item.mirrored != was_mirrored;
     }
     if (!moved) return;

@@ -21,7 +21,42 @@ fs::path in_other_capitals(const fs::path& file) {
     return found;
 }
 
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    const size_t first = text.find_first_not_of(blanks);
+    return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// Length of the first name of a list.
+size_t first_name(std::string_view list, const fs::path& folder) {
+    if (const size_t quote = list.find('"', 1); list.front() == '"' && quote != list.npos) return quote + 1;
+    std::error_code ignored;
+    const size_t word = std::min(list.find_first_of(blanks), list.size());
+    for (size_t end = list.size(); end > word;) {
+        if (fs::is_regular_file(resolve_file(list.substr(0, end), folder), ignored)) return end;
+        end = list.find_last_not_of(blanks, list.find_last_of(blanks, end - 1)) + 1;
+    }
+    return word;
+}
+
 }  // namespace
+
+std::vector<fs::path> resolve_files(std::string_view written, const fs::path& folder) {
+    written = trimmed(written);
+    std::error_code ignored;
+    std::vector<fs::path> files{resolve_file(written, folder)};
+    if (fs::exists(files[0], ignored) || written.find_first_of(blanks) == written.npos) return files;
+    std::vector<fs::path> parts;
+    bool any = false;
+    for (std::string_view rest = written; !rest.empty();) {
+        const size_t end = first_name(rest, folder);
+        parts.push_back(resolve_file(rest.substr(0, end), folder));
+        any |= fs::exists(parts.back(), ignored);
+        rest = trimmed(rest.substr(end));
+    }
+    return any ? parts : files;
+}
 
 fs::path resolve_file(std::string_view written, const fs::path& folder) {
     if (written.size() > 1 && written.front() == '"' && written.back() == '"')

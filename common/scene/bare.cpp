@@ -207,11 +207,15 @@ std::string why_invisible(const Model& model, glm::vec3 eye) {
     for (size_t n = 0; n < model.nodes.size(); ++n)
         for (const uint32_t number : model.nodes[n].meshes) {
             const Mesh& mesh = model.meshes[number];
+            const bool is_mirrored =
+                mesh.deformation &&
+                DeformedBounds(mesh).at(morph_weights(model, mesh, 0.0f), joint_matrices(model, mesh, world)).mirrored;
             for (const Part& part : mesh.parts) {
                 const Material& material = model.materials[part.material];
-                if (material.opacity <= 0.0f) continue;
+                const bool is_cut = material.alpha_cutoff >= 0.0f && !material.blend;
+                if (is_cut ? material.opacity < material.alpha_cutoff : material.opacity <= 0.0f) continue;
                 any_opaque = true;
-                const float turned = glm::determinant(glm::mat3(world[n])) < 0 ? -1.0f : 1.0f;
+                const float turned = (glm::determinant(glm::mat3(world[n])) < 0) != is_mirrored ? -1.0f : 1.0f;
                 for (size_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {
                     if (++looked_at > most_triangles) return "";
                     const auto at = [&](size_t k) {

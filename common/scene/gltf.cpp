@@ -197,6 +197,13 @@ class GltfReader {
                                             : std::vector<float>();
         };
         const auto moved = read("TRANSLATION", 3), turned = read("ROTATION", 4), scaled = read("SCALE", 3);
+        // Not in the extension; what exporters call it.
+        const auto color = attributes.find("_COLOR_0");
+        const size_t channels = color == attributes.end() ? 0 : file_.components(color->get<size_t>());
+        const auto colors = channels == 3 || channels == 4 ? read("_COLOR_0", channels) : std::vector<float>();
+        for (const auto& [key, value] : attributes.items())
+            if (key != "TRANSLATION" && key != "ROTATION" && key != "SCALE" && (key != "_COLOR_0" || colors.empty()))
+                leave_out(model_, "instances' " + key, "mesh");
         const size_t count = std::max({moved.size() / 3, turned.size() / 4, scaled.size() / 3});
         for (size_t i = 0; i < count; ++i) {
             glm::mat4 local(1);
@@ -205,7 +212,9 @@ class GltfReader {
                 local *=
                     glm::mat4_cast(glm::quat(turned[4 * i + 3], turned[4 * i], turned[4 * i + 1], turned[4 * i + 2]));
             if (i < scaled.size() / 3) local = glm::scale(local, glm::make_vec3(&scaled[3 * i]));
-            model_.nodes.push_back({"", static_cast<int>(parent), local, meshes});
+            Node& node = model_.nodes.emplace_back(Node{"", static_cast<int>(parent), local, meshes});
+            for (size_t c = 0; c < channels && (i + 1) * channels <= colors.size(); ++c)
+                node.color[static_cast<int>(c)] = std::clamp(colors[i * channels + c], 0.0f, 1.0f);
         }
     }
 

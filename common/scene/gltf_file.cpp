@@ -111,6 +111,9 @@ void GltfFile::read_container() {
         if (text.size() < 20) refuse("the file ends within its header");
         if (const auto version = read_as<uint32_t>(&text[4]); version != 2)
             refuse("binary glTF {}, expected 2", version);
+        // Bytes behind the stated length are no part of the file.
+        if (const size_t length = read_as<uint32_t>(&text[8]); length >= 20 && length < text.size())
+            text = text.substr(0, length);
         std::string_view json_text;
         for (size_t at = 12; at + 8 <= text.size();) {
             const size_t bytes = read_as<uint32_t>(&text[at]);
@@ -121,7 +124,12 @@ void GltfFile::read_container() {
                 binary_ = text.substr(at + 8, bytes);
                 has_binary_ = true;
             }
-            at += 8 + (bytes + 3) / 4 * 4;
+            // A length that is no multiple of four was written without its padding, or stands for the padded one.
+            const size_t end = at + 8 + bytes, padded = at + 8 + (bytes + 3) / 4 * 4;
+            const auto begins_chunk = [&](size_t place) {
+                return place + 8 <= text.size() && text.substr(place + 4, 4) == std::string_view("BIN\0", 4);
+            };
+            at = begins_chunk(end) && !begins_chunk(padded) ? end : padded;
         }
         text = json_text;
     }

@@ -168,7 +168,7 @@ class PrimitiveReader {
                          how.joint_weights.size(), count_);
         for (size_t i = 0; i < count_; ++i) {
             how.joints.emplace_back(joints[4 * i], joints[4 * i + 1], joints[4 * i + 2], joints[4 * i + 3]);
-            glm::vec4& w = how.joint_weights[i];
+            glm::vec4& w = how.joint_weights[i] = glm::max(how.joint_weights[i], 0.0f);
             const float sum = w.x + w.y + w.z + w.w;
             w = sum > 0 && std::isfinite(sum) ? w / sum : glm::vec4(1, 0, 0, 0);
         }

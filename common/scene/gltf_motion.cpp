@@ -1,5 +1,6 @@
 // glTF animations.
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "common/scene/gltf_parts.h"
@@ -58,6 +59,21 @@ size_t target_count(const GltfFile& file, const json& node) {
     return primitives.empty() || !primitives.at(0).contains("targets") ? 0 : primitives.at(0).at("targets").size();
 }
 
+// Animation without a duration: one pose, for all times.
+void hold_pose(Model& model) {
+    for (const NodeMotion& motion : model.motions) {
+        if (!motion.position.empty()) {
+            const glm::mat4 moved = glm::translate(glm::mat4(1), motion.position.back().value);
+            model.nodes[motion.node].local =
+                glm::scale(moved * glm::mat4_cast(motion.rotation.back().value), motion.scale.back().value);
+        }
+        for (Mesh& mesh : model.meshes)
+            if (mesh.deformation && mesh.deformation.node == motion.node && !motion.weights.empty())
+                mesh.deformation.weights = motion.weights.back().value;
+    }
+    model.motions.clear();
+}
+
 }  // namespace
 
 void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Model& model) {
@@ -94,7 +110,7 @@ void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Mode
         fill_from_node(file.entry("nodes", number), motion);
         model.motions.push_back(std::move(motion));
     }
-    if (!(model.motions_s > 0)) model.motions.clear();
+    if (!(model.motions_s > 0)) hold_pose(model);
 }
 
 }  // namespace lightwalk

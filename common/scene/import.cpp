@@ -1,6 +1,7 @@
 #include "common/scene/import.h"
 
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -51,13 +52,17 @@ std::string first_line(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
-// Referenced files may be pipes or devices.
+// Referenced files may be pipes or devices. One file may have another text here than on disk.
 struct RegularFiles : Assimp::DefaultIOSystem {
+    std::string replaced, text;
+    RegularFiles(std::string of, std::string by) : replaced(std::move(of)), text(std::move(by)) {}
     bool Exists(const char* file) const override {
         std::error_code error;
         return fs::is_regular_file(file, error);
     }
     Assimp::IOStream* Open(const char* file, const char* mode) override {
+        if (file == replaced)
+            return new Assimp::MemoryIOStream(reinterpret_cast<const uint8_t*>(text.data()), text.size());
         return Exists(file) && mode[0] == 'r' ? DefaultIOSystem::Open(file, mode) : nullptr;
     }
 };
@@ -89,7 +94,9 @@ void set_colors(const std::vector<glm::vec4>& colors, Model& model) {
 Model import_here(const fs::path& path, const std::string& extension) {
     const std::string name = path.string();
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles);
+    const bool is_obj = extension == ".obj";
+    importer.SetIOHandler(
+        new RegularFiles(is_obj ? name : "", is_obj ? readable_obj(read_file(path), path.parent_path()) : ""));
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
     Model model;

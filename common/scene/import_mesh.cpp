@@ -37,6 +37,7 @@ void add_bones(const aiMesh& from, const std::vector<Node>& nodes, Model& model,
         }
     }
     for (glm::vec4& w : how.joint_weights) {
+        w = glm::max(w, 0.0f);
         const float sum = w.x + w.y + w.z + w.w;
         w = sum > 0 && std::isfinite(sum) ? w / sum : glm::vec4(1, 0, 0, 0);
     }

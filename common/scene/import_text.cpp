@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "common/base/error.h"
+#include "common/scene/asset_path.h"
 
 namespace lightwalk {
 namespace {
@@ -275,6 +276,25 @@ std::vector<glm::vec4> stl_colors(std::string_view bytes, Model& model) {
         colors.insert(colors.end(), 3, color);
     }
     return any ? colors : std::vector<glm::vec4>();
+}
+
+std::string readable_obj(std::string_view text, const std::filesystem::path& folder) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    std::string readable;
+    readable.reserve(text.size());
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, std::min(text.find('\n'), text.size() - 1) + 1);
+        text.remove_prefix(line.size());
+        if (!line.starts_with("mtllib ")) {
+            readable += line;
+            continue;
+        }
+        std::string_view names = line.substr(7);
+        while (names.ends_with('\n') || names.ends_with('\r')) names.remove_suffix(1);
+        for (const std::filesystem::path& file : resolve_files(names, folder))
+            readable += "mtllib " + file.lexically_relative(folder).string() + "\n";
+    }
+    return readable;
 }
 
 }  // namespace lightwalk

@@ -1,5 +1,6 @@
-// Preprocessing of PLY, OFF and STL files that Assimp 5.2.5 reads incorrectly.
+// Preprocessing of PLY, OFF, STL and OBJ files that Assimp 5.2.5 reads incorrectly.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,8 @@ std::string off_as_ply(std::string_view text, const std::string& name, Model& mo
 
 /// Colours of a binary STL, three per triangle, by VisCAM's or Materialise Magics' convention; empty if it has none.
 std::vector<glm::vec4> stl_colors(std::string_view bytes, Model& model);
+
+/// OBJ text without a byte order mark, and with each material file of `folder` in an mtllib of its own.
+std::string readable_obj(std::string_view text, const std::filesystem::path& folder);
 
 }  // namespace lightwalk

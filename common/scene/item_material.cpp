@@ -23,6 +23,10 @@ const Material& own_material(const DrawItem& item) {
 void set_material(DrawItem& item, const MaterialOverride& with, bool bare) {
     const Material& own = own_material(item);
     item.material = overridden(own, with);
+    const std::vector<Node>& nodes = item.model->model.nodes;
+    const glm::vec4 color = item.node < nodes.size() ? nodes[item.node].color : glm::vec4(1.0f);
+    if (!with.diffuse) item.material.diffuse *= glm::vec3(color);
+    if (!with.opacity && (own.blend || own.alpha_cutoff > 0.0f)) item.material.opacity *= color.a;
     const bool says_alpha = own.alpha_cutoff >= 0.0f && !with.opacity;
     item.transparent = item.material.blend || (item.material.opacity < 1.0f && !says_alpha);
     // Specular colour or exponent of the scene override the model's roughness.

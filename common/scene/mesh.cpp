@@ -47,16 +47,9 @@ T value_at(const KeyTrack<T>& track, float time_s) {
     return blend(a.value, b.value, t);
 }
 
-constexpr int bounded_times = 8;
-
 float time_within(const Model& model, float time_s) {
     if (model.motions.empty()) return 0;
     return static_cast<float>(std::fmod(double(time_s), model.motions_s) + (time_s < 0 ? model.motions_s : 0.0f));
-}
-
-glm::vec3 normal_or(glm::vec3 v, glm::vec3 other) {
-    const float length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? v / length : other;
 }
 
 template <class T>
@@ -119,6 +112,7 @@ void Mesh::add_copies(const std::vector<uint32_t>& copies) {
     copy_more(deformation.rest, copies);
     copy_more(deformation.joints, copies);
     copy_more(deformation.joint_weights, copies);
+    copy_more(deformation.flat, copies);
     for (MorphTarget& target : deformation.targets) {
         copy_more(target.positions, copies);
         copy_more(target.normals, copies);
@@ -130,53 +124,6 @@ std::vector<float> morph_weights(const Model& model, const Mesh& mesh, float tim
         if (motion.node == mesh.deformation.node && !motion.weights.empty())
             return value_at(motion.weights, time_within(model, time_s));
     return mesh.deformation.weights;
-}
-
-std::vector<glm::mat4> joint_matrices(const Model& model, const Mesh& mesh, const std::vector<glm::mat4>& world) {
-    const ModelSkin& skin = model.skins[mesh.deformation.skin];
-    std::vector<glm::mat4> matrices;
-    for (size_t i = 0; i < skin.joints.size(); ++i) matrices.push_back(world[skin.joints[i]] * skin.inverse_bind[i]);
-    return matrices;
-}
-
-std::vector<Vertex> deformed(const Model& model, const Mesh& mesh, const std::vector<glm::mat4>& world, float time_s) {
-    const Deformation& how = mesh.deformation;
-    std::vector<Vertex> vertices = how.rest;
-    const std::vector<float> weights = morph_weights(model, mesh, time_s);
-    const std::vector<glm::mat4> matrices =
-        how.joints.empty() ? std::vector<glm::mat4>() : joint_matrices(model, mesh, world);
-    for (size_t i = 0; i < vertices.size(); ++i) {
-        Vertex& v = vertices[i];
-        const glm::vec3 given = v.normal;
-        for (size_t t = 0; t < how.targets.size(); ++t) {
-            v.position += weights[t] * how.targets[t].positions[i];
-            if (!how.targets[t].normals.empty()) v.normal += weights[t] * how.targets[t].normals[i];
-        }
-        if (!how.joints.empty()) {
-            glm::mat4 sum(0.0f);
-            for (int k = 0; k < 4; ++k) sum += how.joint_weights[i][k] * matrices[how.joints[i][k]];
-            v.position = glm::vec3(sum * glm::vec4(v.position, 1.0f));
-            v.normal = glm::mat3(sum) * v.normal;
-        }
-        v.normal = normal_or(v.normal, given);
-    }
-    return vertices;
-}
-
-void deform_at_rest(Model& model) {
-    const auto world = world_transforms(model, 0.0f);
-    for (Mesh& mesh : model.meshes) {
-        if (!mesh.deformation) continue;
-        mesh.vertices = deformed(model, mesh, world, 0.0f);
-        mesh.bounds = {};
-        for (const Vertex& v : mesh.vertices) mesh.bounds.add(v.position);
-        // Sampled animation, so that culling stays conservative.
-        for (int i = 1; i < bounded_times && !model.motions.empty(); ++i) {
-            const float time_s = model.motions_s * static_cast<float>(i) / bounded_times;
-            for (const Vertex& v : deformed(model, mesh, world_transforms(model, time_s), time_s))
-                mesh.bounds.add(v.position);
-        }
-    }
 }
 
 Bounds transformed(const Bounds& box, const glm::mat4& m) {
@@ -199,6 +146,7 @@ Bounds model_bounds(const Model& model) {
 
 void flatten_missing_normals(Mesh& mesh) {
     if (std::none_of(mesh.vertices.begin(), mesh.vertices.end(), has_no_normal)) return;
+    Deformation& how = mesh.deformation;
     std::vector<bool> used(mesh.vertices.size(), false);
     std::vector<uint32_t> copies;
     const size_t before = mesh.vertices.size();
@@ -212,6 +160,15 @@ void flatten_missing_normals(Mesh& mesh) {
         }
     }
     mesh.add_copies(copies);
+    if (!how.joints.empty() || !how.targets.empty()) {
+        for (uint32_t i = 0; i < mesh.vertices.size(); ++i) how.flat.emplace_back(i);
+        for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t vertex = mesh.indices[i + k];
+                if (has_no_normal(mesh.vertices[vertex]))
+                    how.flat[vertex] = {vertex, mesh.indices[i + (k + 1) % 3], mesh.indices[i + (k + 2) % 3]};
+            }
+    }
     fill_missing_normals(mesh);
 }
 

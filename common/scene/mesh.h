@@ -42,9 +42,14 @@ struct Deformation {
     std::vector<MorphTarget> targets;
     std::vector<float> weights;
     std::vector<glm::uvec4> joints;        ///< per vertex, indices into ModelSkin::joints; empty: no skin
-    std::vector<glm::vec4> joint_weights;  ///< sum to 1 per vertex
-    uint32_t skin = 0;                     ///< index into Model::skins; the mesh is at a node without transform
-    uint32_t node = 0;                     ///< node whose animation may set the weights
+    std::vector<glm::vec4> joint_weights;  ///< at least 0, sum to 1 per vertex
+    /// Per vertex, the corners of its triangle, itself first, where the file has no normal: it is the triangle's in every
+    /// pose. Three equal corners: a normal of its own. Empty: all have normals.
+    std::vector<glm::uvec3> flat;
+    /// dP/du and dP/dv at rest, then their offsets by each target; empty: no tangent frames.
+    std::vector<Derivatives> derivatives;
+    uint32_t skin = 0;  ///< index into Model::skins; the mesh is at a node without transform
+    uint32_t node = 0;  ///< node whose animation may set the weights
     explicit operator bool() const { return !rest.empty(); }
 };
 
@@ -75,6 +80,7 @@ struct Node {
     int parent = -1;
     glm::mat4 local{1.0f};
     std::vector<uint32_t> meshes;
+    glm::vec4 color{1.0f};  ///< times its meshes' colour and opacity
 };
 
 template <class T>
@@ -145,8 +151,34 @@ std::vector<glm::mat4> world_transforms(const Model& model);
 /// Node transforms to model space, animated.
 std::vector<glm::mat4> world_transforms(const Model& model, float time_s);
 
+/// Vertices of a mesh with its morph targets alone. `weights`: one per target.
+std::vector<Vertex> morphed(const Mesh& mesh, const std::vector<float>& weights);
+
 /// Vertices of a deformed mesh. `world`: world_transforms() at `time_s`.
 std::vector<Vertex> deformed(const Model& model, const Mesh& mesh, const std::vector<glm::mat4>& world, float time_s);
+
+/// Bounds of a mesh, and whether its front faces are clockwise, in one pose.
+struct MeshPose {
+    Bounds bounds;
+    bool mirrored = false;
+};
+
+/// Bounds that hold a deformed mesh in any pose: a vertex is a mean of where its joints take it (glTF 2.0, 3.7.3.3), so
+/// that it is within the boxes of the vertices of each joint, as the joint moves them.
+class DeformedBounds {
+  public:
+    explicit DeformedBounds(const Mesh& mesh);
+    /// `joints`: joint_matrices(), or empty.
+    MeshPose at(const std::vector<float>& weights, const std::vector<glm::mat4>& joints) const;
+
+  private:
+    struct Reach {
+        uint32_t joint = 0;
+        float weight = 0;           ///< sum over vertices
+        std::vector<Bounds> boxes;  ///< of positions at rest, then of each target's offsets
+    };
+    std::vector<Reach> reach_;
+};
 
 std::vector<float> morph_weights(const Model& model, const Mesh& mesh, float time_s);
 
@@ -158,7 +190,7 @@ void deform_at_rest(Model& model);
 
 Bounds model_bounds(const Model& model);
 
-/// Flat normals where normals are missing; splits shared vertices.
+/// Flat normals where normals are missing; splits shared vertices, and keeps deformed ones flat in every pose.
 void flatten_missing_normals(Mesh& mesh);
 
 /// Sets zero normals to area-weighted vertex normals; (0, 1, 0) for degenerate triangles.

@@ -28,7 +28,7 @@ void fields(Bytes& bytes, MorphTarget& target) {
 
 template <class Bytes>
 void fields(Bytes& bytes, Deformation& how) {
-    bytes(how.rest, how.targets, how.weights, how.joints, how.joint_weights, how.skin, how.node);
+    bytes(how.rest, how.targets, how.weights, how.joints, how.joint_weights, how.flat, how.skin, how.node);
 }
 
 template <class Bytes>
@@ -39,7 +39,7 @@ void fields(Bytes& bytes, Mesh& mesh) {
 
 template <class Bytes>
 void fields(Bytes& bytes, Node& node) {
-    bytes(node.name, node.parent, node.local, node.meshes);
+    bytes(node.name, node.parent, node.local, node.meshes, node.color);
 }
 
 template <class Bytes, class T>
@@ -111,7 +111,9 @@ bool is_consistent(const Mesh& mesh, size_t materials) {
     const Deformation& how = mesh.deformation;
     for (const MorphTarget& target : how.targets)
         if (target.positions.size() != mesh.vertices.size() || !fits(target.normals)) return false;
-    return fits(mesh.second_uvs) && fits(mesh.colors) && fits(how.rest) && fits(how.joints) &&
+    for (const glm::uvec3& corners : how.flat)
+        if (std::max({corners.x, corners.y, corners.z}) >= mesh.vertices.size()) return false;
+    return fits(mesh.second_uvs) && fits(how.flat) && fits(mesh.colors) && fits(how.rest) && fits(how.joints) &&
            how.joint_weights.size() == how.joints.size() && how.weights.size() == how.targets.size();
 }
 

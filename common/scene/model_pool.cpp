@@ -42,6 +42,35 @@ void check_extent(const Model& model, const std::filesystem::path& file) {
                                      mesh.name, x, farthest_m);
 }
 
+void pose_model(GpuModel& gpu_model, float time_s) {
+    const Model& model = gpu_model.model;
+    gpu_model.time_s = time_s;
+    gpu_model.nodes = world_transforms(model, time_s);
+    gpu_model.animated.clear();
+    if (gpu_model.bounds_of.size() != model.meshes.size()) {
+        gpu_model.bounds_of.clear();
+        for (const Mesh& mesh : model.meshes) gpu_model.bounds_of.emplace_back(mesh);
+    }
+    gpu_model.poses.clear();
+    for (size_t i = 0; i < model.meshes.size(); ++i) {
+        const Mesh& mesh = model.meshes[i];
+        MeshPose& pose = gpu_model.poses.emplace_back(MeshPose{.bounds = mesh.bounds});
+        if (!mesh.deformation) continue;
+        const MeshPose moved =
+            gpu_model.bounds_of[i].at(morph_weights(model, mesh, time_s), joint_matrices(model, mesh, gpu_model.nodes));
+        pose.mirrored = moved.mirrored;
+        if (!model.motions.empty()) pose.bounds = moved.bounds;
+    }
+}
+
+const std::vector<Vertex>& vertices_of(const GpuModel& model, uint32_t mesh) {
+    const Mesh& of = model.model.meshes[mesh];
+    if (!of.deformation || model.model.motions.empty()) return of.vertices;
+    const auto [place, added] = model.animated.try_emplace(mesh);
+    if (added) place->second = deformed(model.model, of, model.nodes, model.time_s);
+    return place->second;
+}
+
 void upload_rare_attributes(Gpu& gpu, GpuModel& model) {
     const auto upload = [&](const char* binding, auto Mesh::*values) {
         const std::vector<Mesh>& meshes = model.model.meshes;
@@ -68,7 +97,7 @@ std::shared_ptr<GpuModel> ModelPool::load(Gpu& gpu, const std::filesystem::path&
     model->model = unlocked([&] { return loader(file); });
     check_extent(model->model, file);
     warn_if_far_off(model->model, file);
-    model->nodes = world_transforms(model->model, 0.0f);
+    pose_model(*model, 0.0f);
     for (const Mesh& mesh : model->model.meshes) {
         model->vertices.push_back(gpu.upload(mesh.name + " vertices", mesh.vertices));
         model->indices.push_back(gpu.upload(mesh.name + " indices", mesh.indices));

@@ -73,12 +73,13 @@ std::optional<Hit> pick_triangle(const Scene& scene, const PickRay& ray) {
         const DrawItem& item = scene.items[box.item];
         const Mesh& mesh = item.model->model.meshes[item.mesh];
         const Part& part = mesh.parts[item.part];
+        const std::vector<Vertex>& vertices = vertices_of(*item.model, item.mesh);
         // Ray in mesh space. Its direction keeps its length there, so t is the distance in world space.
         const glm::dmat4 to_mesh = glm::inverse(glm::dmat4(item.transform));
         const glm::dvec3 origin(to_mesh * glm::dvec4(ray.origin, 1.0)),
             direction(to_mesh * glm::dvec4(ray.direction, 0.0));
         for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {
-            const auto corner = [&](uint32_t k) { return mesh.vertices[mesh.indices[i + k]].position; };
+            const auto corner = [&](uint32_t k) { return vertices[mesh.indices[i + k]].position; };
             const auto t = hit_triangle(origin, direction, corner(0), corner(1), corner(2));
             if (!t || (nearest && *t >= double(nearest->distance_m))) continue;
             const glm::dvec3 a(corner(0)), across = glm::cross(glm::dvec3(corner(1)) - a, glm::dvec3(corner(2)) - a);

@@ -120,7 +120,7 @@ void Scene::add_items(Gpu& gpu, size_t object, const Roles& roles, const ModelLo
     check_roles(from, model);
     if (!model.motions.empty() &&
         std::find(moving_models_.begin(), moving_models_.end(), gpu_model) == moving_models_.end()) {
-        gpu_model->nodes = world_transforms(model, 0.0f);
+        pose_model(*gpu_model, 0.0f);
         moving_models_.push_back(gpu_model);
         if (std::any_of(model.meshes.begin(), model.meshes.end(), [](const Mesh& m) { return bool(m.deformation); })) {
             deforming_.insert(gpu_model.get());

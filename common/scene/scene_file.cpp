@@ -1,9 +1,13 @@
 #include "common/scene/scene_file.h"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <string_view>
 
 #include "common/base/files.h"
 #include "common/base/names.h"
+#include "common/base/text.h"
 #include "common/scene/scene_reader.h"
 
 namespace lightwalk {
@@ -189,6 +193,61 @@ glm::mat4 local_transform(const SceneObject& object, float time_s) {
     if (object.motion.spin_deg_per_s != 0.0f)
         m = glm::rotate(m, spin_at(object.motion, time_s), glm::normalize(object.motion.axis));
     return glm::scale(m, at.scale);
+}
+
+// Hidden objects, and those below them. Parents precede children.
+static std::vector<bool> hidden_objects(const SceneFile& scene) {
+    std::map<std::string_view, bool> by_name;
+    std::vector<bool> all;
+    for (const SceneObject& object : scene.objects) {
+        const auto parent = by_name.find(object.parent);
+        all.push_back(object.hidden || (parent != by_name.end() && parent->second));
+        if (!object.name.empty()) by_name[object.name] = all.back();
+    }
+    return all;
+}
+
+const SceneObject* first_shown(const SceneFile& scene, bool (*is_such)(const std::filesystem::path& model)) {
+    const std::vector<bool> hidden = hidden_objects(scene);
+    for (size_t i = 0; i < scene.objects.size(); ++i)
+        if (!hidden[i] && is_such(scene.objects[i].model)) return &scene.objects[i];
+    return nullptr;
+}
+
+// Keys of an object that place it elsewhere than at its parent's origin.
+static std::string placement_keys(const SceneObject& object) {
+    std::string keys;
+    const auto add = [&](bool is_set, const char* key) {
+        keys += is_set ? (keys.empty() ? "" : ", ") + std::string(key) : "";
+    };
+    add(object.position != glm::vec3(0), "position");
+    add(object.rotation_deg != glm::vec3(0), "rotation_deg");
+    add(object.scale != glm::vec3(1), "scale");
+    add(bool(object.motion), "motion");
+    return keys;
+}
+
+void name_unused_placement(const SceneFile& scene, bool (*is_such)(const std::filesystem::path& model),
+                           const char* what) {
+    const SceneObject* const shown = first_shown(scene, is_such);
+    if (!shown) return;
+    const std::vector<bool> hidden = hidden_objects(scene);
+    const auto named = [](const SceneObject& object) {
+        return "'" + (object.name.empty() ? object.model.filename().string() : object.name) + "'";
+    };
+    for (size_t i = 0; i < scene.objects.size(); ++i)
+        if (const SceneObject& other = scene.objects[i]; &other != shown && !hidden[i] && is_such(other.model))
+            warn_once(fmt::format("{}: {}: left out: of {} the first is drawn, {}", scene.file.string(), named(other),
+                                  what, named(*shown)));
+    const SceneObject* object = shown;
+    for (size_t i = 0; i <= scene.objects.size() && object; ++i) {
+        if (const std::string keys = placement_keys(*object); !keys.empty())
+            warn_once(fmt::format("{}: {}: left out: {} of {}, which stays where it is", scene.file.string(),
+                                  named(*object), keys, what));
+        const auto is_parent = [&](const SceneObject& other) { return other.name == object->parent; };
+        const auto parent = std::find_if(scene.objects.begin(), scene.objects.end(), is_parent);
+        object = object->parent.empty() || parent == scene.objects.end() ? nullptr : &*parent;
+    }
 }
 
 }  // namespace lightwalk

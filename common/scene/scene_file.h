@@ -140,6 +140,14 @@ void update_scene(const SceneFile& scene, const std::filesystem::path& path);
 /// Path of an asset: as given, else below assets/, else below the root. Throws InputError if none exists.
 std::filesystem::path find_asset(const std::filesystem::path& path);
 
+/// First object with such a model that is not hidden, nor below a hidden one; null: none.
+const SceneObject* first_shown(const SceneFile& scene, bool (*is_such)(const std::filesystem::path& model));
+
+/// Warns once about what a drawing that stands for a model's file leaves out of its objects: placement and motion, also
+/// of their parents, and all objects but the first. `what`: "a volume".
+void name_unused_placement(const SceneFile& scene, bool (*is_such)(const std::filesystem::path& model),
+                           const char* what);
+
 /// Transform to the parent's space at a time: scale, then spin, rotation, translation.
 glm::mat4 local_transform(const SceneObject& object, float time_s = 0.0f);
 

@@ -83,4 +83,8 @@ void CameraControl::frame(Camera& camera, const Bounds& bounds, float aspect) {
 
 float CameraControl::fly_speed(const Bounds& bounds) { return 0.4f * radius_of(bounds); }
 
+void CameraControl::stay_above(Camera& camera, const std::optional<float>& lowest_m) {
+    if (lowest_m && camera.position.y < *lowest_m) camera.position.y = *lowest_m;
+}
+
 }  // namespace lightwalk

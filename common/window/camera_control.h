@@ -1,5 +1,7 @@
 // Moves a camera: around its target, with the picture, towards the target, or freely.
 #pragma once
+#include <optional>
+
 #include "common/scene/camera.h"
 #include "common/scene/mesh.h"
 
@@ -25,6 +27,9 @@ class CameraControl {
 
     /// Keeps the direction of view and steps back until all of `bounds` is in the picture.
     static void frame(Camera& camera, const Bounds& bounds, float aspect);
+
+    /// Lifts an eye that is below the given height, in metres; its target stays.
+    static void stay_above(Camera& camera, const std::optional<float>& lowest_m);
 
     /// A fifth of the scene a second, in metres.
     static float fly_speed(const Bounds& bounds);

@@ -27,6 +27,7 @@ void CameraMouse::move(const Input& input, glm::vec2 cursor_px, glm::uvec2 pictu
     if (input.wheel != 0.0f && !io.WantCaptureMouse)
         CameraControl::zoom(chapter_.camera, input.wheel, chapter_.scene.bounds);
     if (dragging_ && input.right) fly(input, seconds);
+    CameraControl::stay_above(chapter_.camera, chapter_.lowest_eye_m(chapter_.camera.position));
 }
 
 void CameraMouse::drag(const Input& input) {

@@ -62,7 +62,7 @@ void Panel::draw_errors(const std::vector<std::string>& errors, ImVec2 corner, I
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    ImGui::TextColored(quiet_color, "The picture is the last one that worked.");
+    ImGui::TextColored(quiet_color, "Drawn with the last version that compiled; without one, its pass draws nothing.");
     log_place("errors");
     ImGui::End();
 }

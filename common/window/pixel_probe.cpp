@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 
+#include "common/app/read_picture.h"
 #include "common/base/text.h"
 #include "common/gpu/barrier.h"
 #include "common/scene/pick.h"
@@ -37,10 +37,10 @@ bool wrote(const Frame& frame, const Image& image) {
                        [&](const auto& output) { return output.second.image == &image; });
 }
 
+// A frame is drawn in halves, the mean of several in floats.
 std::string value_words(Gpu& gpu, const Image& linear, glm::uvec2 at) {
-    uint64_t packed = 0;
-    std::memcpy(&packed, read_texel(gpu, linear, at, sizeof packed).data(), sizeof packed);
-    const glm::vec4 value = glm::unpackHalf4x16(packed);
+    const glm::vec4 value =
+        texel_value(linear.desc.format, read_texel(gpu, linear, at, texel_bytes(linear.desc.format)));
     return fmt::format("{:.3g} {:.3g} {:.3g}", value.r, value.g, value.b);
 }
 

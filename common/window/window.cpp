@@ -36,6 +36,7 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
                const Loading& loading) {
     // With --size the picture has that size, as it has without a window.
     const std::filesystem::path scene = options.scene.empty() ? chapter.default_scene() : options.scene;
+    chapter.scene_is_given = !options.scene.empty();
     find_asset(scene);  // a wrong name is said even where there is no display
     const auto* const tool = dynamic_cast<const WindowTool*>(&chapter);
     const glm::ivec2 panels(Panel::default_width + (tool ? tool->dock_width() : 0), StatusLine::height);

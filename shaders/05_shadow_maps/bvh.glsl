@@ -42,7 +42,7 @@ bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
     uv = moving_uv(uv, now.wobble, now.scroll, now.time_s);
     float color_alpha = mask_at(rays_masks[now.color_cuts * cutout.color_mask], uv);
     float opacity = mask_at(rays_masks[now.opacity_cuts * cutout.opacity_mask], uv);
-    return is_cut_out(surface_alpha(color_alpha, opacity, 1.0), now.cutoff);
+    return is_cut_out(surface_alpha(color_alpha, opacity, 1.0), cutout.cutoff < 0.0 ? now.cutoff : cutout.cutoff);
 }
 #endif
 

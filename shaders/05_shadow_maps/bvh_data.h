@@ -29,6 +29,7 @@ struct RayTriangle {
 struct RayCutout {
     vec2 a, b, c;
     uint color_mask, opacity_mask;
+    float cutoff;  // below 0: the frame's
 };
 
 // Alpha mask: 0 to 255, four texels a word, rows from the top.

@@ -14,7 +14,7 @@ layout(scalar) uniform TaaStepBlock {
     vec2 shift;
     float inverse_near, inverse_far;
     float at_rest, in_motion, gamma;
-    uint valid;
+    uint valid, rests;
 } taa_step;
 uniform sampler2D depth, history, behind_before;
 #if MOVING
@@ -86,8 +86,18 @@ vec3 history_at(vec2 at, vec2 size) {
 }
 // [/resample]
 
+// [rounded]
+// To the nearest half float: images may cut what they are given, which darkens a history more with every frame.
+vec3 to_nearest_half(vec3 light) {
+    const float least = exp2(-14.0);  // below it halves are evenly spaced
+    uvec3 kept = (floatBitsToUint(light) + 0x1000u) & 0xffffe000u;
+    return mix(uintBitsToFloat(kept), round(light * exp2(24.0)) * exp2(-24.0), lessThan(light, vec3(least)));
+}
+// [/rounded]
+
 // [limits]
-const float still = 0.05;  // pixels a frame
+const float still = 0.05;          // pixels a frame
+const float most_samples = 1024.0;  // a half float counts that far, and one sample in so many still changes it
 
 // At rest, samples that hit a thin wire or miss it change the mean of 3x3 pixels little; a shadow changes all of it. The
 // luma of the new frame's nine pixels: their mean and range.
@@ -146,17 +156,20 @@ void main() {
     vec2 at = vec2(pixel) + 0.5 + motion.pixels;
     if (taa_step.valid != 0u && motion.known) {
         ivec2 texel = clamp(ivec2(at), ivec2(0), size - 1);
-        bool keep = keep_history(at, vec2(size), motion.expected,
-                                 TAA_REJECT != 0 ? texelFetch(behind_before, texel, 0).r : 0.0);
+        bool unchanged = taa_step.rests != 0u;
+        bool keep = unchanged || keep_history(at, vec2(size), motion.expected,
+                                              TAA_REJECT != 0 ? texelFetch(behind_before, texel, 0).r : 0.0);
         if (keep) {
             float speed = length(motion.pixels);
             float kept = texelFetch(history, texel, 0).a;
             float worth = mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0));
             worth = min(worth, 0.25 / max(1.0 - motion.stays, 1e-4));  // until a quarter of its light is another
+            if (unchanged) worth = most_samples;
             count = min(abs(kept), max(worth - 1.0, 0.0));
-            vec3 old = speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
-            old = limit(to_ycocg(old), pixel, speed < still && kept > 0.0);
-            moves = speed >= still;
+            vec3 old = unchanged || speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
+            old = to_ycocg(old);
+            if (!unchanged) old = limit(old, pixel, speed < still && kept > 0.0);
+            moves = !unchanged && speed >= still;
             float weight = 1.0, old_weight = count;
 #if TAA_WEIGHTS == TAA_WEIGHTS_TONE
             weight /= 1.0 + fresh.x;
@@ -165,7 +178,7 @@ void main() {
             mixed = (weight * fresh + old_weight * old) / (weight + old_weight);
         }
     }
-    imageStore(light, pixel, vec4(max(from_ycocg(mixed), 0.0), moves ? -count - 1.0 : count + 1.0));
+    imageStore(light, pixel, vec4(to_nearest_half(max(from_ycocg(mixed), 0.0)), moves ? -count - 1.0 : count + 1.0));
     imageStore(behind, pixel, vec4(per_metre(farthest)));
 }
 // [/mix]

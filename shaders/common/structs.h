@@ -22,6 +22,11 @@ struct TangentFrame {
 };
 // [/tangent_frame]
 
+// How a surface's position changes with its texture coordinates, object space.
+struct Derivatives {
+    vec3 per_u, per_v;  // metres
+};
+
 // [along_uv]
 // Tangent-space vector in the oblique basis of increasing u and v; z stays. A step (x, y) changes u by
 // x / metres_per_uv.x and v by y / metres_per_uv.y.

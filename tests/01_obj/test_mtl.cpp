@@ -47,6 +47,20 @@ TEST_CASE("mtl: colours and numbers") {
     CHECK(one("Kd spectral file.rfl 1\nKs xyz 1 1 1\nTf 1 1 1\nwhatever it is").diffuse == Material().diffuse);
 }
 
+// MTL's illumination models: 1 is "color on and ambient on", 2 adds "highlight on". Ka is named where it says something.
+TEST_CASE("mtl: illum 1 has no highlight, and Ka is named where its hue is its own", "[01.illum]") {
+    const Material matt = one("Kd .5 .1 .1\nKs 1 1 1\nNs 20\nmap_Ks b\nillum 1"),
+                   shiny = one("Kd .5 .1 .1\nKs 1 1 1\nNs 20\nillum 2");
+    CHECK(matt.specular == glm::vec3(0));
+    CHECK_FALSE(matt.specular_map);
+    CHECK(shiny.specular == glm::vec3(1));
+    const std::vector<std::string> named{"Ka"}, none;
+    CHECK(one("Ka .9 0 0\nKd .5 .1 .1").left_out == named);
+    for (const char* plain : {"Ka 0 0 0\nKd .5 .1 .1", "Ka .8 .8 .8\nKd .5 .1 .1", "Ka .5 .1 .1\nKd .5 .1 .1",
+                              "Ka .1 .02 .02\nKd .5 .1 .1", "Kd .5 .1 .1"})
+        CHECK(one(plain).left_out == none);
+}
+
 TEST_CASE("mtl: maps and all their options") {
     const TextureMap map = one("map_Bump -bm 0.2 -o 1 2 3 -s 4 5 -t 0 0 0 -mm 0.1 2 -clamp on -imfchan l -blendu off "
                                "-blendv on -boost 2 -texres 512 -cc on -type sphere my file.png")
@@ -111,6 +125,33 @@ TEST_CASE("mtl: an OBJ finds its materials") {
     write_file(folder / "bad.mtl", "newmtl m\nKd x\n");
     write_file(folder / "c.obj", "mtllib bad.mtl\n" + triangle + "f 1 2 3\n");
     CHECK_THROWS_AS(load_obj(folder / "c.obj"), InputError);
+    fs::remove_all(folder);
+}
+
+// Alias|Wavefront's Object Files: "mtllib filename1 filename2 . . ."; other programs write names with blanks, or quote them.
+TEST_CASE("mtl: two names in mtllib, names with blanks and a byte order mark, by every loader", "[01.mtllib]") {
+    const fs::path folder = fs::temp_directory_path() / "lightwalk test_mtllib";
+    fs::create_directories(folder);
+    write_file(folder / "red paint.mtl", "newmtl red\nKd 1 0 0\n");
+    write_file(folder / "green.mtl", "newmtl green\nKd 0 1 0\n");
+    const std::string shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl green\nf 1 3 2\n";
+    for (const char* names : {"red paint.mtl green.mtl", "green.mtl red paint.mtl", "\"red paint.mtl\" green.mtl",
+                              "green.mtl\tred paint.mtl", "red paint.mtl\nmtllib green.mtl"})
+        for (const char* mark : {"", "\xEF\xBB\xBF"})
+            for (const std::string_view name : loader_names()) {
+                CAPTURE(names, mark, name);
+                write_file(folder / "a.obj", std::string(mark) + "mtllib " + names + "\n" + shape);
+                const Model model = load_obj(folder / "a.obj", loader_from_name(name));
+                bool red = false, green = false;
+                for (const Mesh& mesh : model.meshes)
+                    for (const Part& part : mesh.parts) {
+                        const Material& m = model.materials[part.material];
+                        red |= m.name == "red" && m.diffuse == glm::vec3(1, 0, 0);
+                        green |= m.name == "green" && m.diffuse == glm::vec3(0, 1, 0);
+                    }
+                CHECK(red);
+                CHECK(green);
+            }
     fs::remove_all(folder);
 }
 

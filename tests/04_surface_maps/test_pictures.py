@@ -1,10 +1,13 @@
 """Pictures of chapter 04 that must agree with others, or differ by a known amount."""
+import base64
+import json
 import math
 import pathlib
+import struct
 import sys
 import unittest
 
-from PIL import Image
+from PIL import Image, ImageChops
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 from pictures import ROOT, ChapterPictures  # noqa: E402
@@ -22,6 +25,96 @@ class PicturesTest(ChapterPictures):
                              "material": {"diffuse": [1, 1, 1], "maps": maps} | material}],
                 "lights": [{"type": "directional", "direction": [-0.6, -0.4, -0.7], "intensity": 3}],
                 "ambient": [0.2, 0.2, 0.2]}
+
+    # --- model files: one surface, written in two ways
+
+    def square(self, name, *, image, material, uv, uv1=None, joint=None, node=None) -> pathlib.Path:
+        """A square from -1 to 1 that faces +z, with a camera, a light and one texture. `joint`: a key of rotation."""
+        data, views, accessors = bytearray(), [], []
+
+        def add(numbers, form, component, kind, **more):
+            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": struct.calcsize(f"<{len(numbers)}{form}")})
+            data.extend(struct.pack(f"<{len(numbers)}{form}", *numbers) + bytes(-len(numbers) * struct.calcsize(form) % 4))
+            width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[kind]
+            accessors.append({"bufferView": len(views) - 1, "componentType": component, "type": kind,
+                              "count": len(numbers) // width} | more)
+            return len(accessors) - 1
+
+        corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]
+        attributes = {"POSITION": add(corners, "f", 5126, "VEC3", min=[-1, -1, 0], max=[1, 1, 0]),
+                      "NORMAL": add([0, 0, 1] * 4, "f", 5126, "VEC3"), "TEXCOORD_0": add(uv, "f", 5126, "VEC2")}
+        if uv1:
+            attributes["TEXCOORD_1"] = add(uv1, "f", 5126, "VEC2")
+        nodes = [{"camera": 0, "translation": [0, 0, 4]},
+                 {"extensions": {"KHR_lights_punctual": {"light": 0}}, "rotation": [-0.258, -0.155, 0, 0.954]},
+                 {"mesh": 0} | (node or {})]
+        model = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2]}], "nodes": nodes,
+                 "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+                 "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3.14}]}},
+                 "textures": [{"source": 0}], "images": [{"uri": image}], "materials": [material]}
+        if joint:
+            attributes["JOINTS_0"] = add([0] * 16, "B", 5121, "VEC4")
+            attributes["WEIGHTS_0"] = add([1, 0, 0, 0] * 4, "f", 5126, "VEC4")
+            nodes[2]["skin"] = 0
+            nodes.append(joint)
+            model["scenes"][0]["nodes"].append(3)
+            model["skins"] = [{"joints": [3]}]
+            half = math.sin(math.pi / 4)
+            turn = {"input": add([0, 1], "f", 5126, "SCALAR"),
+                    "output": add([0, 0, 0, 1, 0, 0, half, half], "f", 5126, "VEC4")}
+            channel = {"sampler": 0, "target": {"node": 3, "path": "rotation"}}
+            model["animations"] = [{"channels": [channel], "samplers": [turn]}]
+        model["meshes"] = [{"primitives": [{"attributes": attributes, "material": 0,
+                                            "indices": add([0, 1, 2, 0, 2, 3], "H", 5123, "SCALAR")}]}]
+        uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+        model |= {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": len(data), "uri": uri}]}
+        (self.folder / name).write_text(json.dumps(model))
+        return self.folder / name
+
+    def shown(self, model, *options) -> Image.Image:
+        """The middle of the square: the ground below a model lies where the whole clip of a skin leaves it."""
+        picture = self.folder / "model.png"
+        self.run_program("--scene", model, "--camera-of-file", "1", *options, "--size", "160x160", "--screenshot", picture)
+        return Image.open(picture).convert("RGB").crop((58, 66, 102, 94))
+
+    def largest_difference(self, a, b) -> int:
+        return max(high for _, high in ImageChops.difference(a, b).getextrema())
+
+    def waves(self) -> str:
+        """A normal map that leans along u alone, by up to 30 degrees."""
+        image = Image.new("RGB", (64, 64))
+        lean = [0.5 * math.sin(x * math.tau / 16) for x in range(64)]
+        image.putdata([(round(127.5 + 127.5 * lean[i % 64]), 128, round(127.5 + 127.5 * math.sqrt(1 - lean[i % 64] ** 2)))
+                       for i in range(64 * 64)])
+        image.save(self.folder / "waves.png")
+        return "waves.png"
+
+    PLAIN = {"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}
+    UPRIGHT = [0, 1, 1, 1, 1, 0, 0, 0]  # u to the right, v down
+    TURNED = [0, 0, 0, 1, 1, 1, 1, 0]   # by a quarter
+
+    def test_normal_map_of_the_second_coordinates(self):
+        """Tangents are those of the coordinates that the map has."""
+        image = self.waves()
+        first, second = ({**self.PLAIN, "normalTexture": {"index": 0, "texCoord": n}} for n in (0, 1))
+        by_first = self.shown(self.square("a.gltf", image=image, material=first, uv=self.TURNED))
+        by_second = self.shown(self.square("b.gltf", image=image, material=second, uv=self.UPRIGHT, uv1=self.TURNED))
+        upright = self.shown(self.square("c.gltf", image=image, material=first, uv=self.UPRIGHT))
+        self.assertLessEqual(self.largest_difference(by_first, by_second), 1)
+        self.assertGreater(self.largest_difference(by_first, upright), 40)
+
+    def test_normal_map_of_a_skin_turns_with_its_joint(self):
+        """A joint that turns the square looks like a node that does; also where both are mirrored or stretched."""
+        image, material = self.waves(), {**self.PLAIN, "normalTexture": {"index": 0}}
+        for scale in ([1, 1, 1], [-1, 1, 1], [1, 0.5, 1]):
+            quarter = {"rotation": [0, 0, math.sin(math.pi / 8), math.cos(math.pi / 8)], "scale": scale}
+            node = self.square("node.gltf", image=image, material=material, uv=self.UPRIGHT, node=quarter)
+            joint = self.square("joint.gltf", image=image, material=material, uv=self.UPRIGHT, joint={"scale": scale})
+            by_node = self.shown(node)
+            with self.subTest(scale=scale):
+                even = Image.new("RGB", by_node.size, by_node.getpixel((0, 0)))
+                self.assertGreater(self.largest_difference(by_node, even), 15)
+                self.assertLessEqual(self.largest_difference(by_node, self.shown(joint, "--time", "0.5")), 6)
 
     # --- hits
 

@@ -58,6 +58,48 @@ TEST_CASE_METHOD(OnTerrain, "the flight: place of the grid and rest add up to th
     }
 }
 
+// What follows surfaces over frames knows the view alone: a point of the ground, found by the depth of one frame, is by the
+// views where the next frame draws it.
+TEST_CASE_METHOD(OnTerrain, "the flight moves the view, by which the ground of one frame is found in the next",
+                 "[11.flight_view]") {
+    struct Seen {
+        View view;
+        std::vector<float> depth;
+    };
+    const auto fly_to = [&](float time_s) {
+        const World::Eye eye = terrain.eye(camera, time_s);
+        View view = view_of(eye.camera, size);
+        view.exact_eye = eye.exact;
+        draw_frame(view, terrain, time_s);
+        return Seen{view, read<float>(frame.depth)};
+    };
+    const Seen now = fly_to(10), then = fly_to(10.5f);
+    CHECK(glm::length(*then.view.exact_eye * glm::dvec3(1, 0, 1) - *now.view.exact_eye * glm::dvec3(1, 0, 1) -
+                      glm::dvec3(0, 0, -30)) < 1e-6);  // 60 m/s towards -z
+    const glm::dmat4 to_place = glm::inverse(glm::dmat4(now.view.view_projection)),
+                     to_then = glm::dmat4(then.view.view_projection);
+    int found = 0, compared = 0;
+    for (uint32_t y = size.y / 2; y < size.y; ++y)
+        for (uint32_t x = 0; x < size.x; ++x) {
+            const double depth = double(now.depth[y * size.x + x]);
+            if (depth <= 0) continue;
+            const glm::dvec2 at = 2.0 * (glm::dvec2(x, y) + 0.5) / glm::dvec2(size) - 1.0;
+            const glm::dvec4 place = to_place * glm::dvec4(at, depth, 1.0);
+            const glm::dvec3 world = glm::dvec3(place) / place.w + *now.view.exact_eye;
+            const glm::dvec4 clip = to_then * glm::dvec4(world - *then.view.exact_eye, 1.0);
+            const glm::dvec2 pixel = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(size);
+            if (clip.w <= 0 || glm::any(glm::lessThan(pixel, glm::dvec2(0))) ||
+                glm::any(glm::greaterThanEqual(pixel, glm::dvec2(size))))
+                continue;
+            const double seen = double(then.depth[size_t(pixel.y) * size.x + size_t(pixel.x)]), due = clip.z / clip.w;
+            ++compared;
+            found += std::fabs(seen / due - 1) < 0.1;
+        }
+    INFO(found << " of " << compared);
+    CHECK(compared > 500);
+    CHECK(found > 0.9 * compared);
+}
+
 TEST_CASE_METHOD(OnTerrain, "the ground that the camera follows is the truth's, to a millimetre") {
     Random random(21);
     for (int i = 0; i < 200; ++i) {

@@ -16,6 +16,7 @@ struct OnTaa : OnModules {
     Taa& taa = by.taa;
     Camera camera;
     Scene* scene = nullptr;
+    Drawings drawings;  ///< none: the method cannot know whether the world has changed
     Image picture, depth;
     int drawn = 0;
 
@@ -34,7 +35,7 @@ struct OnTaa : OnModules {
         const auto light = [&](int x, int y) { return at(x, y).light; };
         filter_frame(picture, size, half_texels(size, light, 0.25f), [&] {
             frame.upload("depth", depth, std::as_bytes(std::span(depths)));
-            by.record(frame, picture, {view, depth, scene});
+            by.record(frame, picture, {view, depth, scene, drawings});
         });
         return read_linear(gpu, picture);
     }

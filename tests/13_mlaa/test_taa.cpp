@@ -56,6 +56,45 @@ TEST_CASE_METHOD(OnTaa, "at rest the picture converges to the exact coverage, an
     }
 }
 
+// Wires a third of a pixel wide, and a grey wall: the truth is their share of each pixel.
+TEST_CASE_METHOD(OnTaa, "where nothing changes the error falls with the frames, and nothing darkens", "[13.rest]") {
+    struct Still : Drawing {
+        using Drawing::Drawing;
+        void draw(Frame&, const View&, Canvas&) override {}
+    } still(owner, "still");
+    drawings = {still};
+    constexpr double spacing = 4.37, wide = 0.34, dark = 0.013, bright = 0.77;
+    const auto wires_up_to = [&](double x) {  // length of wire from 0 to x
+        return std::floor(x / spacing) * wide + std::min(x - spacing * std::floor(x / spacing), wide);
+    };
+    const auto world = [&](float x, float y, int) {
+        if (y > 32) return Sample{glm::vec3(0.3137f), 0.5f};
+        const double across = std::fmod(double(x) + 100 * spacing, spacing);
+        return Sample{glm::vec3(float(across < wide ? bright : dark)), 0.5f};
+    };
+    const auto errors = [&](int frames) {  // RMS at the wires; the mean's error there and on the wall, as shares
+        const ImageRgb found = draw_many(frames, size, world);
+        double squares = 0, sum = 0, truth = 0, wall = 0;
+        for (int y = 2; y < 30; ++y)
+            for (int x = 2; x < 62; ++x) {
+                const double share = wires_up_to(x + 1.0) - wires_up_to(x), right = dark + (bright - dark) * share;
+                squares += std::pow(double(found.at(x, y).g) - right, 2) / (28 * 60);
+                sum += double(found.at(x, y).g);
+                truth += right;
+            }
+        for (int y = 36; y < 62; ++y)
+            for (int x = 2; x < 62; ++x) wall += double(found.at(x, y).g) / (26 * 60);
+        return glm::dvec3(std::sqrt(squares), sum / truth - 1, wall / 0.3137 - 1);
+    };
+    const glm::dvec3 few = errors(32), many = errors(256);
+    fmt::print("at rest: RMS {:.4f} after 32 frames, {:.4f} after 256; means off by {:.2f}% and {:.2f}%\n", few.x,
+               many.x, 100 * many.y, 100 * many.z);
+    CHECK(many.x < 0.4 * few.x);
+    CHECK(many.x < 0.008);
+    CHECK(std::abs(many.y) < 0.01);
+    CHECK(std::abs(many.z) < 0.001);
+}
+
 TEST_CASE_METHOD(OnTaa, "a cold start depends on nothing that was drawn before") {
     const auto world = [](float x, float y, int) { return Sample{glm::vec3(float(int(x / 5 + y / 3) % 2)), 0.5f}; };
     const ImageRgb first = draw_many(8, size, world);

@@ -77,3 +77,14 @@ TEST_CASE("frame shows the whole scene in pictures of any shape") {
         }
     }
 }
+
+TEST_CASE("an eye below the ground is lifted, its target stays") {
+    Camera camera{.position = {1, -3, 2}, .target = {4, 5, 6}};
+    CameraControl::stay_above(camera, std::nullopt);
+    CHECK(camera.position == glm::vec3(1, -3, 2));
+    CameraControl::stay_above(camera, 1.5f);
+    CHECK(camera.position == glm::vec3(1, 1.5f, 2));
+    CHECK(camera.target == glm::vec3(4, 5, 6));
+    CameraControl::stay_above(camera, 0.5f);
+    CHECK(camera.position.y == 1.5f);
+}

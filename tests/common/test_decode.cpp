@@ -58,3 +58,39 @@ TEST_CASE("a PNM of 8 bits is read, and one of 16 is refused", "[common.pnm]") {
     write_file(scratch / "a.ppm", "P6 2 1 65535\n" + samples + samples);
     CHECK(has_part(message_of(scratch / "a.ppm"), "is a PNM image of 16 bits"));
 }
+
+// BMP: a negative height says that rows run from the top.
+TEST_CASE("a BMP whose rows run from the top", "[common.bmp_top_down]") {
+    const FileFolder scratch;
+    const Image8 image = pattern(5, 3);
+    const auto number = [](int n) { return std::string{char(n), char(n >> 8), char(n >> 16), char(n >> 24)}; };
+    std::string rows;
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 5; ++x)
+            for (const int c : {2, 1, 0}) rows += static_cast<char>(image.at(x, y)[c]);
+        rows += '\0';  // to a multiple of four bytes
+    }
+    write_file(scratch / "a.bmp", "BM" + number(54 + 48) + number(0) + number(54) + number(40) + number(5) +
+                                      number(-3) + std::string("\1\0\x18\0", 4) + std::string(24, '\0') + rows);
+    const Image8 back = read_image8(scratch / "a.bmp");
+    REQUIRE((back.width == 5 && back.height == 3));
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 5; ++x) CHECK(glm::u8vec3(back.at(x, y)) == glm::u8vec3(image.at(x, y)));
+}
+
+// ITU-T T.81, B.1.1.3: EOI ends the picture; cameras and editors put bytes behind it.
+TEST_CASE("a JPEG with bytes behind its end", "[common.jpeg_ends]") {
+    const FileFolder scratch;
+    const Image8 image = pattern(31, 20);
+    std::string jpeg;
+    stbi_write_jpg_to_func(append_bytes, &jpeg, image.width, image.height, 4, image.pixels.data(), 90);
+    write_file(scratch / "plain.jpg", jpeg);
+    const Image8 plain = read_image8(scratch / "plain.jpg");
+    for (const std::string& behind :
+         {std::string("\xFF\xDA behind"), std::string(3, '\0'), jpeg.substr(0, jpeg.size() / 2)}) {
+        write_file(scratch / "a.jpg", jpeg + behind);
+        CHECK(read_image8(scratch / "a.jpg").pixels == plain.pixels);
+    }
+    write_file(scratch / "a.jpg", jpeg.substr(0, jpeg.size() - 2));
+    CHECK(has_part(message_of(scratch / "a.jpg"), "cut off"));
+}

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/scene/bare.h"
 #include "gltf_fixture.h"
 
 using namespace lightwalk;
@@ -139,4 +140,71 @@ TEST_CASE("glTF: joints outside of the scene") {
     const Model model = Gltf().read("", skinned);
     REQUIRE((model.nodes.size() == 3 && model.nodes[1].meshes.empty()));
     CHECK(glm::vec3(world_transforms(model)[2][3]) == glm::vec3(1, 2, 0));
+}
+
+// glTF 2.0, 3.11: an animation's value is that of its only key, before it and after it.
+TEST_CASE("glTF: an animation of one key is a pose", "[common.one_key]") {
+    Gltf file;
+    std::string text = head + R"(}], "nodes": [{"mesh": 0, "translation": [5, 6, 7], "scale": [2, 2, 2]}],
+        "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                        "samplers": [{"input": 3, "output": 4}]}]})";
+    const std::string old = R"("count": 2, "type": "VEC3"})";
+    text.replace(text.find(old), old.size(), old + R"(,
+        {"bufferView": 0, "componentType": 5126, "count": 1, "type": "SCALAR"},
+        {"bufferView": 1, "byteOffset": 12, "componentType": 5126, "count": 1, "type": "VEC3"})");
+    write_file(file.folder / "pose.gltf", text);
+    const Model model = import_model(file.folder / "pose.gltf");
+    CHECK(model.motions.empty());
+    CHECK(world_transforms(model, 3.0f)[0] == glm::mat4({2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {1, 0, 0, 1}));
+}
+
+// GLB: 12 bytes of header, of which the last four state the length; then chunks, whose lengths are multiples of four.
+TEST_CASE("glTF: bytes behind a .glb's end, and chunks without padding", "[common.glb_ends]") {
+    Gltf file;
+    const auto number = [](size_t n) { return std::string{char(n), char(n >> 8), char(n >> 16), char(n >> 24)}; };
+    std::string json = head + R"(}], "nodes": [{"mesh": 0}]})";
+    const std::string uri =
+        R"("uri": "data:application/octet-stream;base64,AAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=")";
+    json.replace(json.find(uri), uri.size(), R"("name": "x")");
+    while (json.size() % 4 != 1) json += ' ';
+    const float floats[11] = {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::string bin(reinterpret_cast<const char*>(floats), sizeof floats);
+    for (const bool is_padded : {true, false})
+        for (const std::string& behind : {std::string(), std::string("behind the end, 0123456789")}) {
+            CAPTURE(is_padded, behind);
+            const std::string text = json + std::string(is_padded ? 3 : 0, ' ');
+            const size_t length = 12 + 8 + text.size() + 8 + bin.size();
+            write_file(file.folder / "a.glb", "glTF" + number(2) + number(length) + number(text.size()) + "JSON" +
+                                                  text + number(bin.size()) + std::string("BIN\0", 4) + bin + behind);
+            CHECK(import_model(file.folder / "a.glb").meshes.at(0).vertices[1].position == glm::vec3(1, 0, 0));
+        }
+}
+
+// Exporters write colours of instances as _COLOR_0: times the material's.
+TEST_CASE("glTF: colours of instances", "[common.instance_colors]") {
+    const std::string nodes = R"("nodes": [{"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes":
+        {"TRANSLATION": 1, "_COLOR_0": 1, "_OTHER": 1}}}}], "extensionsUsed": ["EXT_mesh_gpu_instancing"])";
+    const Model model = Gltf().read(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.5, 0.5, 1]})", nodes);
+    CHECK(left_out_text(model) == "instances' _OTHER (1 mesh)");
+    Scene scene;
+    SceneFile file;
+    file.objects = {object_at(quad_file, {0, 0, 0})};
+    scene.load(check_device(), std::move(file), [&](const auto&) { return model; });
+    REQUIRE(scene.items.size() == 3);
+    CHECK(scene.items[0].material.diffuse == glm::vec3(0));  // the accessor's values, times a half
+    CHECK(scene.items[1].material.diffuse == glm::vec3(0.5f, 0, 0));
+    CHECK(scene.items[2].material.diffuse == glm::vec3(0, 0.5f, 0));
+}
+
+// glTF 2.0, 3.9.3: a fragment whose alpha is at least the cutoff is opaque.
+TEST_CASE("glTF: a cutoff of 0 hides nothing", "[common.cutoff_0]") {
+    const auto why = [](const char* cutoff, const char* alpha) {
+        const Model model = Gltf().read(fmt::format(
+            R"("alphaMode": "MASK", "alphaCutoff": {}, "pbrMetallicRoughness": {{"baseColorFactor": [1, 1, 1, {}]}})",
+            cutoff, alpha));
+        return why_invisible(model, {0, 0, 5});
+    };
+    CHECK(why("0", "0").empty());
+    CHECK(why("0.5", "0.5").empty());
+    CHECK(why("0.5", "0.4").find("transparent") != std::string::npos);
 }

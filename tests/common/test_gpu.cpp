@@ -5,7 +5,9 @@
 #include <thread>
 
 #include "catch.h"
+#include "common/app/read_picture.h"
 #include "common/base/error.h"
+#include "common/base/exercise.h"
 #include "common/base/files.h"
 #include "common/base/kept.h"
 #include "common/check/check.h"
@@ -177,3 +179,46 @@ TEST_CASE("a damaged cache entry is rebuilt, and many threads may fill the cache
 }
 
 TEST_CASE("validation has said nothing so far") { CHECK_NOTHROW(check_device().device.check_validation()); }
+
+TEST_CASE("a version that does not compile is replaced by the last one of the same toggles, and by no other's",
+          "[common.last_good]") {
+    PipelineLibrary library(check_device().device);
+    library.keep_last_good = true;
+    const Pipeline shader = compute({.shader = "last_good", .source = R"(
+layout(local_size_x = 1) in;
+layout(scalar) writeonly buffer ResultBuffer { uint result[]; };
+void main() {
+#if BROKEN
+    result[0] = nowhere;
+#else
+    result[0] = 1u;
+#endif
+}
+)"});
+    const auto get = [&](const char* broken) {
+        Macros macros;
+        macros.set("BROKEN", broken);
+        const Macros* const all[] = {&macros};
+        return library.get(shader, {}, all);
+    };
+    Exercises::use("solution");
+    CHECK(get("0"));  // the reference's
+    Exercises::set("02.lambert", false);
+    CHECK(get("1") == nullptr);
+    const BuiltPipeline* const own = get("0");
+    CHECK(own);
+    CHECK(get("1") == own);
+    Exercises::use("solution");
+}
+
+// IEEE 754: what is .5 as half, as float and as a byte, at the same place in memory.
+TEST_CASE("a pixel's value is read by its image's format", "[common.texel_value]") {
+    const glm::vec4 value(0.5f, 49100.0f, -0.25f, 1.0f);
+    const uint16_t halves[] = {0x3800, 0x79fe, 0xb400, 0x3c00};
+    const uint8_t bytes[] = {255, 0, 51, 255};
+    CHECK(texel_value(VK_FORMAT_R32G32B32A32_SFLOAT, std::as_bytes(std::span(&value, 1))) == value);
+    CHECK(texel_value(VK_FORMAT_R16G16B16A16_SFLOAT, std::as_bytes(std::span(halves))) ==
+          glm::vec4(0.5f, 49088.0f, -0.25f, 1.0f));
+    CHECK(glm::length(texel_value(VK_FORMAT_R8G8B8A8_UNORM, std::as_bytes(std::span(bytes))) -
+                      glm::vec4(1, 0, 0.2f, 1)) < 1e-6f);
+}

@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "catch.h"
+#include "common/base/text.h"
+#include "file_fixture.h"
 #include "scene_fixture.h"
 
 using namespace lightwalk;
@@ -243,4 +245,35 @@ TEST_CASE("limits: nested lists, nested includes, includes without number, long 
     REQUIRE(scene.objects.size() == 20001);
     CHECK(scene.objects.front().name == "20000");
     CHECK(scene.objects.back().name == "0");
+}
+
+TEST_CASE("what a drawing that stands for a file leaves out of its objects is named, and what is hidden is not shown",
+          "[common.unused_placement]") {
+    const auto is_ground = [](const std::filesystem::path& file) { return file.extension() == ".png"; };
+    const auto said = [&](std::vector<SceneObject> objects) {
+        SceneFile scene;
+        scene.file = "s.json";
+        scene.objects = std::move(objects);
+        std::string words;
+        collected_warnings() = &words;
+        name_unused_placement(scene, is_ground, "a terrain");
+        collected_warnings() = nullptr;
+        const SceneObject* const shown = first_shown(scene, is_ground);
+        return std::pair(shown ? shown->name : "", words);
+    };
+    const SceneObject plain{.name = "a", .model = "a.png"}, other{.name = "b", .model = "b.png"};
+    SceneObject moved = plain, hidden = plain, group{.name = "g"}, child = other;
+    moved.position.x = 1;
+    moved.scale.y = 2;
+    hidden.hidden = true;
+    group.rotation_deg.y = 90;
+    child.parent = "g";
+    CHECK(said({plain}) == std::pair<std::string, std::string>("a", ""));
+    CHECK(has_part(said({moved}).second, "s.json: 'a': left out: position, scale of a terrain"));
+    CHECK(has_part(said({plain, other}).second, "s.json: 'b': left out: of a terrain the first is drawn, 'a'"));
+    CHECK(said({hidden, other}) == std::pair<std::string, std::string>("b", ""));
+    CHECK(said({hidden}).first.empty());
+    CHECK(has_part(said({group, child}).second, "s.json: 'g': left out: rotation_deg of a terrain"));
+    group.hidden = true;
+    CHECK(said({group, child}) == std::pair<std::string, std::string>("", ""));
 }

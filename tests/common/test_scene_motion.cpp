@@ -1,4 +1,6 @@
 // Scenes that move: placement at a time, and minimal uploads.
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "catch.h"
 #include "scene_fixture.h"
 
@@ -178,4 +180,148 @@ TEST_CASE("a part that an animation mirrors leaves its batch and still shows its
         const auto seen = test.seen(test.scene, {{0.1f, 0.1f}, {2.5f, 0.1f}});
         CHECK((seen[0].a == 1.0f && seen[1].a == 1.0f));
     }
+}
+
+namespace {
+
+// The ball, all of whose vertices follow two joints by these shares.
+Model skinned_ball(std::vector<glm::mat4> joints, glm::vec4 shares) {
+    Model model = test_model("sphere.obj");
+    ModelSkin& skin = model.skins.emplace_back();
+    for (size_t i = 0; i < joints.size(); ++i) {
+        skin.joints.push_back(static_cast<uint32_t>(model.nodes.size()));
+        skin.inverse_bind.emplace_back(1.0f);
+        model.nodes.push_back({.name = "joint", .local = joints[i]});
+    }
+    Deformation& how = model.meshes[0].deformation;
+    how.rest = model.meshes[0].vertices;
+    how.joints.assign(how.rest.size(), {0, 1, 0, 0});
+    how.joint_weights.assign(how.rest.size(), shares);
+    deform_at_rest(model);
+    return model;
+}
+
+// It moves, so that the device deforms it; the node that moves has no mesh.
+void set_in_motion(Model& model) {
+    model.motions.push_back({.node = static_cast<uint32_t>(model.nodes.size())});
+    model.nodes.push_back({.name = "elsewhere"});
+    NodeMotion& motion = model.motions.back();
+    motion.position = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+    motion.rotation = {{0, {1, 0, 0, 0}}};
+    motion.scale = {{0, {1, 1, 1}}};
+    model.motions_s = 1;
+}
+
+struct ModelScene {
+    Gpu& gpu = check_device();
+    Scene scene;
+    explicit ModelScene(const Model& model) {
+        SceneFile file;
+        file.objects = {object_at(ball_file, {0, 0, 0})};
+        scene.load(gpu, std::move(file), [&](const auto&) { return model; });
+    }
+    // The first mesh at a time, as the device has deformed it.
+    std::vector<Vertex> at(float time_s) {
+        Frame frame(gpu);
+        TestScene::begin(frame);
+        animate(scene, time_s);
+        scene.upload_moved(frame);
+        frame.end();
+        const auto bytes = gpu.read_back(scene.items[0].model->vertices[0]);
+        std::vector<Vertex> vertices(bytes.size() / sizeof(Vertex));
+        std::memcpy(vertices.data(), bytes.data(), bytes.size());
+        return vertices;
+    }
+};
+
+bool holds(const Bounds& box, glm::vec3 p) {
+    const glm::vec3 slack(1e-4f);
+    return glm::all(glm::greaterThanEqual(p, box.lower - slack)) && glm::all(glm::lessThanEqual(p, box.upper + slack));
+}
+
+}  // namespace
+
+// The gradient of x² / a² + y² / b² + z² / c² is normal to the ellipsoid that the joints make of a ball.
+TEST_CASE("normals of a skin under joints of unequal scale are those of the ellipsoid", "[common.joint_scale]") {
+    const glm::mat4 one(1.0f), flat = glm::scale(one, {1, 0.3f, 1}), turned = glm::scale(one, {-1, 1, 1});
+    const struct {
+        std::vector<glm::mat4> joints;
+        glm::vec4 shares;
+        glm::vec3 axes;
+    } cases[] = {{{flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}},
+                 {{flat, one}, {0.5f, 0.5f, 0, 0}, {1, 0.65f, 1}},
+                 {{turned, one}, {1, 0, 0, 0}, {1, 1, 1}},
+                 {{turned * flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}}};
+    for (const auto& [joints, shares, axes] : cases) {
+        Model model = skinned_ball(joints, shares);
+        const auto worst = [&](const std::vector<Vertex>& vertices) {
+            float most = 0;
+            for (const Vertex& v : vertices)
+                most = std::max(most, glm::length(v.normal - glm::normalize(v.position / (axes * axes))));
+            return most;
+        };
+        CHECK(worst(model.meshes[0].vertices) < 1e-4f);
+        set_in_motion(model);
+        ModelScene test(model);
+        CHECK(worst(test.at(0.5f)) < 1e-4f);
+        CHECK(test.scene.items[0].mirrored == (glm::determinant(joints[0]) < 0));
+    }
+}
+
+TEST_CASE("a morph of a mesh without normals keeps the normals of its triangles", "[common.morph_flat]") {
+    Model model = test_model("quad.obj");
+    Mesh& mesh = model.meshes[0];
+    for (Vertex& v : mesh.vertices) v.normal = glm::vec3(0);
+    Deformation& how = mesh.deformation;
+    // Folds the corner at (1, 1) up to 45 degrees: the triangle (0, 1, 2) leans about the edge y = -1, (0, 2, 3) about x = -1.
+    how.targets.push_back({.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 2}, {0, 0, 0}}});
+    how.weights = {1.0f};
+    flatten_missing_normals(mesh);
+    how.rest = mesh.vertices;
+    deform_at_rest(model);
+    const glm::vec3 a = glm::normalize(glm::vec3(0, -1, 1)), b = glm::normalize(glm::vec3(-1, 0, 1));
+    const auto check = [&](const std::vector<Vertex>& vertices) {
+        for (size_t i = 0; i < 6; ++i) CHECK(glm::length(vertices[mesh.indices[i]].normal - (i < 3 ? a : b)) < 1e-5f);
+    };
+    check(mesh.vertices);
+    set_in_motion(model);
+    ModelScene test(model);
+    check(test.at(0.25f));
+}
+
+TEST_CASE("bounds hold a deformed mesh at all times, so that culling removes no visible one", "[common.moved_bounds]") {
+    // A morph that moves 6 m at .5 of 8 s, between even samples of the clip.
+    Model model = test_model("sphere.obj");
+    Deformation& how = model.meshes[0].deformation;
+    how.rest = model.meshes[0].vertices;
+    how.targets.push_back({.positions = std::vector<glm::vec3>(how.rest.size(), {6, 0, 0})});
+    how.weights = {0.0f};
+    model.motions.push_back({.node = 0});
+    model.motions[0].weights = {{0, {0.0f}}, {0.4f, {0.0f}}, {0.5f, {1.0f}}, {0.6f, {0.0f}}, {8, {0.0f}}};
+    model.motions_s = 8;
+    deform_at_rest(model);
+    ModelScene morph(model);
+    Model skin = skinned_ball({glm::mat4(1.0f), glm::mat4(1.0f)}, {0.5f, 0.5f, 0, 0});
+    skin.motions.push_back({.node = 1});
+    skin.motions[0].position = {{0, {0, 0, 0}}, {1, {4, 0, 0}}, {3, {0, 7, 0}}};
+    skin.motions[0].rotation = {{0, {1, 0, 0, 0}}, {1.5f, {0, 0, 1, 0}}, {3, {0, 1, 0, 0}}};
+    skin.motions[0].scale = {{0, {1, 1, 1}}, {2, {3, 0.5f, 1}}};
+    skin.motions_s = 3;
+    deform_at_rest(skin);
+    ModelScene skinned(skin);
+    for (ModelScene* test : {&morph, &skinned})
+        for (const float time_s : {0.0f, 0.37f, 0.5f, 0.55f, 1.3f, 2.2f, 2.9f, 7.9f}) {
+            const std::vector<Vertex> vertices = test->at(time_s);
+            const DrawItem& item = test->scene.items[0];
+            CAPTURE(time_s);
+            CHECK(std::all_of(vertices.begin(), vertices.end(),
+                              [&](const Vertex& v) { return holds(item.bounds, v.position); }));
+            // What the processor reads for rays and picking is what the device has.
+            const std::vector<Vertex>& known = vertices_of(*item.model, 0);
+            float most = 0;
+            for (size_t i = 0; i < vertices.size(); ++i)
+                most = std::max(most, glm::length(known[i].position - vertices[i].position));
+            CHECK(most < 1e-5f);
+        }
+    CHECK(holds(model.meshes[0].bounds, {7, 0, 0}));  // the clip's own, by which a foreign model is framed
 }
