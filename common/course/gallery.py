@@ -4,10 +4,10 @@ import argparse
 import hashlib
 import json
 import os
-import queue
 import tempfile
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from build.build import alone, build
@@ -15,10 +15,11 @@ from build.programs import Programs
 from many import shards, slurm
 from progress import Progress
 from shots.rendering import Drawing
-from tree import (BUILD, ROOT, UsageError, best_first, chapter_program, chapters, cores, display_words, has_display,
-                  relative, say, warn, write_atomically)
+from tree import (BUILD, ROOT, UsageError, best_first, chapter_program, chapters, display_words, has_display, relative,
+                  say, warn, write_atomically)
 
-SAMPLES = "4"  # of a finished picture; the first one of a chapter has one sample
+SAMPLES = "4"  # of a picture
+WORKERS = 2  # beside the compiler
 REFRESH_S = 1.0  # between two versions of the page, at least
 
 
@@ -60,7 +61,7 @@ def draw_gallery_shard(file: Path, shard: shards.Shard) -> int:
     pictures = gallery_pictures()
     mine = [picture for picture in pictures if shard.takes(picture["image"])]
     with tempfile.TemporaryDirectory(prefix="lightwalk.gallery.") as made:
-        Drawer(Path(made), mine, mine).draw_all()
+        Drawer(Path(made), mine).draw_all()
         drawn = {picture["image"]: Path(made, picture["image"]).read_bytes() for picture in mine if not picture["error"]}
         entries = {picture["image"]: {"error": picture["error"], "sha256": hashlib.sha256(drawn.get(picture["image"], b"")).hexdigest()}
                    for picture in mine}
@@ -88,7 +89,7 @@ def draw_gallery(best_only: bool) -> int:
     folder, pictures = BUILD / "gallery", gallery_pictures(best_only)
     build([chapters()[0]])  # and with it the shared library
     known, start_s = read_drawn(folder), time.monotonic()
-    drawer = Drawer(folder, pictures, [], known)
+    drawer = Drawer(folder, pictures, known)
     stale = drawer.draw_all(Programs(drawer.page_changed))
     if stale:
         warn(f"drew {stale} pictures in {time.monotonic() - start_s:.1f} s")
@@ -118,147 +119,94 @@ def say_failed(pictures: list[dict]) -> int:
 
 
 class Drawer:
-    """Draws pictures into a folder: of each chapter the first with one sample, as soon as its program stands; these again
-    with four samples; then the others. A process draws all of a chapter's: starting one takes longer than a picture."""
+    """Draws pictures into a folder, a chapter's by one process, since starting one takes longer than a picture: each chapter's best
+    as soon as its program stands, then the others. `known`: the key by which each was drawn before; without it all are drawn."""
 
-    def __init__(self, folder: Path, pictures: list[dict], stale: list[dict], known: dict | None = None):
-        self.folder, self.pictures, self.stale, self.known = folder, pictures, stale, known
-        self.tasks, self.lock, self.done, self.total = queue.PriorityQueue(), threading.Lock(), 0, len(stale)
+    def __init__(self, folder: Path, pictures: list[dict], known: dict | None = None):
+        self.folder, self.pictures, self.known = folder, pictures, known
+        self.lock, self.done, self.total = threading.Lock(), 0, 0
         self.programs, self.keys, self.written_s, self.stopping = None, {}, 0.0, False
-        self.drew = threading.Event()  # one picture, or tried to
         self.drawings: list[Drawing] = []
         self.progress = Progress("drawing")
 
     def draw_all(self, programs: Programs | None = None) -> int:
         """Returns how many there were to draw."""
-        self.programs = programs
-        if programs is None:
-            for chapter in dict.fromkeys(picture["chapter"] for picture in self.stale):
-                self.add(chapter, [picture for picture in self.stale if picture["chapter"] == chapter], True)
-        workers = [threading.Thread(target=self.work, args=(i,), daemon=True) for i in range(min(cores(), 4))]
-        try:
-            with self.progress:
-                added = set()
-                workers[0].start()
+        self.programs, waiting = programs, list(dict.fromkeys(picture["chapter"] for picture in self.pictures))
+        later, is_building = [], programs is not None
+        with self.progress, ThreadPoolExecutor(WORKERS) as pool:
+            try:
                 if programs:
-                    added.update(self.draw_first())
                     programs.start()
-                for worker in workers[1:]:
-                    worker.start()
-                while programs and (programs.are_building() or added != set(programs.ready())):
-                    for chapter in sorted(set(programs.ready()) - added):
-                        added.add(chapter)
-                        self.plan(chapter)
+                while waiting:
+                    is_building = programs is not None and programs.are_building()  # asked first: what is ready then is all there will be
+                    for chapter in [chapter for chapter in waiting if not programs or chapter in programs.ready()]:
+                        waiting.remove(chapter)
+                        stale = self.stale(chapter)
+                        pool.submit(self.draw, chapter, stale[:1])
+                        later.append((chapter, stale[1:]))
+                    if not is_building:
+                        break
                     time.sleep(0.05)
-                for _ in workers:
-                    self.tasks.put((9, 0, None, [], "0"))
-                for worker in workers:
-                    worker.join()
-        finally:
-            self.stopping = True
-            for drawing in list(self.drawings):
-                if drawing.program:  # None: it could not be started
-                    drawing.program.kill()
-            if programs:
-                programs.stop()
+                for done in [pool.submit(self.draw, *task) for task in later]:
+                    done.result()
+            except BaseException:
+                self.stopping = True
+                for drawing in list(self.drawings):
+                    if drawing.program:  # None: it could not be started
+                        drawing.program.kill()
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
+            finally:
+                if programs:
+                    programs.stop()
         if programs:
             self.note_unbuilt()
         return self.total
 
-    def draw_first(self) -> list[str]:
-        """Draws one picture of what is built before the compiler takes the processor again. Returns the chapter."""
-        first = self.programs.ready()[:1]
-        for chapter in first:
-            self.plan(chapter)
-        if self.total:
-            self.drew.wait()
-        return first
-
-    def plan(self, chapter: str):
-        """Queues a chapter's pictures once its program is built."""
+    def stale(self, chapter: str) -> list[dict]:
+        """The chapter's pictures that are to be drawn."""
         self.keys[chapter] = key_of(chapter)
-        mine = [picture for picture in self.pictures if picture["chapter"] == chapter]
-        stale = [picture for picture in mine if self.known.get(picture["image"]) != self.keys[chapter]
-                 or not (self.folder / picture["image"]).exists()]
+        found = [picture for picture in self.pictures if picture["chapter"] == chapter and (
+            self.known is None or self.known.get(picture["image"]) != self.keys[chapter] or not (self.folder / picture["image"]).exists())]
         with self.lock:
-            self.total += len(stale)
-        for picture in stale:
-            picture["waits"] = True
-        self.add(chapter, stale, False)
+            self.total += len(found)
+        return found
 
-    def add(self, chapter: str, pictures: list[dict], at_once: bool):
-        place = chapters().index(chapter)
-        if at_once and pictures:
-            self.tasks.put((2, place, chapter, pictures, SAMPLES))
-        elif pictures:
-            self.tasks.put((0, place, chapter, pictures[:1], "1"))
-            self.tasks.put((1, place, chapter, pictures[:1], SAMPLES))
-            if pictures[1:]:
-                self.tasks.put((2, place, chapter, pictures[1:], SAMPLES))
+    def draw(self, chapter: str, pictures: list[dict]):
+        if not pictures:
+            return
+        with Drawing(chapter, validate="off") as drawing:
+            self.drawings.append(drawing)
+            for picture in pictures:
+                try:
+                    picture["error"] = self.draw_one(drawing, picture)
+                except Exception as error:  # a thread's own would be lost
+                    picture["error"] = str(error)
+                if self.stopping:
+                    return
+                with self.lock:
+                    self.done += 1
+                    self.progress.show(self.done, self.total, f"{chapter}.{picture['name']}")
+                    if self.known is not None and not picture["error"]:
+                        self.known[picture["image"]] = self.keys[chapter]
+                self.page_changed(picture)
+            self.drawings.remove(drawing)
 
-    def work(self, number: int):
-        # Beside the compiler one picture at a time is drawn.
-        while number and self.programs and self.programs.are_building() and not self.stopping:
-            time.sleep(0.1)
-        while not self.stopping:
-            _, _, chapter, pictures, samples = self.tasks.get()
-            if chapter is None:
-                return
-            try:
-                self.draw_of_one(chapter, pictures, samples)
-            except Exception as error:  # a thread's own would be lost
-                for picture in pictures:
-                    picture["error"] = picture["error"] or str(error)
-                self.drew.set()
-
-    def draw_of_one(self, chapter: str, pictures: list[dict], samples: str):
-        drawing = None
-        for picture in pictures:
-            if self.stopping:
-                break
-            if not drawing or not drawing.is_alive():
-                if drawing:
-                    self.close(drawing)
-                drawing = Drawing(chapter, validate="off")
-                self.drawings.append(drawing)
-            self.draw_one(drawing, picture, samples)
-        if drawing:
-            self.close(drawing)
-
-    def close(self, drawing: Drawing):
-        drawing.close()
-        self.drawings.remove(drawing)
-
-    def draw_one(self, drawing: Drawing, picture: dict, samples: str):
+    def draw_one(self, drawing: Drawing, picture: dict) -> str | None:
         file = self.folder / picture["image"]
         beside = file.with_name(f".{file.name}.{threading.get_ident():x}.png")
         beside.parent.mkdir(parents=True, exist_ok=True)
-        code, words, _ = drawing.draw(["--shot", picture["name"], "--samples", samples], beside)
-        if self.stopping:
+        code, words, _ = drawing.draw(["--shot", picture["name"], "--samples", SAMPLES], beside)
+        if self.stopping or code or not beside.exists():
             beside.unlink(missing_ok=True)
-            return
-        picture["error"] = f"{picture['chapter']} ended with {code}: {words}" if code or not beside.exists() else None
-        if not picture["error"]:
-            os.replace(beside, file)
-        with self.lock:
-            picture["waits"] = False
-            picture["samples"] = int(samples)
-            if samples == SAMPLES or picture["error"]:
-                self.done += 1
-                self.progress.show(self.done, self.total, f"{picture['chapter']}.{picture['name']}")
-                if self.known is not None and not picture["error"]:
-                    self.known[picture["image"]] = self.keys[picture["chapter"]]
-            elif self.programs:
-                self.progress.show(self.done, self.total, f"{picture['chapter']}.{picture['name']}, one sample")
-        self.page_changed(picture)
-        self.drew.set()
+            return f"{picture['chapter']} ended with {code}: {words}"
+        os.replace(beside, file)
+        return None
 
     def page_changed(self, picture: dict | None = None):
         """Writes the page of the available pictures, initially after the first one."""
-        if not self.programs:
-            return
         with self.lock:
-            if (not picture and not self.written_s) or time.monotonic() < self.written_s + REFRESH_S:
+            if not self.programs or (not picture and not self.written_s) or time.monotonic() < self.written_s + REFRESH_S:
                 return
             from pages.gallery import write_gallery
 

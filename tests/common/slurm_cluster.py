@@ -1,12 +1,6 @@
-"""A cluster of Slurm on this one machine, for tests: a real munged and slurmctld, and two nodes with a slurmd each.
+"""A cluster of Slurm on this one machine, for tests: a real munged and slurmctld, and two nodes with a slurmd each. It needs Debian's
+slurm-wlm and munge, and root; no systemd."""
 
-    python3 tests/common/slurm_cluster.py 200 8 20
-
-grades 200 submissions, 20 of them hostile, in 8 parts on it, kills one part half way, drains a node and resumes it, compares the table with that of
-one run, and prints how long both took. It needs Debian's slurm-wlm and munge, and root; no systemd.
-"""
-
-import argparse
 import contextlib
 import os
 import shutil
@@ -131,22 +125,14 @@ class Cluster:
         self.kept.close()
 
 
-def make_class(folder: Path, count: int, hostile: int = 0):
+def make_class(folder: Path, count: int):
     """Submissions of an exercise that is judged in a moment; every third is wrong, every seventh is as it was handed out, and no
-    two others are alike. The first `hostile` are attacks (hostile.py) of this exercise instead, spread over the class by name."""
+    two others are alike."""
     from graded_class import PLACES, right
-    from hostile import ATTACKS
-    attacks = [answers["02.lambert"] for answers, _ in ATTACKS.values() if set(answers) == {"02.lambert"}]
-    if hostile > min(len(attacks), count):
-        raise ValueError(f"{hostile} hostile submissions of {count}: there are {len(attacks)} attacks")
-    for i in range(hostile):
-        path = folder / f"student {i * count // hostile:03} hostile" / PLACES["02.lambert"]
-        path.parent.mkdir(parents=True)
-        path.write_bytes(attacks[i] if isinstance(attacks[i], bytes) else attacks[i].encode())
     text, starter = right("02.lambert"), (REAL / PLACES["02.lambert"]).read_text()
-    for i in range(count - hostile):
+    for i in range(count):
         path = folder / f"student {i:03}" / PLACES["02.lambert"]
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(parents=True)
         own = (text.replace("max(", "min(") if i % 3 == 2 else text) + f"// of student {i}\n"
         path.write_text(starter if i % 7 == 3 else own)
 
@@ -185,33 +171,3 @@ def kill_and_drain(cluster: Cluster, running: subprocess.Popen, of: int) -> tupl
 
 def files(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("count", type=int)
-    parser.add_argument("of", type=int)
-    parser.add_argument("hostile", type=int, nargs="?", default=0)
-    words = parser.parse_args()
-    if why := why_not():
-        sys.exit(why)
-    with tempfile.TemporaryDirectory() as made, Cluster() as cluster:
-        folder = Path(made, "class")
-        make_class(folder, words.count, words.hostile)
-        start_s = time.monotonic()
-        running = grade(folder, Path(made, "slurm"), "--chapter", "02", "--slurm", "--shards", str(words.of))
-        printed, said = kill_and_drain(cluster, running, words.of)
-        slurm_s = time.monotonic() - start_s
-        print(said, file=sys.stderr)
-        shutil.rmtree(REAL / "build/grade/verdicts", ignore_errors=True)
-        start_s = time.monotonic()
-        whole, _ = grade(folder, Path(made, "whole"), "--chapter", "02").communicate()
-        whole_s = time.monotonic() - start_s
-        same = printed == whole and files(Path(made, "slurm")) == files(Path(made, "whole"))
-    print(f"{words.count} submissions, {words.hostile} hostile: {slurm_s:.1f} s in {words.of} parts, one killed, a node drained; {whole_s:.1f} s in one run; "
-          f"{'the same bytes' if same else 'they DIFFER'}")
-    return 0 if same and running.returncode == 0 else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,21 +1,27 @@
-"""Tests of gradebooks: weights, deadlines, formats of other systems, the students' pages, and the stability of marks."""
+"""Tests of gradebooks: weights, deadlines, class lists with the damage that platforms, spreadsheets and hands do to them, formats of
+other systems, the students' pages, and the stability of marks."""
+# Builds: nothing
 
 import csv
 import datetime
 import hashlib
 import io
 import json
+import os
 import tempfile
+import time
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
+from unittest import mock
 
-from graded_class import REAL  # noqa: F401  (the way to the modules)
-from grading import feedback, marks
-from grading.gradebook import Book, file_name, no_formula, write_books
+from graded_class import REAL  # (the way to the modules)
+from grading import feedback, grade, marks
+from grading.gradebook import Book, file_name, no_formula, page_names, write_books
 from grading.judge import picture_path
 from grading.roster import Roster, known_as
 from grading.rules import Rules
+from grading.submission import Submission, read, time_of
 from pages.page import data_uri
 from tree import UsageError
 
@@ -49,7 +55,7 @@ class Files(unittest.TestCase):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def file(self, text, name="file") -> Path:
-        (self.folder / name).write_text(text if isinstance(text, str) else json.dumps(text))
+        (self.folder / name).write_bytes(text if isinstance(text, bytes) else (text if isinstance(text, str) else json.dumps(text)).encode())
         return self.folder / name
 
     def rules(self, **given) -> Rules:
@@ -97,17 +103,23 @@ class Marks(Files):
             self.assertEqual(self.mark(self.rules(**given))[0], word, given)
 
     def test_what_is_wrong_with_rules_is_one_line(self):
-        for given, said in (("[", "is not JSON"), ([], "not an object"), ({"dew": 1}, "unknown key 'dew'; there are chapters, due"),
-                            ({"late": 2}, "late is 2, expected a number from 0 to 1"), ({"due": "soon"}, "due is 'soon', expected a time"),
-                            ({"chapters": {"03": {}}}, "there is no '03'"), ({"exercises": {"02.fong": {}}}, "there is no '02.fong'"),
-                            ({"chapters": {"02": {"weight": -1}}}, "chapters: 02: weight is -1"), ({"chapters": []}, "not an object"),
-                            ({"students": {"ann": {"due": {"2": "x"}}}}, "students: ann: due: there is no '2'"),
-                            ({"points": True}, "points is True"), ({"chapters": {"01": {"weight": 0}, "02": {"weight": 0}}}, "weights are 0")):
-            with self.assertRaisesRegex(UsageError, said) as caught:
-                Rules(self.file(given), WANTED)
+        for text, said in RULES.items():
+            with self.subTest(text[:60]), self.assertRaisesRegex(UsageError, said) as caught:
+                Rules(self.file(text), WANTED)
             self.assertNotIn("\n", str(caught.exception))
+            self.assertLess(len(str(caught.exception)), 600)
         with self.assertRaisesRegex(UsageError, "No such file"):
             Rules(self.folder / "none", WANTED)
+        keys = ", ".join(f'"{number // 2}": 1' for number in range(80_000))
+        start_s = time.process_time()
+        self.assertRaises(UsageError, Rules, self.file(f"{{{keys}}}"), WANTED)
+        self.assertLess(time.process_time() - start_s, 5)  # 0.1 s; half a minute where it grows as the square
+
+    def test_a_time_that_no_calendar_has(self):
+        rules, file = Rules(None, WANTED), self.file("", "ann.zip")
+        os.utime(file, (253402300800 + 86400 * 400,) * 2)  # a file system may have cut it
+        for seconds in (4e11, -1e18, 1e300, time_of(file, [])):
+            rules.handed_in("ann", seconds)
 
     def test_the_same_answer_keeps_its_mark(self):
         """Even with other checks; --regrade replaces it with a message; a new answer is judged for itself."""
@@ -123,10 +135,15 @@ class Marks(Files):
         self.assertEqual(kept(wrong, regraded=["02.phong"]), (wrong, ["02.phong: ann: right before, wrong now"]))
         self.assertEqual(kept(right), (wrong, []))
         self.assertEqual(kept(right, {"ann": {"02.phong": b"y"}}), (right, []))
-        file.write_text("{")
-        with self.assertRaisesRegex(UsageError, "holds the marks that were given, so it is not replaced"):
-            kept(right)
-        self.assertEqual(file.read_text(), "{")
+
+    def test_marks_that_are_damaged_are_not_replaced(self):
+        answer, file = {"answer": "a" * 64, "result": result("02.phong")}, self.folder / "marks.json"
+        for bad in ("", "[]", "{", "[" * 100000, {"ann": 1}, {"ann": {"02.phong": answer | {"result": {}}}}, {"ann": {"02.phong": answer | {"answer": 5}}},
+                    {"ann": {"02.phong": {"result": result("02.phong")}}}, {"ann": {"02.phong": answer | {"result": result("02.phong", state=1)}}}):
+            before = self.file(bad, "marks.json").read_text()
+            with self.subTest(str(bad)[:80]), self.assertRaisesRegex(UsageError, "cannot be read: .*it holds the marks that were given, so it is not replaced"):
+                marks.keep(file, [], {}, set())
+            self.assertEqual(file.read_text(), before)
 
 
 class Platforms(Files):
@@ -191,16 +208,163 @@ class Platforms(Files):
         self.assertEqual(parsed[1]["marks"]["02.lambert"]["said"], WRONG)
         self.assertEqual(known_as("plain"), ("plain", ""))
 
-    def test_a_list_that_cannot_be_used_is_one_line(self):
-        for text, said in (("a,b\n1,2\n", "names no column"), ("", "names no column"),
-                           ("Username\n=1\n", r":2: Username: '=1' would be read as a formula")):
-            with self.assertRaisesRegex(UsageError, said):
+
+WORKSHEET = "Identifier,Full name,Status,Grade,Maximum Grade,Feedback comments\n"
+CANVAS = "Student,ID,SIS User ID,SIS Login ID,Section\n"
+ILIAS = "Lastname;Firstname;Login\n"
+REFUSED = {
+    "Moodle: two rows of one participant": (WORKSHEET + "Participant 1001,Ann,,,10,\nParticipant 1002,Ben,,,10,\nParticipant 1001,Ann,,,10,\n",
+                                            ":4: Identifier: 'Participant 1001' stands in line 2 too"),
+    "Moodle: a name's comma": (WORKSHEET + "Participant 1001,Example, Ann,,,10,\n", ":2: has 7 cells, the first line 6"),
+    "Moodle: a quote that is closed a line later": (WORKSHEET + 'Participant 1001,"Ann,,,10,\nParticipant 1002,Ben",,,10,\n',
+                                                       ":3: Full name: .* a quote is not closed"),
+    "Moodle: a quote that is never closed": (WORKSHEET + 'Participant 1001,"Ann,,,10,\nParticipant 1002,Ben,,,10,\n', "is no CSV"),
+    "Moodle: no number as the maximum": (WORKSHEET + "Participant 1001,Ann,,,1.000.0,\n", ":2: the maximum grade is no number: '1.000.0'"),
+    "Moodle: two columns of grades": (WORKSHEET.replace("Status", "Grade"), "names the column 'grade' twice"),
+    "Canvas: a long number by a spreadsheet": (CANVAS + "Ann,1.23457E+11,,ann,A\n", ":2: ID: '1.23457E[+]11' was rounded"),
+    "Canvas: a number with a point": (CANVAS + "Ann,4711.0,,ann,A\n", ":2: ID: '4711.0' was rounded"),
+    "Canvas: one login of two students": (CANVAS + "Ann,4711,,ann,A\nBen,4712,,ANN,A\n", ":3: SIS Login ID: 'ANN' stands in line 2 too"),
+    "Canvas: two columns of numbers": (CANVAS.replace("SIS User ID", "ID"), "names the column 'id' twice"),
+    "Canvas: a name without quotes": (CANVAS + "Example, Ann,4711,,ann,A\n", ":2: has 6 cells, the first line 5"),
+    "ILIAS: one login twice": (ILIAS + "Example;Ann;aexample\nExample;Anton;aexample\n", ":3: Login: 'aexample' stands in line 2 too"),
+    "ILIAS: a login as a number": (ILIAS + "Example;Ann;2,01E+9\n", ":2: Login: '2,01E[+]9' was rounded"),
+    "ILIAS: a formula": (ILIAS + "Example;Ann;=1+1\n", ":2: Login: '=1[+]1' would be read as a formula"),
+    "ILIAS: a semicolon in a name": (ILIAS + "Example; PhD;Ann;aexample\n", ":2: has 4 cells, the first line 3: a name with a ';'"),
+    "ILIAS: text behind a quote": (ILIAS + 'Example;"Ann"a;aexample\n', ":2: is no CSV"),
+    "no column of a person": ("a,b\n1,2\n", "names no column"),
+    "nothing": ("", "names no column"),
+    "a cell that does not end": ("ID,Name\n1,\"" + "x" * 200000, "is no CSV"),
+    "UTF-16": (b"\xff\xfe", "is not UTF-8"),
+}
+RULES = {
+    "[": "is not JSON", "": "is not JSON", "[" * 100000: "is not JSON", "[]": "not an object", '{"dew": 1}': "unknown key 'dew'; there are chapters, due",
+    '{"late": 2}': "late is 2, expected a number from 0 to 1", '{"late": true}': "late is True", '{"late": null}': "late is None",
+    '{"due": "soon"}': "due is 'soon', expected a time", '{"due": 1}': "due is 1", '{"points": true}': "points is True", '{"points": "x"}': "points is 'x'",
+    '{"points": NaN}': "points is nan", '{"chapters": {"03": {}}}': "there is no '03'", '{"chapters": []}': "not an object",
+    '{"exercises": {"02.fong": {}}}': "there is no '02.fong'", '{"chapters": {"02": {"weight": -1}}}': "chapters: 02: weight is -1",
+    '{"chapters": {"02": {"weight": null}}}': "weight is None", '{"students": {"ann": {"due": 1}}}': "due is not an object",
+    '{"students": {"ann": {"due": {"2": "x"}}}}': "students: ann: due: there is no '2'",
+    '{"chapters": {"01": {"weight": 0}, "02": {"weight": 0}}}': "weights are 0",
+    '{"points": 100, "points": 10}': "the key 'points' stands there twice",
+    '{"exercises": {"02.phong": {"weight": 1}, "02.phong": {"weight": 0}}}': "'02.phong' stands there twice",
+    '{"a\\nb": 1}': r"unknown key 'a\\u000ab'", '{"students": {"a\\nb": {"due": {"x": 1}}}}': "there is no 'x'",
+    '{"%s": 1}' % ("x" * 100000): "unknown key"}
+
+
+class Lists(Files):
+    def test_what_would_mix_up_students_is_one_line(self):
+        for name, (text, said) in REFUSED.items():
+            with self.subTest(name), self.assertRaisesRegex(UsageError, said) as caught:
                 Roster(self.file(text), [])
-        (self.folder / "latin").write_bytes(b"Username\n\xff\n")
-        with self.assertRaisesRegex(UsageError, "is not UTF-8"):
-            Roster(self.folder / "latin", [])
+            self.assertNotIn("\n", str(caught.exception))
         self.assertEqual(Roster(self.file("ID,Student\n4712,Ben\n"), ["x_4712_1_a", "eve"]).strangers, ["eve"])
         self.assertEqual(Roster(self.file("ID,Student\n1,Ben\n2,Ben\n"), ["Ben"]).strangers, ["Ben"])  # which one?
+
+    def test_the_platforms_time_counts(self):
+        student = "Ann_1001_assignsubmission_file_"
+        file = self.file('Identifier,Full name,Last modified (submission)\nParticipant 1001,Ann,"Thursday, 14 January 2027, 11:58 PM"\n')
+        self.assertEqual(datetime.datetime.fromtimestamp(Roster(file, [student]).handed_in_s(student)), datetime.datetime(2027, 1, 14, 23, 58))
+
+    def test_a_large_class_is_found_in_its_list_at_once(self):
+        file = self.file("Identifier,Full name\n" + "".join(f"Participant {i},Name {i}\n" for i in range(5000)))
+        start_s = time.process_time()
+        roster = Roster(file, [f"Name {i}" if i % 2 else f"Name {i}_{i}_assignsubmission_file_" for i in range(5000)])
+        self.assertEqual((len(roster.found), len(roster.strangers)), (5000, 0))
+        self.assertLess(time.process_time() - start_s, 10)  # 0.2 s; two minutes where each student reads the whole list
+
+    def test_a_comma_in_the_maximum_is_a_comma(self):
+        roster = WORKSHEET.replace(",", ";") + "Participant 1001;Ann Example;;;20,00;\n"
+        self.assertEqual(rows_of(self.written("moodle", self.book(roster)))[1][3], "20")
+
+    def test_a_students_words_are_no_formula_in_the_worksheet(self):
+        roster = WORKSHEET + "Participant 1001,=Ann,-,,10,\n"
+        self.assertEqual(rows_of(self.written("moodle", self.book(roster)))[1][1:3], ["'=Ann", "-"])
+
+    def test_rows_that_are_no_person_are_left_out(self):
+        roster = Roster(self.file(CANVAS[:-1] + ",Lightwalk 02 (7)\n,,,,,Manual Posting\n    Points Possible,,,,,3\nAnn,4711,,ann,A,\n"), ["ann_4711_1_a.zip"])
+        self.assertEqual((len(roster.rows), roster.absent, roster.strangers), (1, [], []))
+
+    def test_a_number_is_the_whole_number(self):
+        roster = Roster(self.file("ID,Student\nA47-11,Ann\n"), ["ben_4711_1_a.zip"])
+        self.assertEqual(roster.strangers, ["ben_4711_1_a.zip"])
+
+    def test_a_folder_of_ilias_is_found_by_its_login(self):
+        text = ILIAS + "Example;Ann;aexample\nExample;Ann;annex\n"
+        roster = Roster(self.file(text), ["Example_Ann_annex_1234", "Example_Ann_other_1235"])
+        self.assertEqual((roster.of("Example_Ann_annex_1234")["Login"], roster.strangers), ("annex", ["Example_Ann_other_1235"]))
+        self.assertEqual(roster.name(roster.of("Example_Ann_annex_1234")), "Ann Example")
+
+
+class Several(Files):
+    def test_all_entries_of_a_number_are_one_student(self):
+        """Canvas and Moodle write an entry for each file, and for a text."""
+        first, later = "annex_4711_11_lambert.glsl", "annex_LATE_4711_12_lambert-1.glsl"
+        text, files = "Ann Example_1001_assignsubmission_onlinetext_", "Ann Example_1001_assignsubmission_file_"
+        grades = [one(later, result("02.lambert")), one(first, result("02.lambert", False), result("02.phong")),
+                  one(text, error="holds no exercise"), one(files, result("01.transform")), one("ben", error="holds no exercise")]
+        roster = "Identifier,ID,Full name\nParticipant 1001,1,Ann Example\nParticipant 1002,4711,Ann Ex\n"
+        book = self.book(roster, grades)
+        self.assertEqual([(row["name"], row["points"], row["error"]) for row in book.rows],
+                         [("Ann Ex", 2, None), ("Ann Example", 1, None), ("ben", None, "holds no exercise")])
+        self.assertEqual(book.rows[0]["marks"]["02.lambert"]["student"], later)
+        self.assertEqual(len(rows_of(self.written("moodle", book))), 1 + 3)
+        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, {first: {"02.phong": b"mine"}}, {}), 3)
+
+    def test_a_name_that_holds_anothers_number_is_nobodys(self):
+        list_of = self.file(WORKSHEET + "Participant 1001,Ann,,,10,\nParticipant 2002,Eve,,,10,\n")
+        for name in ("Eve_1001_assignsubmission_ x_2002_assignsubmission_file_", "Eve_2002_assignsubmission_file__1001_assignsubmission_.zip"):
+            self.assertEqual(Roster(list_of, [name]).strangers, [name])
+
+    def test_a_name_that_two_claim_is_nobodys(self):
+        list_of = self.file("ID,Student\n4712,Ben\n4713,Eve\n")
+        roster = Roster(list_of, ["ben_4712_1_a", "Ben", "Eve", "EVE"])
+        self.assertEqual((set(roster.found), roster.strangers), ({"ben_4712_1_a"}, ["Ben", "Eve", "EVE"]))
+        self.assertEqual([row["Student"] for row in roster.absent], ["Eve"])
+
+    def test_nobody_is_alike_with_oneself(self):
+        names = ["ann_4711_11_a.glsl", "ann_4711_12_b.glsl", "ben_4712_13_a.glsl"]
+        with mock.patch.object(grade, "alike", lambda *_: [(names[0], names[1], "all"), (names[1], names[2], "all")]):
+            grades = grade.complete({name: one(name) for name in names}, {}, WANTED)
+        self.assertEqual([[other["student"] for other in row["alike"]] for row in grades], [[], [names[2]], [names[1]]])
+
+    def test_a_file_that_was_handed_in_again_is_known_by_its_name(self):
+        for name in ("annex_4711_12_lambert-1.glsl", "annex_4711_12_lambert (2).glsl", "lambert.glsl"):
+            (self.folder / name).write_bytes(b"mine")
+            inside = "shaders/02_lambert_phong/exercise/lambert.glsl"
+            self.assertEqual(read(Submission(name, self.folder / name), {inside}), {inside: b"mine"})
+
+
+class Grades(Files):
+    def points(self, *results, **rules) -> dict:
+        return self.book("", [one("ann", *results)], **rules).rows[0]
+
+    def test_nothing_and_halves_are_numbers(self):
+        wrong = [result(exercise, False) for exercise in ("01.transform", "02.lambert", "02.phong")]
+        self.assertEqual(self.points(*wrong)["points"], 0)
+        late = self.points(result("01.transform"), due="2027-01-15 11:59", late=0.5)
+        self.assertEqual((late["points"], late["chapters"]), (0.5, {"01_obj": 0.5, "02_lambert_phong": None}))
+        self.assertEqual(self.points(result("01.transform"), points=0)["points"], 0)
+        self.assertIn("ann", self.written("moodle", self.book("", [one("ann")], points=0)))
+        free = self.points(result("01.transform"), result("02.phong"), exercises={"02.phong": {"weight": 0}})
+        self.assertEqual((free["points"], free["of"], free["marks"]["02.phong"]["points"]), (1, 2, 0))
+
+    def test_a_mark_that_is_still_to_come_is_no_0(self):
+        for state, word in (("failed", "not judged"), ("undecided", "look at")):
+            grades = [one("ann", result("01.transform"), result("02.lambert", False, state, "no space"), result("02.phong"))]
+            book = self.book("", grades)
+            self.assertEqual((book.rows[0]["points"], book.rows[0]["chapters"]["01_obj"], book.rows[0]["nothing"]), (None, 1, word))
+            self.assertEqual(rows_of(self.written("canvas", book))[2][5:], ["1", ""])
+            self.assertEqual(rows_of(self.written("moodle", book))[1][2:5], ["1", "-", "-"])
+            self.assertEqual(rows_of(self.written("csv", book))[1][3:7], [word, "3", "1", word])
+
+    def test_a_regrade_goes_both_ways(self):
+        file, data = self.folder / "marks.json", {"ann": {"02.phong": b"x"}}
+        for ok, before in ((True, None), (False, "right"), (True, "wrong")):
+            said = marks.keep(file, [one("ann", result("02.phong", ok))], data, {"02.phong"})
+            self.assertEqual(said, [f"02.phong: ann: {before} before, {'right' if ok else 'wrong'} now"] if before else [])
+        other = [one("ann", result("02.phong", False))]
+        self.assertEqual(marks.keep(file, other, data, {"02.lambert"}), [])
+        self.assertTrue(other[0]["results"][0]["ok"])
 
 
 class Tags(HTMLParser):
@@ -250,6 +414,12 @@ class Pages(Files):
         self.assertEqual(len(names), 10)
         for name in names:
             self.assertRegex(name, r"\A[\w ()-][\w .()-]{0,120}\Z")
+        students = ["\u6f22" * 84, "\u6f22" * 85, "ann", "ann", "Ann", "\u202eann", "x" * 300, ".", ""]
+        names = page_names([{"student": name, "id": ""} for name in students])
+        self.assertEqual(len({name.casefold() for name in names}), len(students), names)
+        self.assertEqual(names[2], "ann")
+        for name in names:
+            (self.folder / f".{name}.html.1234567.7f0000000000").touch()
 
 
 if __name__ == "__main__":

@@ -67,7 +67,7 @@ class Graded(unittest.TestCase):
     def test_by_slurm_and_by_hand(self):
         """A part is killed at its work and a node drained; the table is that of one run."""
         parts, made = PARTS, Path(self.enterContext(tempfile.TemporaryDirectory()))
-        slurm_cluster.make_class(made / "class", COUNT, 0)
+        slurm_cluster.make_class(made / "class", COUNT)
         words = ["--chapter", "02"]
         with slurm_cluster.Cluster() as cluster:
             running = slurm_cluster.grade(made / "class", made / "slurm", *words, "--slurm", "--shards", str(parts))

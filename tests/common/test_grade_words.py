@@ -13,15 +13,16 @@ from unittest import mock
 
 from graded_class import OF, PLACES, REAL, right, why_not
 from grading import sandbox
-from grading.alike import alike
+from grading.alike import added, alike, runs_of
 from check.check import note_what_grading_refuses
 from check.glsl_answer import Refused, macros_of_checks, plain
-from grading.grade import groups
+from grading.grade import groups, table, write_files
 from grading.judge import Judge, Turns
+from grading.judge_picture import DriverEnded, Pictures, ToolFailed
 from grading.submission import cell, find, printable
-from tree import Failure, UsageError
+from tree import ROOT, Failure, UsageError
 
-LAMBERT = PLACES["02.lambert"]
+LAMBERT, PARALLAX = PLACES["02.lambert"], "04.parallax_occlusion"
 
 
 class Words(unittest.TestCase):
@@ -77,6 +78,26 @@ class Words(unittest.TestCase):
         for text in ("#define MINE 2\n#if MINE > 1", "#define MINE\n#ifdef MINE", "#define MY_A 1\n#define MY_B MY_A\n#if MY_B && defined(MY_A)", "#if 0"):
             plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
 
+    def test_what_reaches_for_its_check_is_refused(self):
+        for exercise, text, words in (
+                ("02.lambert", '#include "02_lambert_phong/phong.glsl"', "an exercise that the starter does not build on"),
+                ("02.lambert", '#include "common/../02_lambert_phong/solution/lambert.glsl"', "a path below shaders/"),
+                ("11.quintic_noise", '#include "11_fractals/solution/noise_derivative.glsl"', "no file of that name"),
+                ("11.quintic_noise", '#include "11_fractals/noise_derivative.glsl"', "11.noise_derivative"),
+                ("02.lambert", "// \\\n/*\n#define main other\n// */", "a name that others use"),
+                ("02.lambert", "#define JOIN(a, b) a##b", "no # within a line"), ("02.lambert", "int n = probe_inputs.length();", "the checks' own"),
+                ("02.lambert", "float n = undefined_what;", "the checks' own"), ("06.accumulate_lights", "check_asked[0] = 0u;", "the checks' own"),
+                ("02.lambert", "layout(set = 0, binding = 1) buffer Mine { float all[]; } mine;", "that its starter"),
+                ("02.lambert", "layout(local_size_x = 1024) in;", "that its starter"),
+                ("02.lambert", "#extension GL_EXT_buffer_reference : require", "no exercise needs #extension"),
+                ("02.lambert", '#line 1 "/etc/passwd"', "no exercise needs #line"), ("02.lambert", "/* ", "a comment does not end"),
+                ("02.lambert", '#error "\\u000a honest 99/99"', "error"),
+                ("06.accumulate_lights", "#undef light_reaches_cell", "a name that others use"), ("08.blur_line", "#undef barrier", "a name that others use"),
+                ("13.propagate_distance", "#ifdef KNOWN_DISTANCES", "by which shaders know"), ("08.down_filter", "int n = IMPULSE_X;", "by which shaders know"),
+                ("09.histogram_bin", "uint n = picture_bins[0];", "names picture_bins")):
+            with self.subTest(text), self.assertRaisesRegex(Refused, words):
+                plain(text.encode(), REAL / PLACES[exercise])
+
     def test_what_is_right_is_not_refused(self):
         for exercise, chapter in OF.items():
             if (place := REAL / PLACES[exercise]).suffix == ".glsl":
@@ -89,11 +110,22 @@ class Words(unittest.TestCase):
         path = REAL / LAMBERT
         for text, meant in (("a /* b\n */ c", "a  \n c"), ("a // b\nc", "a \nc"), ("a // b \\\nc\nd", "a \n\nd"),
                             ("a\\\r\nb", "ab\n"), ("a\rb\r\nc", "a\nb\nc"), ("// /*\nb // */", "\nb "),
-                            ("/* // */ b", "  b"), ('/* " */ b // "', "  b ")):
+                            ("/* // */ b", "  b"), ('/* " */ b // "', "  b "), ("a\f\x0bb", "a  b")):
             self.assertEqual(plain(text.encode(), path), meant)
         for text in ("a \0 b", "float \u00e9;", 'a "b"', "a # b", "a \\\\\n\nb", "a \\ b", "#\\\nline 1", "/*", "#extension a : b"):
             with self.assertRaises(Refused, msg=text):
                 plain(text.encode(), path)
+
+    def test_a_megabyte_of_anything_is_read_in_a_second(self):
+        for data in (b"\n", b"\r", b'"\\"', b"/*/", b"\\\n", b"# ", b"#define a\n", b" ", b"set= ", b'#include "', b"\t\n", b"{", b'"', b"a",
+                     b"1.", b"// \n", b"\\", b"('"):
+            text = data * ((1 << 20) // len(data))
+            start_s = time.process_time()
+            with contextlib.suppress(Refused):
+                plain(text, REAL / LAMBERT)
+            runs_of(text)
+            added(text, b"")
+            self.assertLess(time.process_time() - start_s, 5, data)  # 0.5 s; two minutes where it grows as the square
 
     def test_a_student_is_told_beforehand(self):
         result, path = {"note": "first"}, Path(self.enterContext(tempfile.TemporaryDirectory())) / "lambert.glsl"
@@ -215,6 +247,72 @@ class Words(unittest.TestCase):
 
 
 @unittest.skipIf(why_not(), why_not())
+class Crash(unittest.TestCase):
+    """A driver that crashes with a shader with correct numbers: its own fault or the student's purpose, so the grader is told, and
+    there is no mark until then."""
+
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def drawn(self, codes, name: str) -> str | None:
+        """Pictures' verdict on a source for which drawing one shot after the other ended so."""
+        pictures = Pictures.__new__(Pictures)
+        pictures.wanted, pictures.link = {PARALLAX: "04_surface_maps"}, lambda *_: ""
+        shots = [(shot, self.folder / f"{shot}.png") for shot in ("relief", "wall")]
+        pictures.references, pictures.drawing_mounts = lambda _: shots[:len(codes)], lambda *_: None
+        ends = iter(codes)
+        running = mock.Mock(finish=lambda: sandbox.Done(next(ends), "", False, False))
+        judge = mock.Mock(started=lambda *_, **__: contextlib.nullcontext(running))
+        with tempfile.TemporaryDirectory(dir=self.folder) as folder:
+            return pictures.wrong(PARALLAX, Path(folder) / name, judge)
+
+    def test_which_end_is_the_drivers(self):
+        with self.assertRaisesRegex(DriverEnded, "relief, wall"):
+            self.drawn((139, 139), "a.glsl")
+        for code, name in ((1, "a.glsl"), (134, "a.glsl"), (139, "a.cpp")):  # C++ of a student's crashes by itself
+            with self.assertRaisesRegex(ToolFailed, f"the program that draws it ended with {code}"):
+                self.drawn((code,), name)
+        # One picture without a crash is enough to judge by.
+        with self.assertRaisesRegex(ToolFailed, "ended with 1"):
+            self.drawn((139, 1), "a.glsl")
+        self.assertIsNone(self.drawn((), "a.glsl"))
+
+    def test_the_students_object_is_linked_last(self):
+        """Its toggles have no references. Before those of the chapter they would be used, and the chapter's other exercises
+        would be starters in its picture."""
+        place = "chapters/17_planets/exercise/camera_relative.cpp"
+        pictures = Pictures.__new__(Pictures)
+        pictures.wanted = {"17.camera_relative": "17_planets"}
+        pictures.links = {"17_planets": ["c++", "main.o", f"CMakeFiles/e.dir/./{place}.o", "-o", "program", "libchapter.a"]}
+        judge = mock.Mock(paths={"17.camera_relative": ROOT / place})
+        judge.started.return_value = contextlib.nullcontext(mock.Mock(finish=lambda: sandbox.Done(0, "", False, False)))
+        pictures.link("17.camera_relative", self.folder, judge)
+        words = judge.started.call_args.args[0][-1].split()
+        self.assertEqual(words[-6:], ["c++", "main.o", "-o", "/grade/program", "libchapter.a", "/grade/student.o"])
+
+    def test_there_is_no_mark_and_it_is_said(self):
+        judge = Judge.__new__(Judge)
+        judge.paths, judge.seed = {PARALLAX: Path("04_surface_maps/exercise/a.glsl")}, 0
+        judge.numbers = lambda *_: {"ok": True, "passed": 7, "failed": 0}
+        judge.pictures = mock.Mock(wrong=mock.Mock(side_effect=DriverEnded("relief")))
+        found = judge.judge(PARALLAX, b"")
+        self.assertEqual((found["ok"], found["state"], found["passed"]), (False, "undecided", 7))
+        result = {"exercise": PARALLAX, "chapter": "04_surface_maps", **found}
+        grades = [{"student": "ann", "error": None, "right": 0, "of": 1, "alike": [], "results": [result]}]
+        self.assertRegex("\n".join(table(grades, ["04_surface_maps"])),
+                         r"look at: ann, 04\.parallax_occlusion, which has no mark yet: its numbers are right, .* relief")
+        write_files(self.folder, grades, {PARALLAX: "04_surface_maps"})
+        self.assertIn('"ann","0","1","?"', (self.folder / "grades.csv").read_text())
+
+    def test_it_is_said_of_a_verdict_that_was_kept(self):
+        with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
+            judge.verdicts = self.folder
+            judge.pictures = mock.Mock(wrong=mock.Mock(side_effect=DriverEnded("bunny")))
+            states = {judge.verdict("02.lambert", right("02.lambert").encode() + b"// crash")["state"] for _ in range(2)}
+        self.assertEqual(states, {"undecided"})
+
+
+@unittest.skipIf(why_not(), why_not())
 class Contained(unittest.TestCase):
     def test_nobody_is_root_and_nothing_outlives_it(self):
         """Seen from outside, with the kernel's user numbers."""
@@ -232,6 +330,13 @@ class Contained(unittest.TestCase):
                 return
             time.sleep(0.01)
         self.fail("it lives")
+
+    def test_time_is_the_processors_or_a_share_of_the_clocks(self):
+        """An answer that sleeps is charged, and one that waits for a processor hardly."""
+        for script, least_s, most_s in (("while True: pass", 1.5, 2.5), ("import time; time.sleep(4)", 0.9, 3)):
+            running = sandbox.Running(["/usr/bin/python3", "-c", script], sandbox.Mounts(), sandbox.Limits(1 << 30, 2))
+            done = running.finish()
+            self.assertTrue(least_s < running.seconds < most_s, (script, done, running.seconds))
 
     def test_what_root_alone_can_read_is_said(self):
         path = Path(self.enterContext(tempfile.TemporaryDirectory())) / "library"

@@ -103,7 +103,7 @@ class Newcomer(unittest.TestCase):
         print(f"the first picture, after {time.monotonic() - began:.0f} s")
         html = page.read_text()
         self.assertIn('<meta http-equiv="refresh"', html)
-        self.assertRegex(html, r"waits for the compiler|compiling|pictures to come|finer pictures")
+        self.assertRegex(html, r"waits for the compiler|compiling|pictures to come")
         self.assertTrue(list((self.root / "build/gallery").glob("*/*.png")))
         os.killpg(course.pid, signal.SIGINT)
         self.assertEqual(course.wait(30), 130)

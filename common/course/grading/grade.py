@@ -66,7 +66,8 @@ def add_arguments(parser):
     parser.add_argument("--rules", type=Path, metavar="FILE", help="weights, deadlines and points, as JSON (docs/teaching.md)")
     parser.add_argument("--roster", type=Path, metavar="FILE", help="the class as Moodle or Canvas exports it, as CSV")
     parser.add_argument("--budget", type=float, default=BUDGET_S / 60, metavar="MINUTES",
-                        help="processor time, and time asleep, that one student's answers may take in all, beyond 15 s for each (default: 10)")
+                        help="processor time, or a quarter of the clock's where that is more, that one student's answers may take in all, beyond "
+                             "15 s for each (default: 10)")
     parser.add_argument("--regrade", action="append", default=[], metavar="NN.NAME",
                         help="judge this exercise again for everybody, and replace the marks that were given; repeatable")
     shards.add_arguments(parser)

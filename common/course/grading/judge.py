@@ -33,14 +33,13 @@ from grading.handout import starters
 from grading.judge_compile import compile_answer
 from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pictures, ToolFailed
 from grading.judge_tree import KEPT, copy_without_answers, library, objects
-from grading.meter import Meter, current
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
 from tree import BUILD, LIBRARIES, ROOT, Failure, Unjudged, exercises, shader_files, unjudged, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check; a call that does not return is found before
-FREE_S = 15  # per exercise (meter.py); time beyond that counts against a student's budget
+FREE_S = 15  # per exercise, of its sandboxes; time beyond that counts against a student's budget
 BUDGET_S = 600
 TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
 # A reference that calls functions which the handout has only compiled is none that a student could hand in.
@@ -49,6 +48,7 @@ NOT_LOOKED_FOR = "its numbers are right, and operations that GLSL leaves undefin
 CALL_S = 5  # of one call
 WORDS_MOST = 600
 NOT_DRAWN = "its numbers are right, and there is no picture"
+counted = threading.local()  # .seconds: what the verdict that this thread is on has taken
 
 
 def targets(chapters: list[str]) -> list[str]:
@@ -151,8 +151,6 @@ class Judge:
             raise Failure("grading was stopped")
         running = sandbox.Running(*arguments, **options)
         self.running.add(running)
-        if meter := getattr(current, "meter", None):
-            meter.add(running)
         try:
             if self.stopped:  # just now
                 running.kill()
@@ -160,6 +158,7 @@ class Judge:
         finally:
             self.running.discard(running)
             running.close()
+            counted.seconds = getattr(counted, "seconds", 0) + running.seconds
 
     def draw_seed(self) -> int:
         """Drawn once for a class: with another one results would be another's."""
@@ -197,18 +196,17 @@ class Judge:
                 found = json.loads(kept.read_text(encoding="utf-8"))
                 self.spend(student, found.pop("over_s", 0))
                 return base | found
-        meter = Meter()
         try:
             self.control(exercise)
-            with meter:
-                found = self.judge_fairly(exercise, data)
+            counted.seconds = 0
+            found = self.judge_fairly(exercise, data)
             if self.stopped:  # an aborted run gives no verdict
                 raise Failure("grading was stopped")
         except Unjudged as error:
             return base | {"state": "failed", "first_failure": words_of(error)}
         except Exception as error:  # this machine's fault, or ours: not kept, said at the end, and no other student's
             return base | {"state": "failed", "first_failure": f"could not be judged: {words_of(error)}"}
-        over_s = max(0, round(meter.seconds - FREE_S))
+        over_s = max(0, round(counted.seconds - FREE_S))
         self.spend(student, over_s)
         found = {name: clean(value) for name, value in found.items()
                  if name in ("killed", "ok", "passed", "failed", "first_failure", "hint", "note", "state", "picture", "picture_expected")}
@@ -256,7 +254,7 @@ class Judge:
                 raise entry[1]
             if entry[1] is True and not again:
                 return
-            meter, current.meter = getattr(current, "meter", None), None  # no student's time
+            before_s = getattr(counted, "seconds", 0)
             try:
                 for wait_s in TRIES_S:
                     time.sleep(wait_s)
@@ -272,7 +270,7 @@ class Judge:
                 self.broken = True
                 raise entry[1]
             finally:
-                current.meter = meter
+                counted.seconds = before_s  # no student's time
 
     def look_at_control(self, exercise: str):
         if (reference := self.reference(exercise)) is not None:

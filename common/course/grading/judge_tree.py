@@ -10,7 +10,7 @@ from pathlib import Path
 
 from build.build import used
 from grading.handout import COMPILED, LEFT_OUT
-from tree import BUILD, ROOT, files
+from tree import BUILD, MANIFEST, ROOT, files
 
 KEPT = BUILD / "grade"  # what one call leaves to the next: verdicts, references' pictures, pictures to be shown
 
@@ -66,8 +66,9 @@ def copy_without_answers(to: Path, starters: dict[Path, bytes]):
                 not any(name.match(pattern) for pattern in LEFT_OUT):
             (to / name.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, to / name)
-    for folder in (ROOT / "tests").iterdir():
+    for folder in (path for path in (ROOT / "tests").iterdir() if path.is_dir()):
         (to / "tests" / folder.name).mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(ROOT / MANIFEST, to / MANIFEST)
     for path, starter in starters.items():
         place = to / path.relative_to(ROOT)
         place.parent.mkdir(parents=True, exist_ok=True)

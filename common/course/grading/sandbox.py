@@ -182,10 +182,11 @@ class Done:
 
 
 class Running:
-    """A program that was started in a sandbox; close() or finish() ends all of it."""
+    """A program that was started in a sandbox; close() or finish() ends all of it. `seconds` is then what it took of this machine."""
 
     def __init__(self, command, mounts: Mounts, limits: Limits, environment=None, pass_fds=(), out=True):
-        self.deadline = time.monotonic() + limits.wall_s
+        self.began_s = time.monotonic()
+        self.deadline = self.began_s + limits.wall_s
         with tempfile.TemporaryFile() as filter_file:
             write_filter(limits, filter_file)
             filter_file.seek(0)
@@ -196,7 +197,7 @@ class Running:
             joining = ["/bin/sh", "-c", 'n=$1; shift; while [ "$n" -gt 0 ]; do echo $$ 2>/dev/null >"$1"; shift; n=$((n - 1)); done; '
                        'exec "$@"', "sh", str(len(self.cage.joins)), *map(str, self.cage.joins)]
             lifeline, self.lifeline = os.pipe()
-            supervising = [sys.executable, "-I", "-S", SUPERVISOR, str(lifeline)]
+            supervising = [sys.executable, "-I", "-S", SUPERVISOR, str(lifeline), str(tells)]
             self.process = subprocess.Popen([*supervising, *joining, *words], stdin=subprocess.DEVNULL, cwd="/", start_new_session=True,
                                             pass_fds=(*pass_fds, filter_file.fileno(), tells, lifeline),
                                             stdout=subprocess.PIPE if out else subprocess.DEVNULL,
@@ -206,7 +207,7 @@ class Running:
         self.said = b""
         self.first = self.status("child-pid", wait=True)
 
-    def status(self, name: str, wait: bool = False) -> int | None:
+    def status(self, name: str, wait: bool = False) -> float | None:
         """bubblewrap's own status, which nobody inside can forge: the number of the first process, and the command's exit
         code once it had started."""
         while True:
@@ -269,6 +270,8 @@ class Running:
         if self.process.stdout:
             self.process.stdout.close()
         if self.told is not None:
+            # Of one that was ended, or slept, the clock's: no more than a busy machine makes of it.
+            self.seconds = max(self.status("processor-s", wait=self.process.returncode >= 0) or 0, (time.monotonic() - self.began_s) / CLOCK_FACTOR)
             os.close(self.told)
             os.close(self.lifeline)
             self.told = None

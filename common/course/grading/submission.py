@@ -155,7 +155,7 @@ def _exercises(path: Path, reading: Reading) -> dict[str, bytes]:
         return _placed(_folder(path, wanted), reading)
     if is_archive(path.name):
         with open_regular(path) as file:
-            return _placed(members(file, path.name, limits(wanted), printable), reading)
+            return _placed(members(file, limits(wanted)), reading)
     # Canvas puts a name and two numbers before a file's own, and a number behind it where it was handed in again
     own = re.sub(r"(-\d{1,3}| \(\d{1,3}\))(?=\.\w+$)", "", path.name)
     name = next((one for one in by_name(wanted) if own == one or own.endswith(f"_{one}")), path.name)
@@ -184,7 +184,7 @@ def _placed(files, reading: Reading, within: int = 0) -> dict[str, bytes]:
             elif is_archive(words[-1]) and not within and len(nested) < 20:
                 file = kept.enter_context(tempfile.TemporaryFile())
                 file.write(read_at_most(MOST_ARCHIVE_BYTES))
-                nested.append((words[-1], file))
+                nested.append(file)
         found = chosen(trees, reading)
         for inside, (name, data) in loose.items():
             if inside not in found or not reading.is_changed(inside, found[inside]) and reading.is_changed(inside, data):
@@ -192,9 +192,9 @@ def _placed(files, reading: Reading, within: int = 0) -> dict[str, bytes]:
                     reading.notes.append(f"{printable(name)} was judged: in its place lies the starter")
                 found[inside] = data
         if not trees:
-            for name, file in nested:
+            for file in nested:
                 file.seek(0)
-                found |= _placed(members(file, name, limits(reading.wanted), printable), reading, within + 1)
+                found |= _placed(members(file, limits(reading.wanted)), reading, within + 1)
         return found
 
 

@@ -57,6 +57,8 @@ def walk(archive, wanted: dict[str, int], endings: dict[str, int], tell) -> str:
             most = wanted.get(last) or next((most for end, most in endings.items() if last.lower().endswith(end)), 0)
             if most and len(name) < MOST_NAME and entry.isreg and not entry.islnk:
                 data = b"".join(entry.get_blocks(1 << 16)) if entry.size <= most else None
+                if data is not None and len(data) != entry.size:  # a sum is wrong, of which libarchive only warns
+                    return f"cannot be read: {last} is damaged"
                 tell({"name": name, "bytes": -1 if data is None else len(data)}, data or b"")
     except libarchive.ArchiveError as error:
         return more if unpacked_bytes(archive._pointer, 0) > MOST_UNPACKED_BYTES else words_of(error)

@@ -32,4 +32,4 @@ def waits(shots: list[dict], state) -> str:
     if state.name == "building":
         return f"compiling, step {state.done} of {state.total}" if state.total else "compiling"
     left = sum(not shot["shown"] and not shot["error"] for shot in shots)
-    return f"{left} pictures to come" if left else "finer pictures to come" if shots[0].get("samples") == 1 else ""
+    return f"{left} pictures to come" if left else ""
