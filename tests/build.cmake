@@ -120,11 +120,8 @@ foreach(script ${scripts})
     if(name MATCHES "grade_user$")
       set_tests_properties(${name} PROPERTIES COST 800)  # all of grading once more: minutes, beside all others
     endif()
-    if(name MATCHES "live_(browser|links|rest)")
+    if(name MATCHES "live_browser")
       set_tests_properties(${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
-    endif()
-    if(name MATCHES "live_chapter")
-      set_tests_properties(${name} PROPERTIES LABELS "text;study" COST 800 TIMEOUT 1800)  # it checks all exercises of a chapter
     endif()
   elseif(name MATCHES "knobs$")
     set(needed compare)

@@ -1,21 +1,19 @@
 """Diagrams as one would draw them on a board: plain SVG from a few words, all of them from one hand.
 
-A script docs/figures/NN_name.py makes one diagram, docs/images/NN_name.svg, and the text tests ask that the one that
-is committed is just what its script writes:
+A function of docs/figures/NN.py makes one diagram, docs/images/NN_name.svg, and the text tests ask that the one that is
+committed is just what the function draws:
 
-    from drawing import EYE, LIGHT, NORMAL, Drawing
+    from drawing import EYE, LIGHT, NORMAL, Drawing, figure
 
-    def draw() -> Drawing:
-        drawing = Drawing(900, 400, "A light, an eye and the normal at a point")
+    @figure("02_vectors", 900, 400, "A light, an eye and the normal at a point")
+    def draw_vectors(drawing: Drawing):
         p = drawing.panel(origin=(450, 60), scale=250)   # pixels from the left and the bottom; pixels for one unit
         p.ground(-1.5, 1.5)
         p.arrow((0, 0), (0, 1), NORMAL, "*n*")
         p.arrow((0, 0), polar(0.9, 130), LIGHT, "*l*")
         p.arc((0, 0), 0.4, 90, 130, "θ_{i}")
-        return drawing
 
-    if __name__ == "__main__":
-        draw().write(__file__)
+`python3 docs/figures/draw.py [NN_name...]` writes them.
 
 Positions are in the panel's units, x to the right and y up; angles are in degrees, counter-clockwise from the x axis.
 Widths, text, arrow heads and `offset` are in pixels, whatever the scale. A text may hold *bold* (vectors), _{sub} and
@@ -26,8 +24,8 @@ drawing whose labels overlap or leave the picture is refused when it is written:
 """
 
 import re
+from collections.abc import Callable
 from math import atan2, cos, degrees, hypot, radians, sin
-from pathlib import Path
 
 BACKGROUND = "#fbfaf6"
 INK, GREY, FAINT = "#1f2430", "#5d6472", "#b9bec8"
@@ -121,10 +119,20 @@ class Drawing:
             f'<rect width="{self.width}" height="{self.height}" rx="10" fill="{BACKGROUND}"/>',
             *self.shapes, *self.texts, "</svg>"]) + "\n"
 
-    def write(self, script: str):
-        """docs/images/NAME.svg for docs/figures/NAME.py."""
-        path = Path(script).resolve()
-        (path.parents[1] / "images" / f"{path.stem}.svg").write_text(self.svg(), encoding="utf-8")
+
+FIGURES: dict[str, Callable[[], Drawing]] = {}  # by the names of their files in docs/images
+
+
+def figure(name: str, width: int, height: int, title: str):
+    """A function that draws on it makes the diagram docs/images/NAME.svg."""
+    def register(draw):
+        def drawn() -> Drawing:
+            drawing = Drawing(width, height, title)
+            draw(drawing)
+            return drawing
+        FIGURES[name] = drawn
+        return draw
+    return register
 
 
 class Panel:

@@ -1,4 +1,4 @@
-"""A small study as test_chart.py and test_chart_choosing.py draw it."""
+"""A small study as tests of charts, verdicts and claims use it."""
 
 import copy
 import sys

@@ -1,4 +1,4 @@
-"""A server of ./course serve for tests, and a client without a browser."""
+"""A server of ./course serve for tests, a client without a browser, and a small course whose programs echo their requests."""
 
 import asyncio
 import contextlib
@@ -14,7 +14,7 @@ import urllib.error
 import urllib.request
 from pathlib import Path
 
-from small_course import clean_environment
+from small_course import Course, clean_environment
 
 # A chapter's program that answers with its request. The knob "do" makes it crash or hang.
 PROGRAM = f"""#!{sys.executable}
@@ -24,7 +24,7 @@ if "--list" in sys.argv:
     sys.exit()
 for line in sys.stdin:
     request = json.loads(line)
-    what = request["set"].get("do")
+    what = request.get("set", {{}}).get("do")
     if what == "crash":
         sys.stderr.write("it fell\\n")
         sys.stderr.flush()
@@ -108,11 +108,20 @@ class Server:
             finally:
                 for page in self.pages:
                     page.close()
-                for page in self.pages:
+                for page in (one for one in self.pages if one.close_code is None):
                     with contextlib.suppress(asyncio.TimeoutError):
                         while await asyncio.wait_for(page.read_message(), 2) is not None:
                             pass
         return asyncio.run(whole())
+
+    def talk(self, *messages, answers: int = 1) -> list:
+        """What a page's socket says to messages, which are sent together."""
+        async def whole():
+            page = await self.socket()
+            for message in messages:
+                await page.write_message(message if isinstance(message, str) else json.dumps(message))
+            return [await receive(page) for _ in range(answers)]
+        return self.run(whole)
 
     def memory_mb(self) -> float:
         return int(re.search(r"VmRSS:\s*(\d+)", Path(f"/proc/{self.process.pid}/status").read_text())[1]) / 1024
@@ -150,3 +159,30 @@ def is_there(pid: int) -> bool:
     except ProcessLookupError:
         return False
     return True
+
+
+DRAW = {"do": "draw", "place": "a", "number": 1, "chapter": "01_obj", "shot": "bunny"}
+
+
+class Live(Course):
+    """A small course with a page, and programs that echo their requests."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        for name in ("01_obj", "02_lambert"):
+            cls.write(f"build/chapters/{name}", PROGRAM)
+        cls.write("build/docs/index.html", "<html><head></head><body>home</body></html>")
+        cls.write("build/docs/source/a.html", "<html><head></head></html>")
+        cls.write("build/secret", "hidden words")
+        (cls.root / "build/docs/link.html").symlink_to(cls.root / "build/secret")
+        cls.write("build/tests/check_01_obj", (cls.root / "programs/tests/check_01_obj").read_text())
+        cls.server = Server(cls.root)
+        cls.addClassCleanup(cls.server.__exit__)
+
+    @classmethod
+    def write(cls, name: str, text: str):
+        path = cls.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        path.chmod(0o755 if text.startswith("#!") else 0o644)

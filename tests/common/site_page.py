@@ -3,14 +3,12 @@
 import functools
 import http.server
 import json
-import re
 import shutil
 import subprocess
 import tempfile
 import threading
 import unittest
 from pathlib import Path
-from urllib.parse import unquote
 
 from live_page import BUILD, has_pages
 
@@ -27,7 +25,6 @@ COLORS = """(canvas => {
 PICTURE = "Program.all[%d].canvas.toDataURL()"
 DRAWN_BY = "Program.all[%d].drawing?.program ? 1 : 0"
 LAMBERT = "float lambert(vec3 normal, vec3 to_light) {\n    return max(dot(normal, to_light), 0);\n}\n"
-EARLY = 12  # more pictures than come near a window that shows a page's beginning
 DRAWN = ["02_lambert_phong"]
 SQUARE = "vec4 quaternion_square(vec4 q) {\n    return vec4(q.x * q.x - dot(q.yzw, q.yzw), 2 * q.x * q.yzw);\n}\n"
 
@@ -65,19 +62,6 @@ def serve() -> tuple[str, callable]:
         server.shutdown()
         server.server_close()
     return f"http://127.0.0.1:{server.server_port}/", end
-
-
-def first_bytes(page: Path) -> int:
-    """A bound of what a page loads before a click: all of it, but of its pictures, which load as they come into view, the first EARLY."""
-    text = page.read_text(encoding="utf-8")
-    named = [(tag, (page.parent / unquote(name)).resolve()) for tag, name in re.findall(r'<(\w+) [^>]*?\b(?:src|href|poster)="([^"#?:]+)"', text) +
-             re.findall(r'<(video) [^>]*?src="([^"]+)"', text)]
-    needed = {file for tag, file in named if tag in ("script", "link", "video", "source") and file.is_file() and file.suffix != ".html"}
-    pictures = list(dict.fromkeys(file for tag, file in named if tag == "img"))[:EARLY]
-    for style in [file for file in needed if file.suffix == ".css"]:
-        if style.parent.name != "katex" or "arithmatex" in text:
-            needed |= {(style.parent / name).resolve() for name in re.findall(r"url\([\"']?([^)\"'?#:]+)", style.read_text(encoding="utf-8"))}
-    return sum(file.stat().st_size for file in {page, *needed, *pictures} if file.is_file())
 
 
 def remove():

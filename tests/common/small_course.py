@@ -77,8 +77,7 @@ else:
 """
 COMPARE = """#!PYTHON
 import json, sys
-for line in sys.stdin:
-    words = json.loads(line)
+for words in map(json.loads, sys.stdin) if "--pairs" in sys.argv else [sys.argv[1:]]:
     a, b = (open(name).read() for name in words[:2])
     if "--heatmap" in words:
         open(words[words.index("--heatmap") + 1], "w").write("hot")

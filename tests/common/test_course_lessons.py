@@ -16,7 +16,7 @@ PARTS = ["What you will be able to do", "The first ten minutes", "What you will 
          "Exercises", "What goes wrong", "Speed against accuracy", "When to use which", "Recap", "Questions", "Further reading"]
 EXERCISE = re.compile(r"^### (\d\d\.\w+) \((?:easy|medium|hard)\)\n(.*?)(?=^##|\Z)", re.M | re.S)
 MOST_MINUTES = 45
-UPDATE = "python3 docs/figures/reading_minutes.py measures again"
+UPDATE = "python3 docs/figures/reading_minutes.py measures again, and docs/figures/draw.py draws"
 
 
 def read(page: Path) -> str:

@@ -113,18 +113,19 @@ class Text(Course):
         self.put("docs/01_obj.md", LESSON + "![a chart](studies/01_obj.gpu.png)\n")
         self.assertEqual(self.wrong(), "")
 
-    def test_diagrams_are_what_their_scripts_draw(self):
-        script = "class D:\n    def svg(self): return '<svg/>'\n\ndef draw():\n    return D()\n"
-        self.put("docs/figures/01_ray.py", script)
-        self.assertIn("docs/images/01_ray.svg: not what its script draws", self.wrong())
-        self.put("docs/images/01_ray.svg", "<svg/>")
-        self.assertEqual(self.wrong(), "docs/images/01_ray.svg: no lesson shows it\n")
+    def test_diagrams_are_what_their_functions_draw(self):
+        script = "class D:\n    def svg(self): return '<svg/>'\n\ndef figures(): return {'01_ray': D}\n"
+        self.put("docs/figures/draw.py", script)
         self.put("docs/01_obj.md", LESSON + "![a ray](images/01_ray.svg)\n")
+        self.assertIn("docs/images/01_ray.svg: not what its function draws", self.wrong())
+        self.put("docs/images/01_ray.svg", "<svg/>")
         self.assertEqual(self.wrong(), "")
-        self.put("docs/figures/01_ray.py", script.replace("return '<svg/>'", "raise ValueError('a label is outside')"))
-        self.assertIn("docs/figures/01_ray.py: a label is outside", self.wrong())
-        self.remove("docs/figures/01_ray.py")
-        self.assertIn("docs/images/01_ray.svg: no docs/figures/01_ray.py draws it", self.wrong())
+        self.put("docs/01_obj.md", LESSON)
+        self.assertEqual(self.wrong(), "docs/images/01_ray.svg: no lesson shows it\n")
+        self.put("docs/figures/draw.py", script.replace("return '<svg/>'", "raise ValueError('a label is outside')"))
+        self.assertIn("docs/figures, 01_ray: a label is outside", self.wrong())
+        self.put("docs/figures/draw.py", "figures = dict\n")
+        self.assertIn("docs/images/01_ray.svg: nothing in docs/figures draws it", self.wrong())
 
     def test_environment_variables_both_ways_and_few(self):
         def table(*names: str):

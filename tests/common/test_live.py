@@ -1,6 +1,9 @@
-"""Tests of ./course serve without a browser: access, pictures and charts."""
+"""Tests of ./course serve without a browser: access, pictures, charts, exercises' files, hostile clients, and the programs behind
+the pages."""
 
+import asyncio
 import json
+import os
 import socket
 import subprocess
 import sys
@@ -9,14 +12,15 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from live_case import DRAW, Live
-from live_server import receive
-from small_course import clean_environment
+from live_server import DRAW, Live, Server, frame, is_there, receive, until
+from small_course import REAL, clean_environment
+
+sys.path.insert(0, str(REAL / "common/course"))
+from live import programs, serve  # noqa: E402
 
 
 class Opening(unittest.TestCase):
     def test_a_browsers_arguments_have_no_token_and_nobody_waits_for_it(self):
-        from live import serve
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(serve, "BUILD", Path(folder)), \
                 mock.patch.object(serve.shutil, "which", lambda _: "/usr/bin/xdg-open"), \
                 mock.patch.object(serve.subprocess, "Popen") as started:
@@ -29,7 +33,6 @@ class Opening(unittest.TestCase):
             started.return_value.wait.assert_not_called()
 
     def test_it_builds_the_programs_and_what_compares_their_pictures(self):
-        from live import serve
         with mock.patch.object(serve, "listen", lambda _: (None, None)), mock.patch.object(serve, "build") as built, \
                 mock.patch.object(serve, "is_old", lambda _: False), mock.patch.object(Path, "is_file", lambda _: True), \
                 mock.patch.object(serve, "serve", mock.Mock()), mock.patch.object(serve.asyncio, "run"):
@@ -104,16 +107,6 @@ class Guarded(Live):
         self.assertIn("\r\nLocation: /evil.example/\r\n", said)
         self.assertRegex(said, r"Set-Cookie: lightwalk_\d+=.*HttpOnly; .*SameSite=Strict")
 
-    def test_strangers_take_no_turn_and_no_room_of_the_students(self):
-        """Requests without the token, and connections that say nothing."""
-        for _ in range(900):
-            status = self.server.ask("index.html", Cookie=None)[0]
-            self.assertIn(status, (403, 429))
-        self.assertEqual(self.server.ask("index.html")[0], 200)
-        silent = [socket.create_connection(("127.0.0.1", self.server.port)) for _ in range(500)]
-        self.addCleanup(lambda: [one.close() for one in silent])
-        self.assertEqual(self.server.ask("index.html")[0], 200)
-
     def test_another_host_or_origin_is_refused(self):
         self.assertEqual(self.server.ask("", Host="evil.example")[0], 403)
         self.assertEqual(self.server.ask("", Host=f"evil.example:{self.server.port}")[0], 403)
@@ -145,14 +138,9 @@ class Guarded(Live):
 
 class Pictures(Live):
     def test_a_picture_is_what_was_asked(self):
-        async def talk():
-            page = await self.server.socket()
-            await page.write_message(json.dumps(DRAW | {"set": {"a": "1"}, "turn_rad": 0.5, "size": [320, 180], "still": True}))
-            return await receive(page)
-        answer, picture = self.server.run(talk)
+        [(answer, picture)] = self.server.talk(DRAW | {"set": {"a": "1"}, "turn_rad": 0.5, "size": [320, 180], "still": True, "screenshot": "x"})
         self.assertEqual((answer["place"], answer["number"], answer["code"]), ("a", 1, 0))
-        self.assertEqual(json.loads(picture), {"words": ["--shot", "bunny"], "size": [320, 180], "still": True, "turn_rad": 0.5,
-                                               "set": {"a": "1"}, "use": "solution", "look": ""})
+        self.assertEqual(json.loads(picture), {"words": ["--shot", "bunny"], "size": [320, 180], "still": True, "turn_rad": 0.5, "set": {"a": "1"}})
 
     def test_ten_tabs_are_all_answered(self):
         async def talk():
@@ -175,37 +163,20 @@ class Pictures(Live):
         self.assertLess(len(numbers), 60)
 
     def test_a_crash_is_said_and_the_next_picture_drawn(self):
-        async def talk():
-            page = await self.server.socket()
-            answers = []
-            for what in ("draw", "crash", "draw"):
-                await page.write_message(json.dumps(DRAW | {"set": {"do": what}}))
-                answers.append((await receive(page))[0])
-            return answers
-        before, crashed, after = self.server.run(talk)
+        asked = [DRAW | {"set": {"do": what}, "place": str(i)} for i, what in enumerate(("draw", "crash", "draw"))]
+        before, crashed, after = (answer for answer, _ in self.server.talk(*asked, answers=3))
         self.assertEqual(crashed["code"], 3)
         self.assertEqual(crashed["error"], "chapter 01 was ended by SIGABRT: it fell; the next picture starts it again")
         self.assertEqual(after["code"], 0)
         self.assertNotEqual(before["pid"], after["pid"])
 
     def test_what_is_no_request_ends_the_socket(self):
-        async def ended(message) -> bool:
-            page = await self.server.socket()
-            await page.write_message(message)
-            return await receive(page) is None
         for message in ("{", "[]", '{"do": "delete"}', '{"do": ["draw"]}', "[" * 20000):
-            self.assertTrue(self.server.run(lambda: ended(message)), message[:30])
+            self.assertEqual(self.server.talk(message), [None], message[:30])
 
     def test_what_a_request_may_not_say(self):
-        async def talk(more):
-            page = await self.server.socket()
-            await page.write_message(json.dumps(DRAW | more))
-            return (await receive(page))[0].get("event")
-        for more in ({"shot": "../x"}, {"shot": ["bunny"]}, {"chapter": "99_none"}, {"chapter": None}, {"size": [4, 4]}, {"size": [4096, 4096]},
-                     {"size": "large"}, {"turn_rad": "1"}, {"turn_rad": 1e9}, {"pan": [1]}, {"set": {"a": 1}}, {"set": [1]},
-                     {"set": {str(i): "" for i in range(400)}}, {"use": "solution,../x=exercise"}, {"look": 1}, {"place": 1}, {"number": "1"},
-                     {"time_s": float("nan")}, {"notches": True}):
-            self.assertEqual(self.server.run(lambda: talk(more)), "refused", more)
+        for more in ({"shot": "../x"}, {"shot": ["bunny"]}, {"chapter": "99_none"}, {"chapter": None}, {"place": 1}, {"number": "1"}, {"picture": ["x", 0]}):
+            self.assertEqual(self.server.talk(DRAW | more)[0][0].get("event"), "refused", more)
 
     def test_another_origin_opens_no_socket(self):
         from tornado.httpclient import HTTPClientError
@@ -227,34 +198,191 @@ class Charts(Live):
         cls.write("build/compare", (cls.root / "programs/compare").read_text())
 
     def test_a_points_picture_its_truth_and_the_error(self):
-        async def talk():
-            page = await self.server.socket()
-            await page.write_message(json.dumps({"do": "point", "chart": "01_obj.gpu.acne", "number": 0}))
-            return [await receive(page) for _ in range(3)]
-        (picture, asked), (truth, asked_of_truth), (error, heat) = sorted(self.server.run(talk), key=lambda one: one[0]["place"])
+        said = self.server.talk({"do": "point", "chart": "01_obj.gpu.acne", "number": 0}, answers=3)
+        (picture, asked), (truth, asked_of_truth), (error, heat) = sorted(said, key=lambda one: one[0]["place"])
         self.assertEqual([picture["place"], truth["place"], error["place"]], ["chart.0", "chart.1", "chart.2"])
         request = {"words": ["--scene", "scenes/a.json"], "size": [480, 270], "still": True}
         self.assertEqual(json.loads(asked), request | {"set": {"method": "pcf", "lamp": "2", "bias": "0.5", "snap": "off"}})
         self.assertEqual(json.loads(asked_of_truth), request | {"set": {"lamp": "2", "rays": "on"}})
-        self.assertEqual((heat, error["flip_mean"]), (b"hot", 0.5))
+        self.assertEqual((error["error"], heat, error.get("flip_mean")), ("", b"hot", 0.5))
 
     def test_an_error_that_cannot_be_made_is_said(self):
-        async def talk():
-            page = await self.server.socket()
-            await page.write_message(json.dumps({"do": "point", "chart": "01_obj.gpu", "number": 0}))
-            return {answer["place"]: answer["error"] for answer, _ in [await receive(page) for _ in range(3)]}
         self.restore_afterwards(self.root / "build/compare")
         (self.root / "build/compare").unlink()
-        self.assertEqual(self.server.run(talk), {"chart.0": "", "chart.1": "", "chart.2": "build/compare: No such file or directory; ./course serve builds it"})
+        said = {answer["place"]: answer["error"] for answer, _ in self.server.talk({"do": "point", "chart": "01_obj.gpu", "number": 0}, answers=3)}
+        self.assertEqual(said, {"chart.0": "", "chart.1": "", "chart.2": "build/compare: No such file or directory; ./course serve builds it"})
 
     def test_what_is_no_point_is_refused(self):
-        async def talk(chart, number):
-            page = await self.server.socket()
-            await page.write_message(json.dumps({"do": "point", "chart": chart, "number": number}))
-            return (await receive(page))[0]["event"]
         for chart, number in (("01_obj.gpu", 1), ("01_obj.gpu", 2), ("01_obj.gpu", -1), ("01_obj.gpu", True), ("../01_obj.gpu", 0), (None, 0)):
-            self.assertEqual(self.server.run(lambda: talk(chart, number)), "refused", (chart, number))
+            self.assertEqual(self.server.talk({"do": "point", "chart": chart, "number": number})[0][0]["event"], "refused", (chart, number))
         self.assertEqual(self.server.ask("live/chart/02_none")[0], 404)
+
+
+class Exercises(Live):
+    def read(self) -> dict:
+        return json.loads(self.server.ask("live/exercise/01.one")[1])
+
+    def test_it_is_read_and_written_where_it_is_as_it_was_read(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+        read = self.read()
+        self.assertEqual((read["text"], read["file"]), ("open", "chapters/01_obj/exercise/one.cpp"))
+        status, said = self.server.ask("live/exercise/01.one", "PUT", {"text": "mine", "base": read["version"]})
+        self.assertEqual((status, file.read_text()), (200, "mine"))
+        status, said = self.server.ask("live/exercise/01.one", "PUT", {"text": "late", "base": read["version"]})
+        self.assertEqual((status, file.read_text()), (409, "mine"))
+        self.assertEqual(json.loads(said)["text"], "mine")
+
+    def test_its_mode_and_its_letters_stay(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+        file.write_bytes(b"// \xfcber\n")
+        file.chmod(0o640)
+        read = self.read()
+        self.assertEqual(read["text"], "// \u00fcber\n")
+        status, said = self.server.ask("live/exercise/01.one", "PUT", {"text": read["text"] + "// more", "base": read["version"]})
+        self.assertEqual((status, file.read_bytes(), file.stat().st_mode & 0o777), (200, b"// \xfcber\n// more", 0o640))
+        self.server.ask("live/exercise/01.one", "PUT", {"text": "\u20ac", "base": json.loads(said)["version"]})
+        self.assertEqual(file.read_bytes(), "\u20ac".encode())
+        file.chmod(0o644)
+
+    def test_nothing_else_is_written(self):
+        version = self.read()["version"]
+        for name in ("01.two", "01.one.cpp", "..", "02.one%2f..", "course"):
+            self.assertEqual(self.server.ask(f"live/exercise/{name}", "PUT", {"text": "x", "base": version})[0], 404, name)
+        for body, status in ((b"{", 400), (b"[" * 100000, 400), ([], 400), ({"text": 1, "base": version}, 400), ({"text": "\0", "base": version}, 400),
+                             ({"text": "\ud800", "base": version}, 400), ({"text": "x" * 300000, "base": version}, 413)):
+            self.assertEqual(self.server.ask("live/exercise/01.one", "PUT", body)[0], status, str(body)[:40])
+        for method in ("POST", "DELETE", "PATCH"):
+            self.assertEqual(self.server.ask("live/exercise/01.one", method, {})[0], 405)
+        self.assertEqual(self.read()["text"], "open")
+
+    def test_a_link_is_not_followed(self):
+        file, target = self.root / "chapters/02_lambert/exercise/one.cpp", self.outside / "target"
+        self.restore_afterwards(file)
+        target.write_text("theirs")
+        file.unlink()
+        file.symlink_to(target)
+        self.addCleanup(file.unlink)
+        self.assertEqual(self.server.ask("live/exercise/02.one")[0], 404)
+
+    def test_a_body_of_100_mb_is_refused(self):
+        with socket.create_connection(("127.0.0.1", self.server.port)) as one:
+            one.sendall(f"PUT /live/exercise/01.one HTTP/1.1\r\nHost: {self.server.host}\r\nOrigin: {self.server.origin}\r\n"
+                        f"Cookie: {self.server.cookie}\r\nContent-Length: 100000000\r\n\r\n".encode())
+            self.assertIn(one.recv(1000).split()[1:2], ([b"400"], [b"413"], []))
+
+    def test_checked_from_starter_to_solved(self):
+        file = self.root / "chapters/01_obj/exercise/one.cpp"
+        self.restore_afterwards(file)
+
+        async def talk():
+            page = await self.server.socket()
+            await page.write_message(json.dumps({"do": "check", "exercise": "01.one"}))
+            return await self.verdict(page)
+        event = self.server.run(talk)
+        self.assertEqual((event["result"]["ok"], event["result"]["first_failure"], event["result"]["hint"]),
+                         (False, "one(0) gave 1, expected 0", "think"))
+        self.server.ask("live/exercise/01.one", "PUT", {"text": "right", "base": self.read()["version"]})
+        event = self.server.run(talk)
+        self.assertEqual((event["result"]["ok"], event["progress"]["01_obj"]["solved"]), (True, ["01.one"]))
+        file.write_text("right no more")
+        progress = json.loads(self.server.ask("live/course")[1])["progress"]
+        self.assertEqual(progress["01_obj"], {"exercises": 1, "solved": [], "untouched": []})
+
+    async def verdict(self, page) -> dict:
+        while True:
+            event, _ = await receive(page)
+            if event["event"] == "checked":
+                return event
+
+    def test_an_edit_on_disk_is_told(self):
+        async def talk():
+            page = await self.server.socket()
+            await page.write_message(json.dumps({"do": "watch", "exercise": "01.one"}))
+            await asyncio.sleep(0.3)
+            self.put("chapters/01_obj/exercise/one.cpp", "theirs")
+            return await receive(page)
+        event, _ = self.server.run(talk)
+        self.assertEqual((event["event"], event["text"]), ("disk", "theirs"))
+
+
+class Hostile(Live):
+    def test_a_message_of_100_mb_is_not_taken(self):
+        async def talk():
+            page = await self.server.socket()
+            try:
+                await page.write_message("x" * 100_000_000)
+            except Exception:  # however it notices that the other side has gone
+                return None
+            return await receive(page)
+        self.assertIsNone(self.server.run(talk))
+        self.assertLess(self.server.memory_mb(), 150)
+        self.assertEqual(self.server.ask("live/course")[0], 200)
+
+    def test_a_socket_that_never_reads_holds_nothing_up(self):
+        with socket.socket() as deaf:
+            deaf.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            deaf.connect(("127.0.0.1", self.server.port))
+            deaf.sendall(self.server.handshake())
+            for number in range(300):
+                deaf.sendall(frame(json.dumps(DRAW | {"place": str(number % 60), "number": number, "set": {"do": "large"}}).encode()))
+
+            self.assertEqual(self.server.talk(DRAW | {"chapter": "02_lambert"})[0][0]["code"], 0)
+            self.assertLess(self.server.memory_mb(), 250)
+
+    def test_an_end_leaves_no_program_behind(self):
+        with Server(self.root) as server:
+            pid = server.talk(DRAW)[0][0]["pid"]
+            self.assertTrue(is_there(pid))
+        until(lambda: not is_there(pid))
+        self.assertEqual(server.process.returncode, 0)
+
+
+class Chapters(Live):
+    """The programs behind the pages, without a server."""
+
+    def draw(self, *requests, **constants):
+        """The answers to one request after the other, and the programs running at the end."""
+        async def talk():
+            made, answers = programs.Programs(), []
+            try:
+                for chapter, what in requests:
+                    done = asyncio.get_running_loop().create_future()
+                    made.ask(chapter, (None, "a"), {"words": [], "set": {"do": what}}, lambda *answer: done.set_result(answer))
+                    answers.append((await asyncio.wait_for(done, 30))[0])
+                await asyncio.sleep(0.1)
+                await made.end_idle()
+                return answers, made.running()
+            finally:
+                await made.end()
+        with mock.patch.multiple(programs, chapter_program=lambda name: self.root / "build/chapters" / name, ROOT=self.root, **constants):
+            return asyncio.run(talk())
+
+    def test_an_idle_one_is_ended(self):
+        self.assertEqual(list(self.draw(("01_obj", "draw"))[1]), ["01_obj"])
+        self.assertEqual(self.draw(("01_obj", "draw"), IDLE_S=0)[1], {})
+
+    def test_one_that_hangs_is_ended_and_said(self):
+        answers, running = self.draw(("01_obj", "hang"), ("01_obj", "draw"), ANSWER_S=1)
+        self.assertEqual(answers[0]["error"], "chapter 01 did not answer within 1 s and was ended; the next picture starts it again")
+        self.assertEqual(answers[1]["code"], 0)
+
+    def test_the_one_asked_longest_ago_makes_room(self):
+        self.assertEqual(list(self.draw(("01_obj", "draw"), ("02_lambert", "draw"), MOST_PROGRAMS=1)[1]), ["02_lambert"])
+
+    def test_one_that_was_built_again_is_started_again(self):
+        first = self.draw(("01_obj", "draw"), ("01_obj", "draw"))[0]
+        self.assertEqual(first[0]["pid"], first[1]["pid"])
+        path = self.root / "build/chapters/01_obj"
+        with mock.patch.object(programs.Program, "version", side_effect=[1, 2, 2, 2]):
+            again = self.draw(("01_obj", "draw"), ("01_obj", "draw"))[0]
+        self.assertNotEqual(again[0]["pid"], again[1]["pid"])
+        self.assertTrue(os.access(path, os.X_OK))
+
+    def test_one_that_is_not_built_says_how_to(self):
+        answers, _ = self.draw(("03_none", "draw"))
+        self.assertIn("chapter 03 is not built: ./course run 03 builds it", answers[0]["error"])
 
 
 if __name__ == "__main__":

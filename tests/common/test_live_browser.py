@@ -1,4 +1,4 @@
-"""Tests of ./course serve in a browser: chapter 02's lesson on a copy of the course, drawn by its program."""
+"""Tests of ./course serve in a browser: lessons on a copy of the course, drawn by their programs."""
 
 import base64
 import os
@@ -17,6 +17,7 @@ SHOWN = "Picture.all[0].answers[0]"
 # An image's colours, one after the other, once it is there: while one is read, an image draws nothing.
 PIXELS = ("(async image => {{ await image.decode(); const c = make('canvas', {{width: 320, height: 180}}).getContext('2d'); "
           "c.drawImage(image, 0, 0, 320, 180); return [...c.getImageData(0, 0, 320, 180).data].filter((_, i) => i % 4 < 3); }})({})")
+IMAGE = "Picture.all[0].sides[0].image.src"
 EDITOR = "document.querySelector('.run-exercise').exercise"
 
 
@@ -154,11 +155,15 @@ class InBrowser(LivePage):
         self.middle("document.querySelector('.run-exercise')")
         self.browser.evaluate(f"{EDITOR}.check()")
         self.browser.wait("Boolean(document.querySelector('.run-verdict.open'))")
+        self.browser.wait("(box => box.top >= 0 && box.bottom < innerHeight + 1)(document.querySelector('.run-verdict').getBoundingClientRect())")
         self.browser.evaluate(f"{EDITOR}.editor.setValue({EDITOR}.editor.getValue().replace('{{', '{{ oops'))")
         self.browser.wait("Boolean(document.querySelector('.run-message'))")
         line = next(i for i, line in enumerate(file.read_text().splitlines()) if "oops" in line)
         self.assertIn(self.browser.evaluate("[...document.querySelectorAll('.run-mark')].length"), (1, 2))
         self.assertLessEqual(abs(self.browser.evaluate(f"{EDITOR}.editor.marks[0].line.lineNo()") - line), 1)
+        self.browser.wait("!Live.asked.size")
+        said = "[...document.querySelectorAll('article *')].filter(e => !e.children.length && e.textContent.includes('undeclared identifier')).length"
+        self.assertEqual(self.browser.evaluate(said), 1)
         self.browser.evaluate(f"{EDITOR}.editor.setValue('')")
         self.type_text(answer)
         self.browser.wait("!document.querySelector('.run-message')")
@@ -166,6 +171,8 @@ class InBrowser(LivePage):
         self.browser.wait("Boolean(document.querySelector('.run-verdict.ok'))")
         self.assertEqual(file.read_text(), answer)
         self.assertIn("1 of ", self.browser.evaluate("document.querySelector('.live-progress').textContent"))
+        self.browser.evaluate("document.querySelector('.run-verdict.ok .run-next').click()")
+        self.browser.wait("document.querySelectorAll('.run-exercise').length === 2")
         self.browser.open(f"{self.server.base}{CHAPTER}.html")  # which waits for the new page; a reload would answer before
         self.browser.wait("document.querySelector('.live-progress')?.textContent.startsWith('1 of ')")
 
@@ -189,6 +196,24 @@ class InBrowser(LivePage):
         self.browser.evaluate("document.querySelector('.run-conflict button').click()")
         self.assertTrue(self.browser.evaluate(f"{EDITOR}.editor.getValue()").endswith("again\n"))
 
+    def test_a_point_of_a_chart_has_figures_picture_truth_and_error(self):
+        chart = "document.querySelector('.live-chart')"
+        self.browser.evaluate(f"{chart}.dispatchEvent(new PointerEvent('pointerenter')), 0")
+        self.browser.wait(f"Number({chart}.dataset.points) > 1", 120)
+        for point in ("first", "last"):
+            place = self.browser.evaluate(f"(async () => {{ const e = {chart}; e.scrollIntoView({{block: 'center', behavior: 'instant'}});"
+                                          f"const all = (await Live.get('chart/' + e.querySelector('img').src.match(/studies\\/([\\w.]+)\\.svg/)[1])).points;"
+                                          f"const p = {'all[0]' if point == 'first' else 'all.at(-1)'}, b = e.querySelector('img').getBoundingClientRect();"
+                                          f"return [b.left + p.x * b.width, b.top + p.y * b.height, p.words]; }})()")
+            self.browser.call("mouse.move", *place[:2])
+            self.browser.wait(f"!{chart}.querySelector('.live-words').hidden")
+            self.assertIn("quartiles", self.browser.evaluate(f"{chart}.querySelector('.live-words').textContent"))
+        self.browser.drag(tuple(place[:2]), tuple(place[:2]))
+        self.browser.wait("Boolean(document.querySelector('.live-errors'))")
+        for title in ("its picture", "the truth", "the error"):
+            self.browser.wait(f"document.querySelector('.live-errors img[alt=\"{title}\"]').naturalWidth === 480")
+        self.assertRegex(self.browser.evaluate("document.querySelector('.live-errors figure:last-child').textContent"), r"^the error: FLIP 0\.\d+")
+
     def test_a_crash_is_said_and_mended(self):
         self.choose()
         program = [int(path.parent.name) for path in Path("/proc").glob("[0-9]*/cmdline") if is_ours(path, self.server.process.pid)]
@@ -201,6 +226,27 @@ class InBrowser(LivePage):
         self.browser.evaluate("Picture.all[0].change({turn_rad: 1})")
         self.browser.wait("Boolean(window.said?.some(t => t.includes('SIGSEGV')))")
         self.answered(f"{SHOWN}.code === 0")
+
+
+class Refining(LivePage):
+    refine = "on"
+
+    def test_a_picture_at_rest_gathers_sixteen_samples(self):
+        with Browser(1400, 1000, server=self.server.base) as browser:
+            browser.open(self.server.address)
+            self.opened(browser, "02_lambert_phong")
+            browser.evaluate("Picture.all[0].draw(true)")
+            browser.wait(f"Boolean({SHOWN}?.format === 'png' && {IMAGE}.startsWith('blob:'))")
+            first = browser.evaluate(IMAGE)
+            browser.wait("Picture.all[0].note.textContent === '16 samples'")
+            whole = browser.evaluate(IMAGE)
+            self.assertNotEqual(whole, first)
+            browser.evaluate("Picture.all[0].change({turn_rad: 0.3}, false)")
+            self.assertEqual(browser.evaluate("Picture.all[0].samples"), 1)
+            browser.wait("Picture.all[0].note.textContent !== '16 samples'")
+            browser.wait("Picture.all[0].note.textContent === '16 samples'")
+            self.assertNotEqual(browser.evaluate(IMAGE), whole)
+            self.assertEqual(browser.complaints, [])
 
 
 def is_ours(path: Path, parent: int) -> bool:

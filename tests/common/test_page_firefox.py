@@ -10,7 +10,7 @@ import test_page_verdicts as verdicts
 from browser import FIREFOX, WHY_NONE, Firefox
 from site_page import COLORS, DRAWN_BY, LAMBERT, Solving, remove, serve, site
 
-from pages import running
+from pages import in_browser, running
 from tree import BUILD, write_atomically
 
 tearDownModule = remove
@@ -30,7 +30,7 @@ class InFirefox(Solving, pictures.Comparing):
 
     def test_every_answer_has_the_verdict_of_the_check(self):
         with tempfile.TemporaryDirectory() as folder:
-            rows = verdicts.compared(Path(folder), browsed=Firefox)
+            rows = verdicts.compared(Path(folder), in_browser.write(Path(folder)), Firefox)
         write_atomically(BUILD / "report" / "verdicts_firefox.md", verdicts.table(rows))
         self.assertGreater(len(rows), 400)
         self.assertEqual([row for row in rows if not row["same_verdict"]], [])

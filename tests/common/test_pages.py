@@ -146,16 +146,6 @@ class InBrowser(TheCourse):
         shown = self.lessons[::3]
         return [page for page in kinds.values() if page not in self.lessons or page in shown]
 
-    def test_on_a_phone_in_the_dark(self):
-        """Colours are the theme's and alike in all pages; whether a lesson fits a phone is seen with the rest of it."""
-        with Browser(dark=True, webgl=True) as browser:
-            browser.resize(*PHONE)
-            for page in (self.folder / "index.html", self.lessons[-1]):
-                browser.open(page)
-                self.assertEqual(browser.evaluate(WIDTHS), [390, 390], page)
-                self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 24, 31)")
-            self.assertEqual(browser.complaints, [])
-
     def test_search_finds_and_leads_there(self):
         with Browser(webgl=True) as browser:
             for words, page in (("half vector", "02_lambert_phong.html"), ("clusters", "03_attenuation.html")):

@@ -15,7 +15,7 @@ sys.path.insert(0, str(REAL / "common/course"))
 from pages import book, slides  # noqa: E402
 from pages.lesson_html import blocks, words  # noqa: E402
 import cli  # noqa: E402
-from tree import UsageError, chapters  # noqa: E402
+from tree import Failure, UsageError, chapters  # noqa: E402
 
 CHAPTER = chapters()[1]
 
@@ -104,7 +104,7 @@ class Book(unittest.TestCase):
         seen = Seen(page)
         inside = [link[1:] for link in seen.links if link.startswith("#")]
         chapters_there = {part["id"] for part in self.parts}
-        self.assertEqual([name for name in inside if name not in seen.names and not re.match(r"chapter-\d\d$", name)], [])
+        self.assertEqual([name for name in inside if name not in seen.names and not re.match(r"chapter-\d\d[a-z]?$", name)], [])
         self.assertTrue(chapters_there <= seen.names)
         self.assertRegex(page, r'<a href="#chapter-02">17</a>')
 
@@ -117,6 +117,27 @@ class Book(unittest.TestCase):
             self.assertEqual(book.pages_of(out), {"b": 2})
             self.assertEqual(book.page_count(out), 2)
             self.assertTrue(out.read_bytes().startswith(b"%PDF"))
+
+
+class Printings(unittest.TestCase):
+    def printed(self, *pages: dict) -> list[dict]:
+        """The page numbers given to each printing, if the printings' own are `pages`."""
+        given = []
+        with tempfile.TemporaryDirectory() as folder, mock.patch("pages.book.print_pdf"), mock.patch("pages.book.warn"), \
+                mock.patch("pages.book.page", lambda _, places: given.append(places) or ""), \
+                mock.patch("pages.book.pages_of", side_effect=pages):
+            book.print_until_settled("browser", [], Path(folder, "book.html"), Path(folder, "book.pdf"))
+        return given
+
+    def test_the_second_printing_has_the_pages_of_the_first(self):
+        self.assertEqual(self.printed({"a": 2}, {"a": 2}), [{}, {"a": 2}])
+
+    def test_numbers_that_move_a_page_are_printed_once_more(self):
+        self.assertEqual(self.printed({"a": 9}, {"a": 10}, {"a": 10}), [{}, {"a": 9}, {"a": 10}])
+
+    def test_what_never_settles_is_a_failure(self):
+        with self.assertRaisesRegex(Failure, "pages still moved in printing 4"):
+            self.printed(*({"a": number} for number in range(4)))
 
 
 if __name__ == "__main__":

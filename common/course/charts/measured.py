@@ -9,7 +9,6 @@ blanks, help texts and exercises do not count. Errors measured again without tim
 import hashlib
 import json
 import re
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -60,20 +59,6 @@ def here(chapter: str, request: str = "") -> str:
 
 
 _here: dict[tuple[str, str], str] = {}
-
-
-def at_commit(commit: str, chapter: str, request: str = "") -> str:
-    """Of a commit."""
-    def git(*words: str) -> str:
-        return subprocess.run(["git", "-C", ROOT, *words], stdout=subprocess.PIPE, check=True).stdout.decode()
-    listed = git("ls-tree", "-r", "--name-only", commit, "chapters", "shaders", "assets/scenes").splitlines()
-    texts: dict[str, str] = {}
-
-    def read(name: str) -> str:
-        if name not in texts:
-            texts[name] = git("show", f"{commit}:{name}")
-        return texts[name]
-    return version_of(listed, read, chapter, request)
 
 
 def is_of_earlier(study: Path, key: str = "measured") -> bool:

@@ -5,47 +5,42 @@ import json
 import tempfile
 from pathlib import Path
 
-from charts.points import can_draw, request_of
+from charts import drawn
+from charts.points import can_draw, places_of, request_of
 from live import answers
 from live.answers import Refused
 from live.pages import Answer
-from tree import PYTHON, BUILD, ROOT, Failure
+from tree import BUILD, Failure
 
-STUDIES = ROOT / "docs" / "studies"
 SIZE = [480, 270]
 DRAW_S = 120
 ERROR = "chart.2"  # the place of the third picture
 
 
-def study_of(chart: str) -> Path:
+def study_of(chart) -> Path:
     """The study of a chart. Raises Refused."""
-    for path in STUDIES.glob("*.json"):
-        if chart == path.stem or chart.startswith(f"{path.stem}."):
-            return path
+    if path := isinstance(chart, str) and drawn.study_of(chart):
+        return path
     raise Refused(404, "there is no such chart")
 
 
 class Points(Answer):
-    """Where a chart's points lie (chart_points.py)."""
+    """Where a chart's points lie."""
 
     async def get(self, chart: str):
         try:
             path = study_of(chart)
-            known, at = self.application.charts, path.stat().st_mtime_ns
-            if (path, at) not in known:
-                code, out = await answers.run([*PYTHON, ROOT / "common/course", "live.chart_points", path], lambda line: None, DRAW_S)
-                if code:
-                    raise Refused(500, "where the chart's points lie could not be found")
-                known[path, at] = json.loads(out)
-            study = json.loads(path.read_text(encoding="utf-8"))
-            self.say({"points": known[path, at].get(chart, []), "draws": can_draw(study)})
+            places = await asyncio.to_thread(places_of, path)
+            self.say({"points": places.get(chart, []), "draws": can_draw(json.loads(path.read_text(encoding="utf-8")))})
         except Refused as why:
             self.refuse(why)
+        except Failure as why:
+            self.refuse(Refused(500, str(why)))
 
 
 def requests_of(chart, number) -> tuple[str, dict, dict]:
     """The chapter, and the requests for a point's picture and for its truth. Raises Refused."""
-    study = json.loads(study_of(chart if isinstance(chart, str) else "").read_text(encoding="utf-8"))
+    study = json.loads(study_of(chart).read_text(encoding="utf-8"))
     if not can_draw(study) or isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(study["points"]):
         raise Refused(404, "there is no picture of that point")
     requests = [request_of(study, study["points"][number], truth) for truth in (False, True)]

@@ -2,42 +2,31 @@
 
 import asyncio
 import json
-import re
 import struct
 
 from live import answers, charts
 from live.answers import Refused
-from live.guard import Bucket, Guarded
+from live.guard import Guarded
 from live.programs import is_cpp
 from pages.made import cells, made
 from tornado.iostream import StreamClosedError
-from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from tree import Failure, chapters, shots
 
 MESSAGE_BYTES = 1 << 16
-MESSAGES_A_S, MESSAGES_AT_ONCE = 150, 400
-MOST_SOCKETS = 40
 MOST_PLACES = 64  # pictures on one page
 MOST_EVENTS = 200
 SEND_S = 20  # a page that takes nothing for so long is gone
-MOST_PIXELS = 1920 * 1080
-USE = re.compile(r"(solution|exercise)(,\d\d\.\w{1,40}=(solution|exercise)){0,20}")
+PASSED_ON = ("size", "turn_rad", "tilt_rad", "notches", "time_s", "pan", "set", "use", "look")  # the program checks them (common/window/pictures.h)
 
 
 class Socket(WebSocketHandler, Guarded):
     sockets = set()
 
-    def prepare(self):
-        Guarded.prepare(self)
-        if len(self.sockets) >= MOST_SOCKETS:
-            raise HTTPError(503, reason=f"More than {MOST_SOCKETS} pages are open")
-
     def check_origin(self, origin):
         return self.application.guard.knows_origin(self.request)
 
     def open(self, *_):
-        self.bucket = Bucket(MESSAGES_A_S, MESSAGES_AT_ONCE)
         self.frames, self.events, self.wake = {}, [], asyncio.Event()
         self.watched, self.places, self.pointed = {}, set(), None
         self.sender = asyncio.ensure_future(self.send())
@@ -90,9 +79,6 @@ class Socket(WebSocketHandler, Guarded):
         self.wake.set()
 
     def on_message(self, message):
-        if not self.bucket.take():
-            self.close(1008, "too many messages")
-            return
         try:
             request = json.loads(message)
             if not isinstance(request, dict):
@@ -139,12 +125,6 @@ class Socket(WebSocketHandler, Guarded):
         self.watched[exercise] = answers.read(exercise)["version"]
 
 
-def number(value, low: float, high: float) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not low <= value <= high:
-        raise Refused(400, f"expected a number from {low:g} to {high:g}")
-    return value
-
-
 def words_of_shot(chapter: str, shot) -> list[str]:
     if shot not in [one["name"] for one in shots(chapter)]:
         raise Refused(404, f"chapter {chapter[:2]} has no such picture")
@@ -170,28 +150,8 @@ def what_to_draw(request: dict) -> tuple[str, dict]:
         words = words_of_cell(chapter, request["picture"]) if "picture" in request else words_of_shot(chapter, request.get("shot"))
     except Failure as why:
         raise Refused(500, str(why)) from None
-    size = request.get("size", [480, 270])
-    if not isinstance(size, list) or len(size) != 2:
-        raise Refused(400, "a size is two numbers")
-    size = [int(number(side, 16, 2048)) for side in size]
-    if size[0] * size[1] > MOST_PIXELS:
-        raise Refused(400, f"a picture has at most {MOST_PIXELS} pixels")
-    asked = {"words": words, "size": size, "still": request.get("still") is True}
-    for name, low, high in (("turn_rad", -1e3, 1e3), ("tilt_rad", -10, 10), ("notches", -200, 200), ("time_s", -1e6, 1e6)):
-        if name in request:
-            asked[name] = number(request[name], low, high)
-    if "pan" in request:
-        if not isinstance(request["pan"], list) or len(request["pan"]) != 2:
-            raise Refused(400, "pan is two numbers")
-        asked["pan"] = [number(share, -1e3, 1e3) for share in request["pan"]]
-    knobs = request.get("set", {})
-    if not isinstance(knobs, dict) or len(knobs) > 300 or not all(
-            isinstance(value, str) and len(value) < 200 and len(name) < 200 for name, value in knobs.items()):
-        raise Refused(400, "knobs are short texts by name")
-    use, look = request.get("use", "solution"), request.get("look", "")
-    if not isinstance(use, str) or not USE.fullmatch(use) or not isinstance(look, str) or len(look) > 200:
-        raise Refused(400, "use and look are as --use and --look take them")
-    return chapter, asked | {"set": knobs, "use": use, "look": look}
+    asked = {key: request[key] for key in PASSED_ON if key in request}
+    return chapter, asked | {"words": words, "still": request.get("still") is True}
 
 
 class Work:

@@ -12,13 +12,12 @@ from live.guard import Guarded
 from pages import knob_links
 from shots.golden import golden_path
 from tornado.web import HTTPError
-from tree import ROOT, chapter_program, chapters, shots
+from tree import chapters, shots
 
 SITE = Path(__file__).parent / "site"
 SCRIPTS = ["client.js", "picture.js", "knobs.js", "panel.js", "exercise.js", "chart.js", "start.js"]
 STYLES = ["live.css"]
 OURS = {name: SITE / name for name in [*SCRIPTS, *STYLES]}
-LIST_S = 60
 # Scripts that check and draw without a server.
 ALONE = re.compile(rb'<script src="[^"]*assets/run/(?!exercise)[^"]*"></script>')
 
@@ -50,20 +49,12 @@ class Page(Guarded):
         kind = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
         if file.suffix == ".html":
             data = ALONE.sub(b"", data).replace(b"</head>", head(path.count("/")).encode() + b"</head>", 1)
-            data = await self.marked(file, data)
+            chapter = knob_links.chapter_of(file.stem) if file.parent == self.folder else None
+            if knobs := await asyncio.to_thread(knob_links.knobs_of, chapter) if chapter else []:
+                data = knob_links.marked(data.decode("utf-8"), knobs).encode("utf-8")
             kind = "text/html; charset=utf-8"
         self.set_header("Content-Type", kind)
         self.finish(data)
-
-    async def marked(self, file: Path, data: bytes) -> bytes:
-        """A lesson's page with marks where its text names a knob; as it is where its chapter is not built."""
-        chapter = knob_links.chapter_of(file.stem) if file.parent == self.folder else None
-        if not chapter:
-            return data
-        try:
-            return knob_links.marked(data.decode("utf-8"), await knobs_of(self.application, chapter)).encode("utf-8")
-        except Refused:
-            return data
 
 
 class Ours(Guarded):
@@ -110,24 +101,11 @@ class Knobs(Answer):
     async def get(self, chapter: str):
         if chapter not in chapters():
             raise HTTPError(404, reason="There is no such chapter")
-        try:
-            self.say(await knobs_of(self.application, chapter))
-        except Refused as why:
-            self.refuse(why)
-
-
-async def knobs_of(application, chapter: str) -> list[dict]:
-    """Asked of the chapter's program once for each build of it. Raises Refused."""
-    known, program = application.knobs, chapter_program(chapter)
-    at = program.stat().st_mtime_ns if program.exists() else 0
-    if (chapter, at) not in known:
-        process = await asyncio.create_subprocess_exec(program, "--list", "knobs", "--json", cwd=ROOT,
-                                                       stdout=asyncio.subprocess.PIPE) if at else None
-        out = (await asyncio.wait_for(process.communicate(), LIST_S))[0] if at else b""
-        if not at or process.returncode:
-            raise Refused(503, f"chapter {chapter[:2]} is not built: ./course run {chapter[:2]} builds it")
-        known[chapter, at] = json.loads(out)
-    return known[chapter, at]
+        knobs = await asyncio.to_thread(knob_links.knobs_of, chapter)
+        if knobs:
+            self.say(knobs)
+        else:
+            self.refuse(Refused(503, f"chapter {chapter[:2]} is not built: ./course run {chapter[:2]} builds it"))
 
 
 class Exercise(Answer):

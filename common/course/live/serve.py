@@ -1,7 +1,6 @@
 """Serves the lessons with pictures that answer."""
 
 import asyncio
-import collections
 import errno
 import logging
 import secrets
@@ -124,31 +123,12 @@ def application(folder: Path, guard, can_build: bool, refine: str):
         (r"/live/chart/([^/]+)", charts.Points), (r"/live/(.*)", pages.Ours),
         (r"/(.*)", pages.Page, {"folder": folder})], websocket_max_message_size=MESSAGE_BYTES, websocket_ping_interval=20,
         websocket_ping_timeout=60)
-    made.guard, made.programs, made.verdicts, made.knobs, made.charts, made.closing = guard, Programs(), Verdicts(), {}, {}, False
+    made.guard, made.programs, made.verdicts, made.closing = guard, Programs(), Verdicts(), False
     made.refine = refine
-    made.waiting = collections.OrderedDict()  # connections on which nobody has shown a token
     made.work = Work(made, can_build)
     made.check = lambda exercise: made.work.start("check", exercise)
     made.written = made.work.written
     return made
-
-
-def server_class():
-    from live.guard import MOST_STRANGERS
-    from tornado.httpserver import HTTPServer
-
-    class Server(HTTPServer):
-        """Of the connections on which nobody has shown a token, the oldest makes room for one more."""
-
-        def handle_stream(self, stream, address):
-            waiting = self.request_callback.waiting
-            for one in [one for one in waiting if one.closed()]:
-                del waiting[one]
-            while len(waiting) >= MOST_STRANGERS:
-                waiting.popitem(last=False)[0].close()
-            waiting[stream] = True
-            super().handle_stream(stream, address)
-    return Server
 
 
 def show(address: str):
@@ -164,6 +144,7 @@ def show(address: str):
 
 async def serve(arguments, listening, where, folder: Path) -> int:
     from live.guard import Guard
+    from tornado.httpserver import HTTPServer
 
     token = None if arguments.socket else secrets.token_urlsafe(24)
     hosts = {arguments.behind.lower()} if arguments.behind else set()
@@ -172,7 +153,7 @@ async def serve(arguments, listening, where, folder: Path) -> int:
     elif not hosts:
         hosts = {"localhost"}
     made = application(folder, Guard(token, hosts), not arguments.no_build, arguments.refine)
-    server = server_class()(made, max_body_size=BODY_BYTES, max_header_size=1 << 15, body_timeout=30, idle_connection_timeout=120)
+    server = HTTPServer(made, max_body_size=BODY_BYTES, max_header_size=1 << 15, body_timeout=30, idle_connection_timeout=120)
     server.add_socket(listening)
     address = f"http://{where[0]}:{where[1]}/?token={token}" if where else f"unix:{arguments.socket}"
     say(address)

@@ -6,13 +6,13 @@ shared shaders, and the shot with its golden, or the scene. So a picture is draw
 
 import functools
 import hashlib
-import io
 import re
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from charts import measured
+from pages.page import encoded
 from shots.golden import golden_path
 from shots.rendering import Drawing
 from tree import BUILD, ROOT, chapters, shots, warn
@@ -102,12 +102,7 @@ def draw(pictures: list[Picture]) -> dict[Picture, str]:
 
 
 def webp(path: Path) -> bytes:
-    from PIL import Image
-
-    out = io.BytesIO()
-    with Image.open(path) as picture:
-        picture.convert("RGB").save(out, "WEBP", quality=78, method=4)
-    return out.getvalue()
+    return encoded(path, quality=78, method=4)
 
 
 def put(made: Path, picture: Picture) -> str:

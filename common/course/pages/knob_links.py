@@ -11,8 +11,9 @@ import html
 import json
 import re
 import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
 
-from pages.placed import Placed
 from tree import ROOT, chapter_program, chapters, lesson_pages
 
 BLOCKS = ("p", "li", "td", "summary")
@@ -20,16 +21,19 @@ ELSEWHERE = ("pre", "a", "h1", "h2", "h3")  # code, links and headings, which do
 ENDLESS = ("area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr")
 GIVEN = re.compile(r"([\w.]+)\s*=\s*(\S+)")
 NUMBER = re.compile(r"-?[\d.]+")
+LIST_S = 60
+
+
+def knobs_of(chapter: str) -> list[dict]:
+    """The knobs of a chapter, as its program tells them, once for each build of it; none where it is not built."""
+    program = chapter_program(chapter)
+    return knobs_told(program, program.stat().st_mtime_ns) if program.exists() else []
 
 
 @functools.cache
-def knobs_of(chapter: str) -> list[dict]:
-    """The knobs of a chapter, as its program tells them; none where it is not built."""
-    program = chapter_program(chapter)
-    if not program.exists():
-        return []
-    said = subprocess.run([program, "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, check=True)
-    return json.loads(said.stdout)
+def knobs_told(program: Path, _built_at: int) -> list[dict]:
+    said = subprocess.run([program, "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, timeout=LIST_S)
+    return [] if said.returncode else json.loads(said.stdout)
 
 
 def chapter_of(page: str) -> str | None:
@@ -74,6 +78,21 @@ def meant(knobs: list[dict], words: str, last: dict | None) -> tuple[dict | None
         return last, text, False
     owners = [knob for knob in knobs if knob["type"] == "choice" and text in knob["options"]]
     return (owners[0], text, False) if len(owners) == 1 else (None, None, False)
+
+
+class Placed(HTMLParser):
+    """HTML read with the place of each tag in the text: `at()` is the place of the tag that is being handled, counted in characters."""
+
+    def read(self, page: str):
+        self.lines = [0]
+        for line in page.splitlines(keepends=True):
+            self.lines.append(self.lines[-1] + len(line))
+        self.feed(page)
+        self.close()
+
+    def at(self) -> int:
+        line, column = self.getpos()
+        return self.lines[line - 1] + column
 
 
 class Marks(Placed):

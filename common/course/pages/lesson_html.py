@@ -1,17 +1,15 @@
 """A lesson as blocks of HTML, of which slides and the book are made: the same Markdown as the pages', with its pictures in it."""
 
-import base64
 import functools
 import html
-import io
 import os
 import re
 from pathlib import Path
 
 from pages.docs import KATEX
-from pages.page import TYPES
+from pages.knob_links import Placed
+from pages.page import TYPES, encoded, uri
 from pages.pages_markdown import Site, convert, slug
-from pages.placed import Placed
 from tree import ROOT, Failure
 
 VOID = ("img", "br", "hr", "input", "link", "meta", "col", "source", "wbr")
@@ -107,24 +105,10 @@ def embedded(path: Path, most_side: int = 1600, quality: int = 86, flat: bool = 
 
 @functools.lru_cache(None)
 def pixels(file: Path, most_side: int, quality: int, flat: bool) -> str:
-    try:
-        from PIL import Image
-    except ImportError:
-        raise Failure("there is no PIL; the packages are in common/course/packages/book") from None
-    with Image.open(file) as picture:
-        picture = picture.convert("RGB")
-        if max(picture.size) > most_side:
-            picture.thumbnail((most_side, most_side), Image.Resampling.LANCZOS)
-        out = io.BytesIO()
-        picture.save(out, "JPEG", quality=quality, subsampling=0, optimize=True)
-        png = io.BytesIO()
-        if flat:
-            picture.save(png, "PNG", optimize=True)
-    return uri(png.getvalue(), "image/png") if flat and png.tell() < out.tell() else uri(out.getvalue(), "image/jpeg")
-
-
-def uri(data: bytes, kind: str) -> str:
-    return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+    most = (most_side, most_side)
+    jpeg = encoded(file, most, "JPEG", quality=quality, subsampling=0, optimize=True)
+    png = encoded(file, most, "PNG", optimize=True) if flat else jpeg
+    return uri(png, "image/png") if len(png) < len(jpeg) else uri(jpeg, "image/jpeg")
 
 
 def katex_css() -> str:

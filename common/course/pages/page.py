@@ -3,16 +3,12 @@
 import base64
 import io
 import os
+from importlib.util import find_spec
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader
 
-from tree import BUILD, ROOT, chapter_title
-
-try:
-    from PIL import Image
-except ImportError:  # ./course run does not need it; pictures are then embedded as they lie on disk
-    Image = None
+from tree import BUILD, ROOT, Failure, chapter_title
 
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg", ".webp": "image/webp"}
 
@@ -32,6 +28,25 @@ def page(template: str, **values) -> str:
     return TEMPLATES.get_template(template).render(values)
 
 
+def encoded(path: Path, most: tuple[int, int] | None = None, kind: str = "WEBP", **options) -> bytes:
+    """A picture in another format, at most so large. Raises OSError where it cannot be read or is no picture."""
+    try:
+        from PIL import Image
+    except ImportError:
+        raise Failure("there is no PIL; the packages are in common/course/packages/book") from None
+    out = io.BytesIO()
+    with Image.open(path) as picture:
+        picture = picture.convert("RGB")
+        if most:
+            picture.thumbnail(most, Image.Resampling.LANCZOS)
+        picture.save(out, kind, **options)
+    return out.getvalue()
+
+
+def uri(data: bytes, kind: str) -> str:
+    return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+
+
 def data_uri(path: Path, lossless: bool = True) -> str:
     """A picture as a data URI: as it is, or as a WebP of at most SMALL pixels a side, where exact pixels do not matter. Raises
     OSError where it cannot be read or is no picture."""
@@ -39,24 +54,16 @@ def data_uri(path: Path, lossless: bool = True) -> str:
     data, kind = path.read_bytes(), TYPES.get(path.suffix.lower(), "application/octet-stream")
     if kind == "image/png" and not data.startswith(b"\x89PNG"):
         raise OSError(f"{path} is not a PNG")
-    if not lossless and Image and kind == "image/png":
-        out = io.BytesIO()
-        with Image.open(io.BytesIO(data)) as picture:
-            picture = picture.convert("RGB")
-            picture.thumbnail((SMALL, SMALL))
-            picture.save(out, "WEBP", quality=80, method=4)
-        data, kind = out.getvalue(), "image/webp"
-    return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+    if not lossless and find_spec("PIL") and kind == "image/png":  # ./course run does without it
+        data, kind = encoded(path, (SMALL, SMALL), quality=80, method=4), "image/webp"
+    return uri(data, kind)
 
 
 def chart_uri(path: Path) -> str:
     """A chart as a data URI: a WebP of the same pixels, which takes a quarter less than the PNG. Raises OSError as data_uri()."""
-    if not Image or Path(path).suffix != ".png":
+    if not find_spec("PIL") or Path(path).suffix != ".png":
         return data_uri(path)
-    out = io.BytesIO()
-    with Image.open(path) as picture:
-        picture.convert("RGBA").save(out, "WEBP", lossless=True, quality=50, method=2)
-    return f"data:image/webp;base64,{base64.b64encode(out.getvalue()).decode()}"
+    return uri(encoded(path, lossless=True, quality=50, method=2), "image/webp")
 
 
 def lesson_link(chapter: str, folder: Path) -> str:

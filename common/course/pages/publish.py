@@ -5,17 +5,17 @@ worker, which keeps the site for reading without a network; a policy that lets a
 
 import functools
 import hashlib
-import io
 import json
 import re
 import shutil
 import subprocess
 import tempfile
 from pathlib import Path
+from urllib.parse import unquote
 
 from build.build import build
 from pages import docs, drawn_pictures, states
-from pages.page import POLICY
+from pages.page import POLICY, encoded
 from tree import Failure, UsageError, chapters, say, warn, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
@@ -124,7 +124,7 @@ def start_page(made: Path, page: str, clip: Path | None) -> str:
     """The start page with the chapters' pictures as small as it shows them, its first one whole, and the film over that."""
     def picture(found: re.Match, size: tuple[int, int], kind: str) -> str:
         to = (made / found[2]).with_suffix(f".{kind}.webp")
-        scaled((made / found[2]).with_suffix(".png"), size).save(to, "WEBP", quality=82, method=4)
+        to.write_bytes(encoded((made / found[2]).with_suffix(".png"), size, quality=82, method=4))
         return f'{found[1]}{to.relative_to(made)}"'
     page = re.sub(r'(<a class="card"[^>]*>\s*<img [^>]*src=")([^"]+)"', lambda found: picture(found, (480, 270), "card"), page)
     page = re.sub(r'(<div class="hero"[^>]*>\s*<img [^>]*src=")([^"]+)"', lambda found: picture(found, (1200, 675), "hero"), page)
@@ -141,30 +141,17 @@ def with_film(page: str) -> str:
                   r'<source src="assets/start.mp4" type="video/mp4"></video>', page, count=1)
 
 
-def scaled(path: Path, most: tuple[int, int]):
-    """A picture that is at most so large."""
-    from PIL import Image
-
-    with Image.open(path) as picture:
-        shown = picture.convert("RGB")
-    shown.thumbnail(most, Image.LANCZOS)
-    return shown
-
-
 def small(path: Path) -> Path | None:
     """The picture beside itself as WebP, where that is smaller."""
-    out = io.BytesIO()
-    scaled(path, (100_000, 100_000) if "images" in path.parts else (WIDEST, 10 * WIDEST)).save(out, "WEBP", quality=82, method=4)
-    if out.tell() >= path.stat().st_size:
+    data = encoded(path, None if "images" in path.parts else (WIDEST, 10 * WIDEST), quality=82, method=4)
+    if len(data) >= path.stat().st_size:
         return None
     other = path.with_suffix(".webp")
-    other.write_bytes(out.getvalue())
+    other.write_bytes(data)
     return other
 
 
 def renamed(found: re.Match, page: Path, smaller: dict[Path, Path | None]) -> str:
-    from urllib.parse import unquote
-
     meant = (page.parent / unquote(found[2])).resolve()
     other = smaller.get(meant)
     return f'{found[1]}="{found[2][:found[2].rindex(".")]}.webp"' if other else found[0]
@@ -172,8 +159,6 @@ def renamed(found: re.Match, page: Path, smaller: dict[Path, Path | None]) -> st
 
 def sized(found: re.Match, page: Path) -> str:
     """The image with its size, so that a page keeps its place while pictures above come in."""
-    from urllib.parse import unquote
-
     file = (page.parent / unquote(found[2])).resolve()
     size = size_of(file) if file.is_file() else None
     return f'<img width="{size[0]}" height="{size[1]}" {found[1]}src="{found[2]}"' if size else found[0]

@@ -5,21 +5,18 @@ point of a chart has its picture in the same way. In a page they are attributes:
 data-points of images.
 """
 
-import hashlib
 import html
 import json
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 from charts.drawn import study_of
-from charts.points import can_draw, words_of
+from charts.points import can_draw, command_of, places_of, text
 from pages import knob_links
-from pages.drawn_pictures import KEPT, SAMPLED_ONCE, Picture, draw, fine, put, shot_of, size_of
+from pages.drawn_pictures import SAMPLED_ONCE, Picture, draw, fine, put, shot_of, size_of
 from shots.golden import golden_path
-from shots.rendering import text
-from tree import PYTHON, ROOT, Failure, chapter_program, warn, write_atomically
+from tree import ROOT, Failure, chapter_program, warn
 
 MOST_STATES = 8
 SIZE = (480, 270)
@@ -163,21 +160,11 @@ def points_of(chart: str) -> list[tuple[dict, Picture]]:
     found = {}
     for point in places_of(path).get(chart, []):
         told = study["points"][point["point"]]
-        words = words_of(study, told)
+        words = command_of(study, told)
         if words and told["method"] not in found and len(found) < MOST_STATES:
             words = ("--size", "{}x{}".format(*SIZE), *words)
             found[told["method"]] = (point, Picture(study["chapter"], "chart", words))
     return list(found.values())
-
-
-def places_of(study: Path) -> dict:
-    """The points of a study's charts by chart (live/chart_points.py), kept until the study or the charts' code changes."""
-    code = b"".join(path.read_bytes() for path in sorted((ROOT / "common/course/charts").glob("*.py")))
-    kept = KEPT / "points" / f"{study.stem}.{hashlib.sha256(code + study.read_bytes()).hexdigest()[:16]}.json"
-    if not kept.exists():
-        said = subprocess.run([*PYTHON, ROOT / "common/course", "live.chart_points", study], stdout=subprocess.PIPE, check=True)
-        write_atomically(kept, said.stdout)
-    return json.loads(kept.read_text(encoding="utf-8"))
 
 
 def with_points(made: Path, image: re.Match, points: list, wrong: dict) -> str:

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from build.build import build
 from many.shards import check_writable
-from pages.device import write_page
+from pages.page import page as filled
+from pages.report import Pictures  # and the filters of report_parts.html
 from progress import Progress
 from shots.draw_shots import right_picture
 from shots.golden import distance_of, exceeded, golden_path, hardware_limits, limits_of, unfit
@@ -37,6 +38,7 @@ Exit code 1 where a shot is outside its limits or a check is wrong, 2 where ther
 KIND = "shots and checks of a device"
 FIGURES = ("flip_mean", "flip_p99", "step_p999", "max_diff")
 LISTED = 20  # lines of a summary
+EXACT = 20  # pictures outside limits that the page has losslessly, 1.5 MB each with the golden and the difference
 
 
 def add_arguments(parser):
@@ -70,7 +72,7 @@ def run(arguments, _rest, make=build) -> int:
     write_atomically(arguments.out, json.dumps(made, indent=1) + "\n")
     lines = summary(made) + (moved(made, earlier, arguments.against) if earlier else [])
     page = BUILD / "report" / "device.html"
-    write_page(page, made, results, lines)
+    write_atomically(page, filled("device.html", made=made, results=results, lines=lines, exact=EXACT, pictures=Pictures()))
     for line in lines:
         say(line)
     say(f"report: {relative(page)}; figures: {relative(arguments.out)}")

@@ -3,14 +3,13 @@
 As a program it prints the faults, one "file:line: fault" each, and ends with 1 if there is any.
 """
 
-import contextlib
 import fnmatch
-import importlib.util
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+from importlib import import_module
 from pathlib import Path
 
 from check.check import grades
@@ -279,29 +278,29 @@ def check_index() -> list[str]:
 
 
 def check_figures() -> list[str]:
-    """docs/images/NAME.svg is the drawing of docs/figures/NAME.py, and a lesson shows it."""
-    folder, wrong = ROOT / "docs/figures", []
-    shown = "".join((ROOT / name).read_text(encoding="utf-8") for name in lessons())
-    scripts = {path.stem: path for path in sorted(folder.glob("*.py")) if re.search(r"^def draw\(", path.read_text(encoding="utf-8"), re.M)}
-    for image in (name for name in files() if name.match("docs/images/*.svg")):
-        if image.stem not in scripts:
-            wrong.append(f"{image}: no docs/figures/{image.stem}.py draws it")
+    """docs/images/NAME.svg is the drawing of that name in docs/figures, and a lesson shows it."""
+    shown, wrong = "".join((ROOT / name).read_text(encoding="utf-8") for name in lessons()), []
+    folder = str(ROOT / "docs/figures")
+    sys.path.insert(0, folder)
+    try:
+        drawn = import_module("draw").figures() if Path(folder, "draw.py").exists() else {}
+    except Exception as error:  # any failure of a script
+        return [f"docs/figures: {error}"]
+    finally:
+        sys.path.remove(folder)
+    images = {name.stem: name for name in files() if name.match("docs/images/*.svg")}
+    for name in sorted(drawn.keys() | images.keys()):
+        image = Path(f"docs/images/{name}.svg")
+        if name not in drawn:
+            wrong.append(f"{image}: nothing in docs/figures draws it")
+            continue
+        try:
+            if name not in images or (ROOT / image).read_text(encoding="utf-8") != drawn[name]().svg():
+                wrong.append(f"{image}: not what its function draws; python3 docs/figures/draw.py {name}")
+        except Exception as error:  # of a figure's own code
+            wrong.append(f"docs/figures, {name}: {error}")
         if f"images/{image.name}" not in shown:
             wrong.append(f"{image}: no lesson shows it")
-    sys.path.insert(0, str(folder))
-    for name, path in scripts.items():
-        spec = importlib.util.spec_from_file_location(f"figure_{name}", path)
-        module, image = importlib.util.module_from_spec(spec), Path(f"docs/images/{name}.svg")
-        try:
-            with contextlib.redirect_stdout(sys.stderr):
-                spec.loader.exec_module(module)
-                drawn = module.draw().svg()
-        except Exception as error:  # any failure of a figure's script
-            wrong.append(f"docs/figures/{name}.py: {error}")
-            continue
-        if not (ROOT / image).exists() or (ROOT / image).read_text(encoding="utf-8") != drawn:
-            wrong.append(f"{image}: not what its script draws; python3 docs/figures/{name}.py")
-    sys.path.remove(str(folder))
     return wrong
 
 
