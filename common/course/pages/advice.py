@@ -183,7 +183,7 @@ def device_text(study: Study) -> str:
     if study.data["subject"] == "loader":
         return f"{study.data['stage']}"
     name = "lavapipe" if study.software else re.sub(r"\s*(80GB HBM3|HBM3)", "", study.data["device"])
-    return f"{'CPU' if study.software else 'GPU'} ({name}, {study.size_text('').strip()})"
+    return f"{'CPU' if study.software else 'GPU'} ({', '.join(filter(None, (name, study.size_text('').strip())))})"
 
 
 def table(question: Question) -> list[str]:
@@ -243,7 +243,7 @@ def page() -> str:
              "software rasteriser and on a GPU, with its time and its error; where none is enough, the most accurate one. Below the limit no error "
              "is ranked, and a time or an error that the study cannot tell apart from another is *as good*. A method is *dominated* if another is "
              "not slower beyond both quartiles and not less accurate beyond the reference's own uncertainty, and better in one of the two. "
-             "[The study format](study_format.md#verdicts) has the definitions. The times are of whole frames. Below each table stand the versions of the code that was measured: `./course docs --check` "
+             "[The study format](study_format.md#verdicts) has the definitions. Times of pictures are of whole frames. Below each table stand the versions of the code that was measured: `./course docs --check` "
              "lists those that are not the present one.", "",
              "| chapter | questions |", "|---|---|"]
     by_chapter: dict[str, list[Question]] = {}
