@@ -149,7 +149,9 @@ def check_claims(text: Path) -> list[str]:
 # Words that compare costs or errors of themselves, or where the sentence names what is measured. A maximum is no comparison.
 COMPARES = re.compile(
     r"\b(?:faster|slower|fastest|slowest|cheaper|cheapest|dearer|dearest|outperforms?|(?<!\d )beats|wins?|loses? to|no advantage|"
-    r"(?:more|less|most|least|as) accurate|as fast as|no slower|(?<!at )the same time|(?:twice|times) as (?:long|slow|fast|accurate|wrong)|"
+    r"(?:more|less|most|least|as) accurate|as fast as|no slower|(?<!at )the same time|"
+    r"costs? (?:\w+ ){0,2}(?:less|more)|(?:takes?|took) (?:less time|more time|no longer|longer than)|comes? closest|the nearest in|"
+    r"(?:twice|times) as (?:long|slow|fast|accurate|wrong)|"
     r"(?:half|third|quarter|fifth|sixth|seventh|eighth|ninth|tenth|twice|double) (?:of )?(?:the|its|their|that) (?:time|error|cost)|"
     r"(?:smaller|smallest|larger|less|lower|lowest|least|greater) (?:\w+ )?(?:errors?|FLIP|RMSE|times?|cost))\b", re.I)
 PERHAPS = re.compile(r"\b(?:better|best|worse|worst|as good as|half|twice|double(?! precision)|times (?:as|the)|"
