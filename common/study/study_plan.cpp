@@ -32,7 +32,7 @@ class PlanReader {
         study.expect_keys({"title",       "module",    "error_metric", "stage",      "size",    "rounds",
                            "truth",       "scenes",    "curves",       "charts",     "better",  "metrics",
                            "generate",    "test_size", "test_scenes",  "candidates", "budgets", "crops",
-                           "method_knob", "verdicts",  "defaults",     "unsteady"});
+                           "method_knob", "verdicts",  "unsteady"});
         plan_.title = study["title"].text();
         if (study.has("method_knob")) method_ = &find(study["method_knob"], study["method_knob"].text());
         if (study.has("module"))

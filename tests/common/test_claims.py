@@ -2,7 +2,6 @@
 # Builds: nothing
 
 import ast
-import re
 import sys
 import unittest
 from pathlib import Path
@@ -15,9 +14,6 @@ from chart_fixture import point, study  # noqa: E402
 from charts.verdict import verdict_of  # noqa: E402
 from pages import advice, claims, tables  # noqa: E402
 from tree import Failure, lessons  # noqa: E402
-
-# Parts of a lesson that state costs and choices: there every comparison is bound.
-CHOICES = re.compile(r"Speed against accuracy|When to use which|Cost")
 
 
 def small():
@@ -62,7 +58,8 @@ class Claims(unittest.TestCase):
 ## Speed against accuracy
 
 `a` is faster than `b`. It has half of the error.<!-- claim: x#1 --> A triangle has half of a square's area.
-Tiles win (`[03.x]`). With 3<!-- figure: f --> lights it is cheaper.
+Tiles win (`[03.x]`). With 3<!-- figure: f --> lights it is cheaper. Both run at the same time. The sun is twice as bright.
+Its error is twice as large.
 
     faster code
 
@@ -74,11 +71,10 @@ Which is faster?
 """
         with mock.patch.object(Path, "read_text", return_value=page):
             found = claims.unbound(Path("docs/x.md"))
-        self.assertEqual(found, [(5, "Speed against accuracy", "`a` is faster than `b`.")])
+        self.assertEqual(found, [(5, "Speed against accuracy", "`a` is faster than `b`."), (7, "Speed against accuracy", "Its error is twice as large.")])
 
-    def test_costs_and_choices_of_lessons_are_bound(self):
-        loose = [f"{lesson}:{line}: {words}" for lesson in lessons() for line, section, words in claims.unbound(lesson)
-                 if CHOICES.match(section)]
+    def test_comparisons_of_lessons_are_bound(self):
+        loose = [f"{lesson}:{line}: {words}" for lesson in lessons() for line, section, words in claims.unbound(lesson)]
         self.assertEqual(loose, [], "a comparison needs <!-- claim: ... --> (common/course/pages/claims.py)")
 
 

@@ -1,7 +1,5 @@
-"""Each chapter's default methods are not dominated in its own scene, on any device, or study.json says why in a line. Knobs that
-count samples or steps make no error larger in any study, or study.json says why.
-
-"defaults" and "unsteady" of chapters/NN_name/study*.json have these lines, by knob.
+"""Each chapter's default methods are not dominated in its own scene, on any device, or the question's "default" in study.json says
+why, by a claim or by taste. Knobs that count samples or steps make no error larger in any study, or "unsteady" says why, by knob.
 """
 # Builds: 01_obj 02_lambert_phong 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 07_mipmaps 08_bloom 09_post_effects 10_atmosphere 11_fractals 12_skin 13_mlaa 14_environment 15_terrain_water 16_volume 17_planets 18_playground 19_ambiance
 
@@ -19,7 +17,7 @@ sys.path[:0] = [str(ROOT / "common" / "course")]
 from charts import measured  # noqa: E402
 from charts.study_file import load  # noqa: E402
 from charts.verdict import verdict_of  # noqa: E402
-from pages import advice  # noqa: E402
+from pages import advice, claims  # noqa: E402
 from tree import BUILD  # noqa: E402
 
 COUNTS = re.compile(r"(?:^|[._])(?:samples|steps|taps|slices|peels|levels|octaves|cells|ring_cells|reach|table_scale)$")
@@ -51,8 +49,8 @@ def is_default(study, point, values: dict) -> bool:
         all(values.get(name) in (None, value, {"on": True, "off": False}.get(value)) for name, value in choices.items())
 
 
-def reasons(request: str, key: str) -> dict[str, str]:
-    return json.loads((ROOT / request).read_text()).get(key, {})
+def unsteady(request: str) -> dict[str, str]:
+    return json.loads((ROOT / request).read_text()).get("unsteady", {})
 
 
 class Defaults(unittest.TestCase):
@@ -63,8 +61,6 @@ class Defaults(unittest.TestCase):
         for question in advice.questions().values():
             file, values = program(question.chapter)
             for study in question.studies:
-                request = measured.request_of(study.data)
-                why = reasons(request, "defaults")
                 files = {scene: entry.get("file") for scene, entry in study.data.get("scenes", {}).items()}
                 own = [scene for scene in question.scenes() if files.get(scene) == file]
                 lost = []
@@ -74,14 +70,13 @@ class Defaults(unittest.TestCase):
                     if mine:
                         lost.append(all(verdict.dominator(p) for p in mine))
                 if lost and (any(lost) if own else all(lost)):
-                    knob = question.entry["id"]
-                    if knob in why:
-                        excused.add((request, knob))
-                        continue
-                    wrong.append(f"{request}: {knob}: the default is dominated {'in its own scene' if own else 'in every scene'} on "
-                                 f"{study.data['device']}; \"defaults\" says why, or another value is the default")
-        said = {(str(path.relative_to(ROOT)), knob) for path in (ROOT / "chapters").glob("*/study*.json")
-                for knob in reasons(str(path.relative_to(ROOT)), "defaults")}
+                    excused.add(question.entry["id"])
+                    why = question.entry.get("default", "")
+                    bound = [match["claim"] for match in claims.CLAIM.finditer(why)]
+                    if not bound and not why.startswith("Taste: ") or any(map(claims.fault_of, bound)):
+                        wrong.append(f"{question.entry['id']}: the default is dominated {'in its own scene' if own else 'in every scene'} on "
+                                     f"{study.data['device']}; \"default\" of study.json says why, or another value is the default")
+        said = {name for name, question in advice.questions().items() if "default" in question.entry}
         self.assertEqual(sorted(wrong), [])
         self.assertEqual(said - excused, set(), "no default is dominated there; take the line away")
 
@@ -96,7 +91,7 @@ class Convergence(unittest.TestCase):
             if not (ROOT / request).exists():
                 continue
             requests.add(request)
-            study, why = load(path), reasons(request, "unsteady")
+            study, why = load(path), unsteady(request)
             lower = {name for name, value in json.loads((ROOT / request).read_text()).get("better", {}).items() if value == "lower"}
             for scene in study.scenes:
                 verdict = verdict_of(study, scene)
@@ -115,7 +110,7 @@ class Convergence(unittest.TestCase):
                             else:
                                 wrong.append(f"{path.name}: {scene}, {method}: {name} {before.knobs[name]} to {after.knobs[name]}: "
                                              f"{', '.join(f'{m} {verdict.raw(before, m):.4g} to {verdict.raw(after, m):.4g}' for m in verdict.limits)}")
-        said = {(request, name) for request in requests for name in reasons(request, "unsteady")}
+        said = {(request, name) for request in requests for name in unsteady(request)}
         self.assertEqual(wrong, [], "more samples make it worse; \"unsteady\" of study.json says why")
         self.assertEqual(said - excused, set(), "no error grows there; take the line away")
 

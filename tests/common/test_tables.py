@@ -201,7 +201,8 @@ class Measured(unittest.TestCase):
 
     def test_a_study_is_of_an_earlier_version_when_its_sources_have_changed(self):
         same = [{"chapters/01_a/a.cpp": "int  a = 1;\n// another\n"}, {"chapters/02_c/c.cpp": "int d;"},
-                {"shaders/01_a/exercise/b.glsl": "1"}, {"chapters/01_a/study.json": '{"title": "C d", "scenes": ["assets/scenes/s.json"]}'}]
+                {"shaders/01_a/exercise/b.glsl": "1"},
+                {"chapters/01_a/study.json": '{"title": "C d", "scenes": ["assets/scenes/s.json"], "verdicts": [1]}'}]
         other = [{"chapters/01_a/a.cpp": "int a = 2;"}, {"shaders/01_a/b.glsl": "float c;"}, {"assets/scenes/s.json": "{ 1 }"}]
         was = self.version()
         for change in same + other:

@@ -7,7 +7,8 @@
                   "not_for": [{"method": "vsm", "where": "blockers one behind the other", "test": "[05.leaks]"}]}]
 
 `scenes`, `methods` and `knobs` leave points out; `enough` has limits by metric instead of one 8-bit step, and `limit` says it in
-words. A test named in `not_for` shows the failure. In a text, the block between
+words. A test named in `not_for` shows the failure. `default` says why the program's default stays although it is dominated: by a
+claim (claims.py), or by taste. In a text, the block between
 
     <!-- verdict: 05.shadow -->
     <!-- /verdict -->
@@ -29,7 +30,7 @@ from tree import ROOT, Failure, chapter_title, chapters
 
 PAGE = Path("docs/which.md")
 BEGIN, END = re.compile(r"\s*<!-- verdict: ([\w.]+) -->\s*$"), re.compile(r"\s*<!-- /verdict -->\s*$")
-KEYS = {"id", "question", "scenes", "methods", "knobs", "enough", "limit", "not_for"}
+KEYS = {"id", "question", "scenes", "methods", "knobs", "enough", "limit", "not_for", "default"}
 
 
 @dataclass(frozen=True)
@@ -174,7 +175,7 @@ def failures(question: Question) -> list[str]:
             lines.append(f"{code(method)} is enough with no setting in: {'; '.join(fails)}.")
     for failure in question.entry.get("not_for", []):
         lines.append(f"Not {code(failure['method'])} for {failure['where']}" + (f" (`{failure['test']}`)" if "test" in failure else "") + ".")
-    return lines
+    return lines + ([question.entry["default"]] if "default" in question.entry else [])
 
 
 def device_text(study: Study) -> str:
@@ -182,7 +183,7 @@ def device_text(study: Study) -> str:
     if study.data["subject"] == "loader":
         return f"{study.data['stage']}"
     name = "lavapipe" if study.software else re.sub(r"\s*(80GB HBM3|HBM3)", "", study.data["device"])
-    return f"{'CPU' if study.software else 'GPU'} ({name}, {study.size_text('').strip()})"
+    return f"{'CPU' if study.software else 'GPU'} ({', '.join(filter(None, (name, study.size_text('').strip())))})"
 
 
 def table(question: Question) -> list[str]:
@@ -242,7 +243,7 @@ def page() -> str:
              "software rasteriser and on a GPU, with its time and its error; where none is enough, the most accurate one. Below the limit no error "
              "is ranked, and a time or an error that the study cannot tell apart from another is *as good*. A method is *dominated* if another is "
              "not slower beyond both quartiles and not less accurate beyond the reference's own uncertainty, and better in one of the two. "
-             "[The study format](study_format.md#verdicts) has the definitions. The times are of whole frames. Below each table stand the versions of the code that was measured: `./course docs --check` "
+             "[The study format](study_format.md#verdicts) has the definitions. Times of pictures are of whole frames. Below each table stand the versions of the code that was measured: `./course docs --check` "
              "lists those that are not the present one.", "",
              "| chapter | questions |", "|---|---|"]
     by_chapter: dict[str, list[Question]] = {}

@@ -146,15 +146,17 @@ def check_claims(text: Path) -> list[str]:
             for match in CLAIM.finditer(words) if (fault := fault_of(match["claim"]))]
 
 
-# Words that compare, of themselves or where the sentence names what is measured.
+# Words that compare costs or errors of themselves, or where the sentence names what is measured. A maximum is no comparison.
 COMPARES = re.compile(
-    r"\b(?:faster|slower|fastest|slowest|cheaper|cheapest|dearer|dearest|outperforms?|beats|wins?|loses? to|no advantage|"
-    r"(?:more|less|most|least|as) accurate|as fast as|no slower|the same time|twice as|times as|times the|"
+    r"\b(?:faster|slower|fastest|slowest|cheaper|cheapest|dearer|dearest|outperforms?|(?<!\d )beats|wins?|loses? to|no advantage|"
+    r"(?:more|less|most|least|as) accurate|as fast as|no slower|(?<!at )the same time|"
+    r"costs? (?:\w+ ){0,2}(?:less|more)|(?:takes?|took) (?:less time|more time|no longer|longer than)|comes? closest|the nearest in|"
+    r"(?:twice|times) as (?:long|slow|fast|accurate|wrong)|"
     r"(?:half|third|quarter|fifth|sixth|seventh|eighth|ninth|tenth|twice|double) (?:of )?(?:the|its|their|that) (?:time|error|cost)|"
-    r"(?:smaller|smallest|larger|largest|less|lower|lowest|least|greater|greatest) (?:\w+ )?(?:errors?|FLIP|RMSE|times?|cost))\b", re.I)
-PERHAPS = re.compile(r"\b(?:better|best|worse|worst|as good as|half|twice|double|a (?:third|quarter|fifth|sixth|seventh|eighth|ninth|tenth)|"
-                     r"hardly|nearly)\b", re.I)
-MEASURED = re.compile(r"\b(?:errors?|FLIP|RMSE|ms|milliseconds|time|times)\b")
+    r"(?:smaller|smallest|larger|less|lower|lowest|least|greater) (?:\w+ )?(?:errors?|FLIP|RMSE|times?|cost))\b", re.I)
+PERHAPS = re.compile(r"\b(?:better|best|worse|worst|as good as|half|twice|double(?! precision)|times (?:as|the)|"
+                     r"a (?:third|quarter|fifth|sixth|seventh|eighth|ninth|tenth)|hardly|nearly)\b", re.I)
+MEASURED = re.compile(r"\b(?:errors?|FLIP|RMSE|ms|milliseconds|(?<!same )time|costs?|evaluates?)\b")
 BOUND = re.compile(r"⟦bound⟧|\[\d\d\.\w+\]|build/tests/|ctest |--method auto")  # by a figure, a claim, a test; the rule's own words
 SKIPPED = ("Exercises", "Questions", "Further reading", "What you will be able to do", "The first ten minutes")
 
