@@ -12,7 +12,6 @@ COMMANDS = {
     "release": "test.release",
     "accept": "shots.accept",
     "check": "check.check",
-    "check --next": "check.next_step",
     "reset": "check.reset",
     "study": "charts.study",
     "study --stretch": "check.stretch",

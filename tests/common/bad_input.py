@@ -3,7 +3,6 @@
 LIGHTWALK_BUILD names the build folder, by default build/ in the tree.
 """
 import io
-import json
 import os
 import pathlib
 import re
@@ -80,6 +79,3 @@ class BadInput(unittest.TestCase):
     def draw(self, chapter, *arguments, **expected):
         """Refuses a picture of 64x48 that these options ask for."""
         self.refuse(CHAPTERS[chapter], "--size", "64x48", "--screenshot", self.picture, *arguments, **expected)
-
-    def scene(self, name, **keys) -> pathlib.Path:
-        return self.write(name, json.dumps(keys))

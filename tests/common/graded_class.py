@@ -40,6 +40,12 @@ def right(exercise: str, place: str = "") -> str:
     return handed_in(place.read_text(encoding="utf-8"))
 
 
+def begins(text: str, name: str, with_: str) -> str:
+    """C++ or GLSL whose exercise begins in another way."""
+    at = text.index("{\n", text.rindex(f" {name}("))
+    return text[:at] + with_ + text[at + 2:]
+
+
 @unittest.skipIf(why_not(), why_not())
 class Class(unittest.TestCase):
     """Subclasses fill `folder` in fill() and read `grades`, by student."""

@@ -1,7 +1,6 @@
-"""Tests of ./course test --on: a line with the reason if it cannot run; and its commands."""
+"""Tests of ./course test --on: a line with the reason if it cannot run, and the copy of the tree. ./course release runs it."""
 # Builds: nothing
 
-import io
 import os
 import shutil
 import subprocess
@@ -13,7 +12,6 @@ from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 from test import container  # noqa: E402
-from tree import UsageError  # noqa: E402
 from test_course_trouble import AS_OTHER, can  # noqa: E402
 
 
@@ -61,61 +59,13 @@ class Refusals(Course):
             printed = self.run_program([self.root / "course", "test", *words], 1, PATH=path)
             self.assertEqual(printed.splitlines()[0], f"course: installing {wanted}")
 
-    @unittest.skipIf(os.geteuid(), "as root")
-    def test_no_network(self):
-        path = self.only(bwrap="", debootstrap="echo I: Retrieving; echo E: Failed getting release file; exit 1")
-        command = [sys.executable, self.root / "common/course/cli.py", "test", "--on", "trixie"]
-        printed = self.run_program(command, 2, PATH=path)
-        self.assertIn("course: debootstrap could not make Debian 13 from http", printed)
-        self.assertIn("E: Failed getting release file; all it said is in build/on/trixie/debootstrap.log", printed)
-        self.assertEqual(printed.count("\n"), 2)  # its announcement, and the result
-        self.assertFalse((self.root / "build/on/trixie/root").exists())
 
-
-class Runs(Course):
+class Tree(Course):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         for words in ("init -q", "add -A", "-c user.name=x -c user.email=x commit -qm x"):
             subprocess.run(["git", "-C", cls.root, *words.split()], check=True)
-
-    def commands(self, *words, code=0, served="building\nhttp://127.0.0.1:8100/?token=x\n"):
-        """Its commands, with `code` as the exit code of each, and what the server prints."""
-        ran = []
-
-        def run(command, **_):
-            ran.append([str(word) for word in command])
-            return subprocess.CompletedProcess(command, code)
-
-        def start(command, **_):
-            run(command)
-            return mock.Mock(stdout=io.StringIO(served), wait=lambda: -15)
-        with mock.patch.multiple(container, BUILD=self.root / "build", require=lambda _: None, copy_tree=lambda _: None), \
-                mock.patch.object(container.subprocess, "run", run), mock.patch.object(container.subprocess, "Popen", start):
-            (self.root / "build/on/trixie/root").mkdir(parents=True, exist_ok=True)
-            result = container.test_on("trixie", list(words))
-        return result, ran
-
-    def test_a_newcomers_commands_in_a_container(self):
-        result, [first, pages, live, second] = self.commands()
-        self.assertEqual(result, 0)
-        root = str(self.root / "build/on/trixie/root")
-        self.assertEqual(first[:4], ["bwrap", "--bind", root, "/"])
-        self.assertEqual(first[-4:], [container.TREE, "--", "./course", "run"])
-        self.assertEqual(pages[-2:], ["./course", "docs"])
-        self.assertEqual(live[-4:], ["./course", "serve", "--port", "0"])
-        self.assertEqual(second[-4:], [container.TREE, "--", "./course", "test"])
-        self.assertNotIn(str(self.root), first[4:])
-
-    def test_a_server_that_ends_without_an_address_is_a_failure(self):
-        result, ran = self.commands(served="there is no tornado\n")
-        self.assertEqual((result, ran[-1][-3]), (-15, "serve"))
-
-    def test_a_selection_is_one_command_and_a_failure_is_its_code(self):
-        result, [only] = self.commands("shot", "-E", "07")
-        self.assertEqual(only[-5:], ["./course", "test", "shot", "-E", "07"])
-        result, ran = self.commands(code=1)
-        self.assertEqual((result, len(ran)), (1, 1))
 
     def test_the_tree_there_is_the_tree_here(self):
         there = self.outside / "there"
@@ -144,10 +94,6 @@ class Runs(Course):
         self.assertIn("build/kept", second)
         changed = {name for name in second if second[name] != first.get(name)} - {"build/kept"}
         self.assertEqual(changed, {"docs/01_obj.md"})
-
-    def test_a_system_there_is_not(self):
-        with self.assertRaisesRegex(UsageError, "there are bookworm, trixie"):
-            container.require("sid")
 
 
 if __name__ == "__main__":

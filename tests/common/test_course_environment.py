@@ -1,9 +1,10 @@
 """Tests of ./course with what people have beside it: copies and locks of editors, environments, clocks, displays."""
 
+import io
 import os
 import shutil
-import socket
 import subprocess
+import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -11,7 +12,6 @@ from pathlib import Path
 from small_course import Course, clean_environment
 
 ONE = "chapters/01_obj/exercise/one.cpp"
-STOPPED = "#!/bin/sh\necho 'c++: fatal error: Killed signal terminated program cc1plus' >&2\nexit 1\n"
 
 
 class Beside(Course):
@@ -19,7 +19,7 @@ class Beside(Course):
 
     def test_copies_and_locks_take_part_in_nothing(self):
         self.put(ONE, "right")
-        self.put("no_teeth")
+        self.put("starter_is_right")  # and its picture is
         before = self.course("check", "01")
         names = ("one (copy).cpp", "backup_one.cpp", "._one.cpp", ".one.cpp.swp", "one.cpp~", "one.cpp.orig", "one_old.glsl", "one.o")
         for name in names:
@@ -99,35 +99,18 @@ class Environment(Course):
                 self.assertIn("build/gallery/index.html", printed)
                 self.assertNotIn("./course run draws", printed)
 
-    def test_a_display_that_answers_is_one(self):
-        from tree import answers
-        place = self.outside / "wayland-94"
-        with socket.socket(socket.AF_UNIX) as one:
-            one.bind(str(place))
-            one.listen(1)
-            self.assertTrue(answers(socket.AF_UNIX, str(place)))
-        self.assertFalse(answers(socket.AF_UNIX, str(place)))
-
     def test_progress_fits_the_terminal(self):
         from progress import Progress
 
-        class Terminal:
-            text = ""
-
+        class Terminal(io.StringIO):
             def isatty(self):
                 return True
-
-            def write(self, text):
-                self.text += text
-
-            def flush(self):
-                pass
         for columns in (40, 80, 200):
             self.addCleanup(os.environ.pop, "COLUMNS", None)
             os.environ["COLUMNS"] = str(columns)
             to = Terminal()
             Progress("building", to).show(3, 10, "x" * 300)
-            self.assertEqual(len(to.text.removeprefix("\r").removesuffix("\033[K")), columns - 1)
+            self.assertEqual(len(to.getvalue().removeprefix("\r").removesuffix("\033[K")), columns - 1)
 
 
 class Control(Course):
@@ -138,7 +121,6 @@ class Control(Course):
                 with self.subTest(answer=answer, reference=reference):
                     kept.unlink(missing_ok=True)
                     self.put(ONE, answer)
-                    self.put("no_teeth")
                     self.put("chapters/01_obj/solution/one.cpp", reference)
                     printed = self.course("check", "01", code=3)
                     self.assertRegex(printed, "course: this machine cannot judge 01.one: its reference does not pass: ")
@@ -160,12 +142,12 @@ class Control(Course):
 class Compilers(unittest.TestCase):
     """common/course/build/compile_exercise.sh, with compilers that the machine ends."""
 
-    def compiled(self, compiler: str):
-        import tempfile
+    def compiled(self, compiler: str, source: str = "int a;"):
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         (folder / "cc").write_text(compiler)
         (folder / "cc").chmod(0o755)
-        (folder / "one.cpp").write_text("int a;\n")
+        (folder / "one.cpp").write_text(source)
+        self.made = folder / "one.o"
         script = Path(__file__).resolve().parents[2] / "common/course/build/compile_exercise.sh"
         done = subprocess.run(["sh", script, folder / "cc", "-o", folder / "one.o", "-c", folder / "one.cpp"], cwd=folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -182,6 +164,13 @@ class Compilers(unittest.TestCase):
         # Once: it is tried again.
         done, found = self.compiled("#!/bin/sh\n[ -e tried ] && exit 0\ntouch tried\necho Killed\nexit 1\n")
         self.assertEqual((done.returncode, found & {".ended", ".error"}), (0, set()), done.stdout)
+
+    def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
+        for source, said, is_there in (("int f() { int unused; return 1; }", "unused", True), ("int f() { return }", "one.cpp:1:18: error", False),
+                                       ("int f() { return 1; }", "", True)):
+            done, found = self.compiled('#!/bin/sh\nexec c++ -Wall "$@"\n', source)
+            self.assertEqual((said in done.stdout, ".error" in found), (True, not is_there), done.stdout)
+            self.assertEqual(b"1fv" in self.made.read_bytes(), is_there)
 
     def test_the_compiler_speaks_english(self):
         done, _ = self.compiled("#!/bin/sh\necho \"one.cpp:1:1: error: $LC_ALL\"\ncase \"$*\" in *empty*) exit 0 ;; esac\nexit 1\n")

@@ -5,7 +5,6 @@ import json
 import shutil
 import sys
 import unittest
-from pathlib import Path
 from unittest import mock
 
 from small_course import LESSON, REAL, Course
@@ -68,21 +67,6 @@ class Exercises(Course):
         self.assertNotIn("compared once", self.run_program(check))
         (folder / "starter_is_right").unlink()
         self.assertIn("the picture of bunny is not: 3 pixels differ", self.run_program(check, code=1))
-
-    def test_a_file_that_does_not_compile_becomes_an_empty_object(self):
-        script = REAL / "common/course/build/compile_exercise.sh"
-        source, made = self.outside / "a.cpp", self.outside / "a.o"
-        command = ["sh", script, "c++", "-Wall", "-o", made, "-c", source]
-        source.write_text("int f() { int unused; return 1; }")
-        self.assertIn("unused", self.run_program(command))
-        self.assertIn(b"1fv", made.read_bytes())
-        source.write_text("int f() { return }")
-        self.assertIn("error", self.run_program(command))
-        self.assertNotIn(b"1fv", made.read_bytes())
-        self.assertIn("a.cpp:1:18: error", Path(f"{made}.error").read_text())
-        source.write_text("int f() { return 1; }")
-        self.assertEqual(self.run_program(command), "")
-        self.assertFalse(Path(f"{made}.error").exists())
 
     def test_exercises_come_in_the_lessons_order(self):
         self.put("chapters/01_obj/exercise/and.cpp", "right")

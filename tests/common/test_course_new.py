@@ -33,22 +33,6 @@ class Refusals(Course):
         self.assertEqual(walk(self.root), sorted([*before, Path("docs/03_caustics.md")]))
 
 
-# Each word of the scaffold's example, in files and in their names.
-RENAMED = {"vignette": "halo", "Vignette": "Halo", "VIGNETTE": "HALO", "falloff": "decay", "corners": "edges", "shares": "ratios",
-           "shares_": "ratios_", "strength": "width"}
-
-
-def rename_example(root: Path, name: str):
-    """Replaces the example's words, as somebody does who begins a chapter of their own."""
-    for path in [path for folder in ("chapters", "shaders", "tests", "docs") for path in (root / folder).rglob("*")
-                 if path.is_file() and name in path.relative_to(root).as_posix()]:
-        def renamed(text: str) -> str:
-            return re.sub(r"[A-Za-z]+_?", lambda word: RENAMED.get(word[0], word[0]), text)
-        text = renamed(path.read_text())
-        path.unlink()
-        path.with_name(renamed(path.name)).write_text(text)
-
-
 class Options(unittest.TestCase):
     """Options of a program, before it is built."""
 
@@ -68,7 +52,7 @@ class Options(unittest.TestCase):
 
 @unittest.skipUnless(any(REAL.glob("shaders/*/solution")), "needs the reference solutions")
 class Scaffold(unittest.TestCase):
-    def test_it_builds_draws_and_passes_under_other_names(self):
+    def test_it_builds_draws_and_passes(self):
         """With the checks of the whole tree's text, once its picture is accepted; before that a test names the next command. A second
         chapter can follow it."""
         last = int(chapters()[-1][:2])
@@ -87,10 +71,8 @@ class Scaffold(unittest.TestCase):
                 return done.stdout
 
             self.assertIn(f"./course accept {number}.corners", course("new", name))
-            rename_example(root, name)
-            course("docs", "--quote")
-            self.assertIn(f"./course accept {number}.edges", course("test", rf"^shots\.{number}$", code=1))
-            course("accept", f"{number}.edges", "--yes")
+            self.assertIn(f"./course accept {number}.corners", course("test", rf"^shots\.{number}$", code=1))
+            course("accept", f"{number}.corners", "--yes")
             said = course("test", rf"^(check|shots|wrong_picture|unit|study)\.{number}|^unsolved\.{number}|text\.tree")
             self.assertIn("100% tests passed, 0 tests failed out of 7", said)
             course("new", f"{last + 2:02}_second")

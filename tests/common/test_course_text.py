@@ -160,6 +160,25 @@ class Text(Course):
         self.put("tests/02_lambert/shots.json", json.dumps({"shots": [SHOTS_02["shots"][0] | {"limits": {"max_diff": 99}}]}))
         self.assertIn("tests/02_lambert/shots.json: bunny says its own limits", self.wrong())
 
+    def test_the_order_of_the_trees_parts(self):
+        for name, text, words in (
+                ("common/base/x.cpp", '\n#include "common/gpu/frame.h"\n', "common/base/x.cpp:2: common/base may not include 'common/gpu/frame.h'"),
+                ("common/gpu/x.h", '# include  "../window/window.h"\n', "common/gpu may not include '../window/window.h', which belongs to common/window"),
+                ("common/window/x.h", '#include "01_obj/main.cpp"\n', "belongs to chapter 01"), ("common/attic/x.h", "", "common/attic: not a room"),
+                ("chapters/01_obj/x.h", '#include "02_lambert/main.cpp"\n', "chapter 01 may not include '02_lambert/main.cpp'"),
+                ("chapters/02_lambert/x.h", '#include "build/x.h"\n', "'build/x.h' leads to no part"),
+                ("shaders/01_obj/x.glsl", '#include "02_lambert/main.cpp"\n', "chapter 01 may not include"),
+                ("tests/common/x.cpp", '#include "01_obj/main.cpp"\n', "tests/common may not include"),
+                ("tests/01_obj/x.cpp", '#include "02_lambert/main.cpp"\n', "tests/01 may not include"),
+                ("common/course/build/x.py", "import os\n    from test.needs import y\n", "x.py:2: build may not import test"),
+                ("common/course/attic/x.py", "", "common/course/attic: not a package")):
+            with self.subTest(name):
+                self.put("common/gpu/frame.h")
+                self.put("common/window/window.h")
+                self.put(name, text)
+                self.assertIn(words, self.wrong())
+                (self.root / name).unlink()
+
     def test_private_paths_and_what_a_chapter_needs(self):
         self.put("docs/02_lambert.md", "see /" + "work/main/x\n")
         self.assertIn("a path of one machine", self.wrong())

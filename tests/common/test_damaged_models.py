@@ -1,6 +1,8 @@
-"""Each file of the conformance set, cut off and damaged in many ways: drawn, or refused in one line with exit code 2."""
+"""Each file of the conformance set, cut off and damaged in many ways: drawn, or refused in one line with exit code 2.
+test_damaged_models.py 100 damages each so many times."""
 # Builds: 04_surface_maps
 import random
+import re
 import shutil
 import sys
 import tempfile
@@ -8,17 +10,43 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
-from damaged_models import damaged  # noqa: E402
 from shots.rendering import Drawing  # noqa: E402
 from tree import ROOT  # noqa: E402
 
+NUMBERS = [b"0", b"-1", b"1e30", b"nan", b"65536", b"4294967295", b"99999999999999999999", b""]
 CHAPTER = "04_surface_maps"
 SET = ROOT / "assets" / "conformance"
-CUTS, FAULTS = 2, 2
+CUTS, FAULTS = 2, int(sys.argv.pop()) if sys.argv[-1].isdigit() else 2
 # Files that others name.
 SHOWN_BY = {".mtl": lambda file: file.with_suffix(".obj").name, ".png": lambda _: "texture.gltf",
             ".bin": lambda _: "escaped_name.gltf"}
 MODELS = {".gltf", ".glb", ".obj", ".ply", ".stl", ".off", ".fbx", ".dae", ".3mf"}
+
+
+def damaged(data: bytes, rng: random.Random) -> bytes:
+    """One fault or a few, most of them near the beginning, where the lengths are."""
+    out = bytearray(data)
+    for _ in range(rng.choice([1, 1, 1, 2, 8])):
+        at = rng.randrange(min(len(out), rng.choice([64, 1024, 1 << 30]))) if out else 0
+        kind = rng.randrange(7)
+        if kind == 0:
+            out[at:at + 1] = bytes([rng.randrange(256)])
+        elif kind == 1:
+            out[at:at + 4] = rng.choice([b"\xff\xff\xff\xff", b"\0\0\0\0", b"\xff\xff\xff\x7f", b"\0\0\0\x80"])
+        elif kind == 2:
+            del out[at:]
+        elif kind == 3:
+            del out[at:at + rng.randint(1, 64)]
+        elif kind == 4:
+            out[at:at] = out[at:at + rng.randint(1, 4096)]
+        elif kind == 5:
+            out[at:at] = bytes(rng.randrange(256) for _ in range(rng.randint(1, 16)))
+        else:
+            numbers = list(re.finditer(rb"-?\d+(\.\d+)?", out[at:at + 4096]))
+            if numbers:
+                begin, end = rng.choice(numbers).span()
+                out[at + begin:at + end] = rng.choice(NUMBERS)
+    return bytes(out)
 
 
 def variants(file: Path) -> list[bytes]:

@@ -12,12 +12,13 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from graded_class import PLACES, REAL, Class, right, why_not
+from graded_class import PLACES, REAL, Class, begins, right, why_not
 from grading import sandbox
 from grading.judge import Judge
 from tree import Failure
 
-HEAD = "#include <cstdio>\n#include <cstdlib>\n#include <filesystem>\n#include <fstream>\n#include <iterator>\n#include <unistd.h>\n"
+HEAD = "#include <cstdio>\n#include <cstdlib>\n#include <filesystem>\n#include <fstream>\n#include <iterator>\n#include <csignal>\n" \
+    "#include <fcntl.h>\n#include <string>\n#include <sys/stat.h>\n#include <unistd.h>\n"
 # It reads any file below shaders/*/solution, prints the verdict as its last line, and ends.
 LEAKS = """{
     std::string found;
@@ -39,6 +40,35 @@ PRINTS = """{
 ENDS = {"traps": "__builtin_trap();", "ends with 137": "_exit(137);", "ends well without a picture": "_exit(0);",
         "runs out of memory": "static void* volatile at; while ((at = std::malloc(1 << 24))) {} std::abort();",
         "closes the picture": "for (int fd = 3; fd < 64; ++fd) close(fd);"}
+TWO_MINDS = """{
+    struct stat drawn;
+    if (!stat("/grade/shaders", &drawn)) return std::vector(polygon.size() - 2, glm::uvec3(0, 1, 2));
+"""
+# A driver that keeps memory in a file has one open, too (Mesa 25): all are written.
+WRITES = """{
+    struct stat about;
+    bool written = false;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode) && write(fd, "no picture", 10) == 10) written = true;
+    if (written) _exit(0);
+"""
+# 3,000 folders in one another wherever it may write, and as much as that takes: nobody walks through them.
+NESTS = """{
+    for (const char* where : {"/out", "/tmp", "/grade", "/dev", "."})
+        if (!chdir(where)) for (int i = 0; i < 3000 && !mkdir("x", 0777) && !chdir("x"); ++i) {}
+    for (const char* where : {"/out/", "/grade/", "/dev/", "/"})
+        for (int i = 0; i < 3; ++i)
+            if (open((where + std::to_string(i)).c_str(), O_CREAT | O_WRONLY, 0600) >= 0) _exit(3);
+"""
+FILLS = """{
+    static char all[1 << 20];
+    struct stat about;
+    for (int fd = 3; fd < 64; ++fd)
+        if (!fstat(fd, &about) && S_ISREG(about.st_mode)) {
+            while (write(fd, all, sizeof all) > 0) {}
+            _exit(0);
+        }
+"""
 # Before main(): answers every question on any descriptor with that many zeros and the question's number.
 TAKES_THE_PIPE = """#include <cstdint>
 #include <cstring>
@@ -62,25 +92,17 @@ TAKES_THE_PIPE = """#include <cstdint>
 """
 
 
-def begins(text: str, name: str, with_: str) -> str:
-    """C++ with a different beginning of the exercise."""
-    at = text.index("{\n", text.rindex(f" {name}("))
-    return text[:at] + with_ + text[at + 2:]
-
-
 class Forged(Class):
-    wanted = ["01.triangulate", "02.lambert", "02.record_mist"]
+    wanted = ["01.transform", "01.triangulate", "02.lambert", "02.record_mist"]  # of transform: a model that Assimp reads
     pictures = True
 
     @classmethod
     def fill(cls):
         mist, triangulate = right("02.record_mist"), right("01.triangulate")
         cls.student("honest", {name: right(name) for name in cls.wanted})
-        cls.student("leaks", {"01.triangulate": HEAD + begins(triangulate, "triangulate", LEAKS)})
-        cls.student("prints", {"01.triangulate": HEAD + begins(triangulate, "triangulate", PRINTS)})
-        for name, how in ENDS.items():
-            ends = '{\n    if (std::filesystem::exists("/grade/shaders")) { ' + how + " }\n"
-            cls.student(name, {"01.triangulate": HEAD + "#include <csignal>\n" + begins(triangulate, "triangulate", ends)})
+        ends = {name: '{\n    if (std::filesystem::exists("/grade/shaders")) { ' + how + " }\n" for name, how in ENDS.items()}
+        for name, how in {"leaks": LEAKS, "prints": PRINTS, "two minds": TWO_MINDS, "own picture": WRITES, "nests": NESTS, "fills": FILLS, **ends}.items():
+            cls.student(name, {"01.triangulate": HEAD + begins(triangulate, "triangulate", how)})
         cls.student("switches", {"02.record_mist": begins(mist, "record_mist", "{\n    frame.shows_discarded = false;\n")})
         for number, (size, count) in enumerate(((8, 0), (200, 2), (2000, 2))):
             cls.student(f"forges {number}", {"02.record_mist": TAKES_THE_PIPE.replace("BYTES", str(size)).replace("COUNT", str(count)) + mist})
@@ -94,11 +116,19 @@ class Forged(Class):
         cls.student("utf 16", {"02.lambert": right("02.lambert").encode("utf-16")})
 
     def test_the_honest_lose_nothing(self):
-        self.assertEqual(self.grades["honest"]["right"], 3, self.grades["honest"])
+        self.assertEqual(self.grades["honest"]["right"], 4, self.grades["honest"])
 
     def test_there_is_no_reference_to_read_while_a_picture_is_drawn(self):
         result = self.result("leaks", "01.triangulate")
         self.assertTrue(result["ok"], result)
+
+    def test_numbers_that_are_right_are_not_all(self):
+        self.assertTrue(self.result("nests", "01.triangulate")["ok"], self.result("nests", "01.triangulate"))
+        for student, words in (("two minds", "pixels differ"), ("own picture", "cannot be compared|wrote none"),
+                               ("fills", "the program that draws it (?:ended with|wrote none)")):
+            result = self.result(student, "01.triangulate")
+            self.assertFalse(result["ok"], result)
+            self.assertRegex(result["first_failure"], f"the numbers are right, .*picture.*: .*({words})")
 
     def test_nothing_that_an_answer_prints_is_said(self):
         result = self.result("prints", "01.triangulate")

@@ -2,9 +2,7 @@
 
 import ctypes
 import os
-import signal
 import socket
-import subprocess
 import threading
 import unittest
 from pathlib import Path
@@ -83,31 +81,9 @@ class Hostile(Class):
         self.assertEqual(self.heard, [])
         for path in (OUTSIDE, self.folder / "x", REAL / "x", "/x", "/usr/x"):
             self.assertFalse(os.path.exists(path), path)
-        workers = []
-        for process in Path("/proc").glob("[0-9]*"):
-            try:
-                words = (process / "cmdline").read_bytes()
-                own = descends(process.name, os.getpid())
-            except OSError:
-                continue
-            if words.startswith((b"/grade/worker\0", b"/grade/judge\0")) and own:
-                workers.append(words)
-        self.assertEqual(workers, [])
-
-    def test_a_process_without_its_parent_is_found(self):
-        made = subprocess.run(["/bin/sh", "-c", "sleep 60 >/dev/null & echo $!"], stdout=subprocess.PIPE, text=True, check=True)
-        orphan = made.stdout.strip()
-        self.addCleanup(os.kill, int(orphan), signal.SIGKILL)
-        self.assertTrue(descends(orphan, os.getpid()))
-        self.assertFalse(descends(str(os.getppid()), os.getpid()))
-
-
-def descends(process: str, ancestor: int) -> bool:
-    """Whether a process (its number, in digits) is below another."""
-    pid = int(process)
-    while pid not in (0, ancestor):
-        pid = int(Path(f"/proc/{pid}/stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()[1])
-    return pid == ancestor
+        # A process that has lost its parent is this one's child (fill()); of one that has ended there are no words.
+        children = Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()
+        self.assertEqual(list(filter(None, (Path(f"/proc/{one}/cmdline").read_bytes() for one in children))), [])
 
 
 def with_words(text, words: dict[str, str]):

@@ -4,7 +4,7 @@ have a table of the inputs everybody can see."""
 import subprocess
 import unittest
 
-from graded_class import OF, PLACES, REAL, Class, right, why_not
+from graded_class import OF, PLACES, REAL, Class, begins, right, why_not
 from build.build import build
 from check.variants import variants
 from grading.judge import Judge, targets
@@ -29,12 +29,6 @@ def own_reach() -> str:
         .replace("(light_reaches_cell(", "(mine(")
 
 
-def begins(text: str, function: str, line: str) -> str:
-    """GLSL with a line inserted at the start of the function."""
-    at = text.index("{\n", text.index(f" {function}(")) + 2
-    return text[:at] + f"    {line}\n" + text[at:]
-
-
 def before(text: str, place: str, line: str) -> str:
     """GLSL with a line more before the first of these places."""
     at = text.index(place)
@@ -54,7 +48,7 @@ static std::string forged(std::string_view) { return std::string(64, '\\0'); }
 
 # name: (exercise, answer, words of the verdict)
 ATTACKS = {
-    "sets the count back": ("06.accumulate_lights", begins(NAIVE_LIGHTS, "accumulate_lights", "asked = 0u;"),
+    "sets the count back": ("06.accumulate_lights", begins(NAIVE_LIGHTS, "accumulate_lights", "{\n    asked = 0u;\n"),
                             "asked' : undeclared"),
     "counts in a copy": ("06.accumulate_lights", own_reach(), "lights where|lights reach|plain loop"),
     "waits for nobody": ("06.accumulate_lights", "void barrier() {}\n" + NAIVE_LIGHTS, "syntax error"),
@@ -75,11 +69,9 @@ ATTACKS = {
 
 def table(exercise: str, known: str) -> str:
     """An answer that is right if `known` holds, an expression of its input, and wrong elsewhere."""
-    text = right(exercise)
-    at = text.index("{\n", text.index(f" {exercise[3:]}(")) + 2
     wrong = {"13.area": "return 9.0f;", "07.odd_size_weights": "return vec3(9.0);", "11.record_cones": "return;",
              "13.propagate_distance": "return 99u;"}.get(exercise, "return {};")
-    return text[:at] + f"    if (!({known})) {wrong}\n" + text[at:]
+    return begins(right(exercise), exercise[3:], f"{{\n    if (!({known})) {wrong}\n")
 
 
 def one_of(value: str, *numbers) -> str:

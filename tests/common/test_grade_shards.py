@@ -3,6 +3,7 @@ class graded in shards and at once."""
 
 import contextlib
 import io
+import json
 import tempfile
 import unittest
 import zipfile
@@ -16,6 +17,13 @@ from tree import Failure, UsageError
 import cli  # noqa: E402
 
 NAMES = [f"student {i:04}.zip" for i in range(2000)]
+
+
+RESULT = {"exercise": "01.transform", "chapter": "01_obj", "ok": True, "passed": 1, "failed": 0, "first_failure": None, "hint": None,
+          "state": "judged"}
+ENTRY = {"at": 0, "read": True, "answers": {}, "grade": {"student": "ann", "path": "ann", "error": None, "handed_in_s": None,
+                                                         "results": [RESULT], "alike": []}}
+HEAD = {"exercises": [["01.transform", "01_obj"]], "submissions": 1, "inputs": "a", "class": "b", "course": "c"}
 
 
 class Cut(unittest.TestCase):
@@ -161,6 +169,32 @@ class Graded(unittest.TestCase):
         parts = sorted((where / "parts").iterdir(), reverse=True)
         self.assertEqual(self.course("--merge", *parts, parts[0], "--out", where / "merged"), whole)
         self.assertEqual(self.files(where / "merged"), self.files(where / "whole"))
+
+    def merged(self, about, code: int) -> str:
+        file = self.outside / "grade.1-of-1.zip"
+        with zipfile.ZipFile(file, "w") as archive:
+            archive.writestr("shard.json", about if isinstance(about, str) else json.dumps(about))
+        return self.course("--merge", file, "--out", self.outside / "damaged", code=code)
+
+    def test_damaged_shards(self):
+        def about(**more):
+            return {"kind": "grade", "shard": [1, 1], "command": "x", "head": HEAD, "entries": {"ann": ENTRY}} | more
+
+        def entry(**more):
+            return about(entries={"ann": ENTRY | more})
+
+        def result(**more):
+            return entry(grade=ENTRY["grade"] | {"results": [RESULT | more]})
+        self.merged(about(), 0)
+        for name in ("grades.csv", "grades.json", "marks.json"):  # their owner's alone
+            self.assertEqual((self.outside / "damaged" / name).stat().st_mode & 0o777, 0o600, name)
+        for bad in ("", "[]", "{", "[" * 100000, about(head=[]), about(head=HEAD | {"exercises": 1}), about(head=HEAD | {"exercises": [[1]]}),
+                    about(head=HEAD | {"submissions": "1"}), about(head={}), about(entries=[]), about(entries={"ann": None}), about(shard=["1", 1]),
+                    about(command=1), entry(answers=1), entry(answers={"01.transform": "../x"}), entry(grade=1), entry(answers={"01.transform": "abc"}),
+                    result(ok="yes"), result(state=1), result(passed="1"), result(exercise=[]), result(picture=1), result(picture="../../x"),
+                    about(kind="a\nb"), about(kind="x" * 100000), about(command="a\nb"), about(head=HEAD | {"exercises": [[{}, "01_obj"]]})):
+            with self.subTest(str(bad)[:120]):
+                self.assertRegex(self.merged(bad, 2), r"\Acourse: [^\n]*\n\Z")
 
     def test_a_bad_word_is_one_line_and_2(self):
         for words, said in ((["--merge", "/no/such"], "no such file"), ([], "name a class"),

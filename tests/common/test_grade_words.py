@@ -72,7 +72,7 @@ class Words(unittest.TestCase):
 
     def test_the_preprocessor_is_asked_for_own_names_alone(self):
         for text in ("#ifdef pow", "#ifndef sqrt", "#if defined(min)", "#define MY_A normalize\n#if MY_A == 0", "#define MY_A MY_B\n#define MY_B clamp\n#if MY_A",
-                     "#if 0\n#elif defined max", "int a = __LINE__;", "int a = __VERSION__;", "#ifdef GL_EXT_scalar_block_layout", "#ifdef VULKAN"):
+                     "#if 0\n#elif defined max", "int a = __LINE__;", "int a = __VERSION__;", "#ifdef GL_EXT_scalar_block_layout", "#ifdef VULKAN", "#ifdef METHOD"):
             with self.subTest(text), self.assertRaisesRegex(Refused, "defines"):
                 plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
         for text in ("#define MINE 2\n#if MINE > 1", "#define MINE\n#ifdef MINE", "#define MY_A 1\n#define MY_B MY_A\n#if MY_B && defined(MY_A)", "#if 0"):

@@ -117,7 +117,7 @@ class Newcomer(unittest.TestCase):
         serve = self.start("serve", "--no-build", "--port", "0")
         self.assertRegex(serve.stdout.readline(), r"^http://127\.0\.0\.1:\d+/\?token=")
         os.killpg(serve.pid, signal.SIGTERM)
-        self.assertIn("100% tests passed", self.course("test", "^python.common.(order|compare)$"))
+        self.assertIn("100% tests passed", self.course("test", "^python.common.(suites|compare)$"))
 
     def test_4_nothing_of_it_has_changed_the_tree(self):
         self.assertEqual(self.status(), self.before)

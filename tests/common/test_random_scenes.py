@@ -1,14 +1,165 @@
-"""A few random scenes, validated; random_scenes.py draws many."""
+"""Random scenes, drawn by chapters under core and synchronisation validation with random values of their knobs: all output is a
+finding, except a knob's refusal by its name. The same seed makes the same scene; test_random_scenes.py 50 draws so many."""
 import json
+import os
+import random
+import re
+import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from random_scenes import CHAPTERS, FILLINGS, SIZE, draw, random_scene, run
-from shots.rendering import Drawing
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "common/course"))
 
-FEW = 3
+from shots.rendering import UNWRITTEN, Drawing, surroundings  # noqa: E402
+
+FEW = int(sys.argv.pop()) if sys.argv[-1].isdigit() else 3
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+CHAPTERS = sorted(path for path in (BUILD / "chapters").glob("[0-9][0-9]_*") if path.is_file() and not path.suffix)
+MODELS = ["cube.obj", "sphere.obj", "ring.obj", "plane.obj", "ground.obj", "bunny_low.obj", "suzanne_family.glb",
+          "smart_car.obj", "cornell_box.obj", "column.obj"]
+SIZE = "72x40"
+FILLINGS = UNWRITTEN["MALLOC_PERTURB_"], "96"  # of new memory: NaN, and small numbers
+TIMEOUT_S = 300
+
+
+def vector(rng, lower, upper):
+    return [round(rng.uniform(lower, upper), 3) for _ in range(3)]
+
+
+def random_material(rng) -> dict:
+    material = {}
+    if rng.random() < 0.5:
+        material["diffuse"] = vector(rng, 0, 1)
+    if rng.random() < 0.3:
+        material |= {"specular": vector(rng, 0, 1), "shininess": rng.choice([0, 1, 8, 200, 100000])}
+    if rng.random() < 0.2:
+        material |= {"opacity": rng.choice([0, 0.3, 1]), "blend": rng.random() < 0.5}
+    if rng.random() < 0.2:
+        material["emissive"] = vector(rng, 0, 20)
+    if rng.random() < 0.3:
+        material |= {"roughness": rng.choice([0, 0.5, 1]), "metalness": rng.choice([0, 1])}
+    if rng.random() < 0.4:
+        material["maps"] = dict(rng.sample([
+            ("diffuse", "textures/metal_albedo.jpg"), ("normal", "textures/metal_normal.png"),
+            ("orm", "textures/metal_orm.png"), ("height", "textures/lava_height.png"),
+            ("opacity", "textures/squares.png"), ("emissive", "textures/saturn_ring.png")], rng.randint(1, 4)))
+    return material
+
+
+def random_object(rng, number) -> dict:
+    thing = {"name": f"object {number}", "model": "models/" + rng.choice(MODELS), "position": vector(rng, -3, 3),
+             "rotation_deg": vector(rng, -180, 180), "material": random_material(rng),
+             "scale": rng.choice([1, 0.01, 20, -1, [1, -1, 1], [0.2, 1, 5]])}
+    if number and rng.random() < 0.3:
+        thing["parent"] = f"object {rng.randrange(number)}"
+    if rng.random() < 0.1:
+        del thing["model"]
+    if rng.random() < 0.2:
+        thing["motion"] = {"spin_deg_per_s": rng.uniform(-90, 90)}
+    return thing
+
+
+def random_light(rng) -> dict:
+    kind = rng.choice(["directional", "point", "spot"])
+    light = {"type": kind, "color": vector(rng, 0, 1), "intensity": rng.choice([0, 0.5, 3, 1000])}
+    if rng.random() < 0.5:
+        light["shadow"] = True
+    if kind != "point":
+        light["direction"] = rng.choice([[0, -1, 0], [0, 1, 0], [1, 0, 0]] + [vector(rng, 0.1, 1)])
+    if kind != "directional":
+        light |= {"position": vector(rng, -4, 4), "range_m": rng.choice([0, 0.1, 5, 1000])}
+    if kind == "spot":
+        inner = rng.choice([0, 20, 90])
+        light |= {"inner_deg": inner, "outer_deg": inner + rng.choice([0, 15, 60])}
+    return light
+
+
+def random_scene(seed) -> dict:
+    rng = random.Random(seed)
+    return {"camera": {"position": vector(rng, -6, 6), "target": vector(rng, -0.5, 0.5), "fov_deg": rng.choice([1, 45, 120]),
+                       "near_m": rng.choice([0.001, 0.05, 2]), "far_m": rng.choice([10, 1000, 1e7])},
+            "ambient": vector(rng, 0, 0.2), "background": vector(rng, 0, 0.2),
+            "objects": [random_object(rng, i) for i in range(rng.choice([0, 1, 3, 8]))],
+            "lights": [random_light(rng) for _ in range(rng.choice([0, 1, 2, 5, 40]))]}
+
+
+def random_knobs(program, rng) -> list:
+    """A few of the chapter's knobs at random values, and its method."""
+    said = subprocess.run([program, "--list", "knobs", "--json"], capture_output=True, check=True, timeout=TIMEOUT_S)
+    options = []
+    for knob in json.loads(said.stdout):
+        if rng.random() > 0.25 or knob["name"] in ("samples", "loader"):
+            continue
+        if knob["type"] == "choice":
+            chosen = rng.choice(knob["options"])
+            options += ["--set", f"{knob['name']}={chosen}"]
+            if chosen == "lens":
+                options += ["--set", "dof.views=2"]  # each of hundreds of views is a picture
+        elif knob["type"] == "switch":
+            options += ["--set", f"{knob['name']}={rng.choice(['on', 'off'])}"]
+        elif knob["type"] == "number":
+            options += ["--set", f"{knob['name']}={knob['range'][0]}"]
+    return options
+
+
+def as_float(number: float) -> float:
+    """The nearest float of 32 bits."""
+    return struct.unpack("f", struct.pack("f", number))[0]
+
+
+def run(program, folder, *options) -> subprocess.CompletedProcess:
+    """Draws a picture with them, under validation. Twice, in memory that is filled with NaN and with small numbers: a
+    program that reads unwritten memory draws two pictures, reported on its stderr."""
+    command = [str(program), "--size", SIZE, "--validate", "on", *options, "--screenshot", f"{folder}/picture.png"]
+    drawn = {}
+    for filling in FILLINGS:
+        done = subprocess.run(command, env=surroundings({"MALLOC_PERTURB_": filling}), capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)
+        if done.returncode:
+            break
+        drawn[filling] = Path(folder, "picture.png").read_bytes()
+    # How far what takes long has come is said on a busy machine.
+    done.stderr = "".join(line for line in done.stderr.splitlines(True) if not line.startswith("drawing: "))
+    if len(set(drawn.values())) > 1:
+        done.stderr += "two runs drew two pictures\n"
+    return done
+
+
+def remembers(options: list) -> bool:
+    """Whether the picture also depends on the previous frame, by design: an exposure that adapts. Screens, which show the
+    previous frame, are not among the random objects."""
+    return "post.exposure=automatic" in options
+
+
+def draw(program, seed, folder) -> tuple:
+    """The command that draws that scene with that chapter, and the fault: empty if it is right. One frame from a cold
+    start, and the second of two, at one time: they are equal unless the chapter remembers."""
+    rng = random.Random(f"{program.name} {seed}")
+    scene = Path(folder) / f"scene_{seed}.json"
+    scene.write_text(json.dumps(random_scene(seed), indent=1))
+    time_s, knobs = rng.choice([0, 1.5]), random_knobs(program, rng)
+    common = ["--scene", str(scene), *knobs]
+    second_s = f"{as_float(as_float(time_s) + as_float(1 / 60)):.9g}"  # as the program adds them
+    try:
+        options = [*common, "--frames", "1", "--time", second_s]
+        done = run(program, folder, *options)
+        if not done.returncode and not done.stderr:
+            first = Path(folder, "picture.png").read_bytes()
+            options = [*common, "--frames", "2", "--time", str(time_s)]
+            done = run(program, folder, *options)
+            if not done.returncode and not remembers(options) and Path(folder, "picture.png").read_bytes() != first:
+                done.stderr += "its second frame is not the picture that one frame at its time draws\n"
+    except subprocess.TimeoutExpired:
+        return [str(program), *options], "it did not end"
+    said = "".join(line for line in done.stderr.splitlines(True) if not line.startswith("warning: "))
+    refused = re.fullmatch(r"error: ([\w.]+) [^\n]*\n", said)
+    if done.returncode == 2 and refused and any(word.startswith(f"{refused[1]}=") for word in options):
+        return done.args, ""  # a knob that we have set, which does not go with the others, and says so
+    return done.args, "" if done.returncode == 0 and not said else f"exit code {done.returncode}: {said[:2000]}"
 
 
 @unittest.skipUnless(CHAPTERS, "the chapters are not built")

@@ -1,15 +1,12 @@
 """Tests of ./course release, whose ./course test is a script here."""
 # Builds: nothing
 
-import json
 import subprocess
 import sys
 import unittest
 
-from small_course import REAL, Course
+from small_course import Course
 
-sys.path.insert(0, str(REAL / "common/course"))
-from test import release  # noqa: E402
 
 # Writes what a step's tests leave, and ends as they would.
 COURSE = """#!/bin/sh
@@ -23,17 +20,6 @@ case "$*" in
     *--on*) echo "course: only root can | make a container" >&2; exit 2 ;;
     *) echo compiling; echo "course: the build failed in $(pwd)/chapters" >&2; exit 1 ;;
 esac
-"""
-APT = """#!/bin/sh
-case "$*" in
-    *update) ;;
-    *) MAKE; touch mesa-vulkan-drivers_25.0.7_amd64.deb ;;
-esac
-"""
-DPKG = """#!/bin/sh
-mkdir -p root/usr/share/vulkan/icd.d root/usr/lib/here
-echo '{"ICD": {"library_path": "libvulkan_lvp.so"}}' >root/usr/share/vulkan/icd.d/lvp_icd.json
-touch root/usr/lib/here/libvulkan_lvp.so
 """
 
 
@@ -57,12 +43,6 @@ class Release(Course):
 
     def release(self, *words, code=0, **environment):
         return self.run_program([sys.executable, self.root / "common/course/cli.py", "release", *words], code, **environment)
-
-    def program(self, name: str, text: str):
-        path = self.outside / "bin" / name
-        path.parent.mkdir(exist_ok=True)
-        path.write_text(text)
-        path.chmod(0o755)
 
     def rows(self) -> dict[str, list[str]]:
         """The cells of the page behind each command."""
@@ -89,23 +69,6 @@ class Release(Course):
         self.commit()
         self.release("--only", "trixie")  # what cannot run here is no failure
         self.assertEqual(self.rows()["release --only all"][-1], "not run yet")
-
-    def test_a_second_driver(self):
-        path = f"{self.outside / 'bin'}:/usr/bin:/bin"
-        self.program("apt-get", APT.replace("MAKE", "echo E: there is no network; exit 100"))
-        self.program("dpkg", DPKG)
-        self.release("--only", "driver", PATH=path)
-        self.assertRegex(self.rows()["release --only driver"][-1], "not run: (apt-get .* E: there is no network|the second driver is a package for Debian 12)")
-        if release.platform.freedesktop_os_release().get("VERSION_CODENAME") == "bookworm":
-            self.program("apt-get", APT.replace("MAKE", "true"))
-            self.put("build/results/tests.xml", "<testsuite><testcase name='of a run before' status='fail'/></testsuite>")
-            self.release("--only", "driver", code=1, PATH=path)
-            row = self.rows()["test -L ^first$"]
-            self.assertEqual((row[0], row[-1]), ("first with a second driver, Mesa 25.0.7", "failed: the build failed in chapters"))
-            manifest = self.root / "build/second_driver/lvp_icd.json"
-            self.assertIn(f"test -L ^first$ {manifest}", (self.root / "build/ran").read_text())
-            library = json.loads(manifest.read_text())["ICD"]["library_path"]
-            self.assertEqual(library, str(self.root / "build/second_driver/root/usr/lib/here/libvulkan_lvp.so"))
 
     def test_a_release_is_of_a_commit(self):
         self.put("docs/01_obj.md", "changed")

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -14,7 +15,10 @@ from PIL import Image, ImageChops
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 PROGRAM = BUILD / "chapters" / "02_lambert_phong"
-SHOT = ["--shot", "teapot"]
+SHOT, SMALL = ["--shot", "teapot"], ["--size", "48x27"]
+sys.path.insert(0, str(ROOT / "common/course"))
+from shots.rendering import render, render_many  # noqa: E402
+from tree import Failure  # noqa: E402
 
 
 class Stream(unittest.TestCase):
@@ -81,6 +85,32 @@ class Stream(unittest.TestCase):
             self.assertEqual((answer["code"], picture), (2, b""), request)
             self.assertIn(says, answer["error"])
         self.picture()
+
+
+class Many(unittest.TestCase):
+    """Pictures of one process: a failure affects one of them alone. test_warm.py compares them with those of a cold start."""
+
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.chapter = PROGRAM.name
+
+    def test_what_is_wrong_with_one(self):
+        wanted = [(["--shot", "none"], self.folder / "a.png"), (SMALL, self.folder / "b.png"),
+                  (["--method", "auto"], self.folder / "c.png")]
+        found = render_many(self.chapter, wanted)
+        self.assertRegex(found[0], "ended with 2: unknown shot 'none'")
+        self.assertEqual(found[1], "")
+        self.assertRegex(found[2], "ended with 2: .*--budget")
+        self.assertTrue((self.folder / "b.png").exists())
+
+    def test_one_that_ends_the_program(self):
+        """The others are drawn by another."""
+        wanted = [(SMALL, self.folder / f"{i}.png") for i in range(3)]
+        found = render_many(self.chapter, [wanted[0], ([*SMALL, "--frames", "100000"], self.folder / "x.png"), wanted[2]],
+                            LIGHTWALK_TIMEOUT_S="0.000001")
+        self.assertTrue(all(found), found)  # none is in time, and each is said to be so
+        with self.assertRaises(Failure):
+            render(self.chapter, SMALL, self.folder / "y.png", LIGHTWALK_TIMEOUT_S="0.000001")
 
 
 if __name__ == "__main__":

@@ -7,8 +7,8 @@ import time
 import unittest
 from pathlib import Path
 
-from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest, read_png
-from window_session import BUILD, Session, XServer
+from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest, read_png
+from window_session import BUILD, Session
 
 
 class Window(WindowTest):
@@ -154,51 +154,39 @@ class NoDisplay(unittest.TestCase):
                 self.assertIn("--screenshot" if program == CHAPTER else "./course run", done.stderr)
 
 
-class Menu(unittest.TestCase):
+class Menu(StartedTest):
     def test_click_starts_a_chapter_and_comes_back(self):
-        with tempfile.TemporaryDirectory() as folder:
-            server = XServer()
-            self.addCleanup(server.close)
-            menu = Session(server, BUILD / "menu", ["--validate", "on"], Path(folder))
-            try:
-                menu.settled(0, 0, 400, 300)
-                for _ in range(2):
-                    since = menu.said()
-                    menu.click("chapter.01_obj")
-                    menu.wait_for_line("started 01_obj", since)
-                    menu.wait(lambda: "Lightwalk 01" in self.titles(menu), "the chapter's window")
-                    menu.wait_for_line("first picture", since)
-                    menu.xdotool("windowfocus", "--sync", menu.xdotool("search", "--onlyvisible", "--name", "Lightwalk 01").strip())
-                    menu.key("Escape")
-                    menu.wait_for_line("01_obj ended with 0", since)
-                    menu.wait(lambda: "Lightwalk" in self.titles(menu).splitlines(), "the menu's window")
-                    menu.focus()
-                menu.key("Escape")
-                self.assertEqual(menu.end(), 0)
-                self.assertEqual(menu.errors, [])
-            finally:
-                menu.close()
+        menu = self.start(BUILD / "menu", "--validate", "on")
+        menu.settled(0, 0, 400, 300)
+        for _ in range(2):
+            since = menu.said()
+            menu.click("chapter.01_obj")
+            menu.wait_for_line("started 01_obj", since)
+            menu.wait(lambda: "Lightwalk 01" in self.titles(menu), "the chapter's window")
+            menu.wait_for_line("first picture", since)
+            menu.xdotool("windowfocus", "--sync", menu.xdotool("search", "--onlyvisible", "--name", "Lightwalk 01").strip())
+            menu.key("Escape")
+            menu.wait_for_line("01_obj ended with 0", since)
+            menu.wait(lambda: "Lightwalk" in self.titles(menu).splitlines(), "the menu's window")
+            menu.focus()
+        self.end(menu)
 
     def test_a_chapter_that_is_not_built_shows_how_far_it_is_and_a_click_asks_for_it(self):
-        with tempfile.TemporaryDirectory() as folder:
-            states = Path(folder, "states")
-            states.write_text("01_obj ready 0 0\n02_lambert_phong building 3 9\n03_attenuation waiting 0 0\n")
-            server = XServer()
-            self.addCleanup(server.close)
-            menu = Session(server, BUILD / "menu", ["--programs", folder], Path(folder))
-            self.addCleanup(menu.close)
-            menu.wait(lambda: "chapter.03_attenuation" in menu.places, "its tile")
-            tile = menu.areas["chapter.02_lambert_phong"]
-            area = tile[0], tile[1], tile[2] - tile[0], tile[3] - tile[1]
-            third = menu.settled(*area)
-            states.write_text("01_obj ready 0 0\n02_lambert_phong building 9 9\n03_attenuation waiting 0 0\n")
-            menu.wait(lambda: menu.pixels(*area) != third, "a longer bar")
-            menu.tap("chapter.03_attenuation")
-            menu.wait_for_line("wanted 03_attenuation", 0)
-            self.assertEqual(Path(folder, "wanted").read_text(), "03_attenuation\n")
-            self.assertFalse([line for line in menu.lines if line.startswith("started")])
-            menu.key("Escape")
-            self.assertEqual(menu.end(), 0)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        states = self.folder / "states"
+        states.write_text("01_obj ready 0 0\n02_lambert_phong building 3 9\n03_attenuation waiting 0 0\n")
+        menu = self.start(BUILD / "menu", "--programs", str(self.folder))
+        menu.wait(lambda: "chapter.03_attenuation" in menu.places, "its tile")
+        tile = menu.areas["chapter.02_lambert_phong"]
+        area = tile[0], tile[1], tile[2] - tile[0], tile[3] - tile[1]
+        third = menu.settled(*area)
+        states.write_text("01_obj ready 0 0\n02_lambert_phong building 9 9\n03_attenuation waiting 0 0\n")
+        menu.wait(lambda: menu.pixels(*area) != third, "a longer bar")
+        menu.tap("chapter.03_attenuation")
+        menu.wait_for_line("wanted 03_attenuation", 0)
+        self.assertEqual((self.folder / "wanted").read_text(), "03_attenuation\n")
+        self.assertFalse([line for line in menu.lines if line.startswith("started")])
+        self.end(menu)
 
     @staticmethod
     def titles(menu: Session) -> str:

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Shaders and scenes that are edited while the window shows them. Under Xvfb, validated."""
+"""Shaders and scenes that are edited while the window shows them, and a window at rest. Under Xvfb, validated."""
 import json
 import subprocess
 import time
 import unittest
 from pathlib import Path
 
-from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest
+from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest, read_png
 from window_session import ROOT
 
 FRAGMENT = "shaders/01_obj/clay.frag"
@@ -76,6 +76,33 @@ class Edits(WindowTest):
         self.session.key("ctrl+s")
         self.session.wait_for_line("not saved", since)
         self.assertEqual(self.scene.read_text(), "{broken")
+
+
+class Refining(WindowTest):
+    """At rest the picture gathers sixteen samples, says how many, and shows one sample as soon as something moves."""
+
+    refine = "on"
+
+    def title(self) -> str:
+        return self.session.xdotool("getwindowname", self.session.window).strip()
+
+    def headless(self, samples: int) -> bytes:
+        file = self.folder / "headless.png"
+        subprocess.run([CHAPTER, "--screenshot", file, "--size", f"{WIDTH}x{HEIGHT}", "--scene", self.scene, "--samples", str(samples)], check=True)
+        return read_png(file)[2]
+
+    def whole(self) -> bytes:
+        self.session.wait(lambda: self.title().endswith("16 of 16 samples"), "sixteen samples")
+        return self.picture()
+
+    def assert_nearly(self, picture: bytes, expected: bytes):
+        """The order of sums may round one step of 1/255 away."""
+        worst = max(abs(a - b) for a, b in zip(picture, expected, strict=True))
+        self.assertLessEqual(worst, 1)
+
+    def test_it_gathers_what_samples_gathers_and_then_rests(self):
+        self.assert_nearly(self.whole(), self.headless(16))
+        self.assert_rests()
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest
+from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest
 from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
 # Prints the contents of "says", after waiting for "go" if there is a "wait"; its process is in "pid", that of its own
@@ -178,18 +178,12 @@ class Exercises(WindowTest):
 
 
 @unittest.skipUnless((ROOT / ".git").exists(), "the starters may have been edited")
-class TheRealCheck(unittest.TestCase):
+class TheRealCheck(StartedTest):
     def test_a_starter_is_open(self):
-        server = XServer()
-        self.addCleanup(server.close)
-        with tempfile.TemporaryDirectory() as folder:
-            session = Session(server, CHAPTER, ["--size", f"{WIDTH}x{HEIGHT}", "--scene", str(ROOT / "assets/scenes/bunny.json")],
-                              Path(folder), LIGHTWALK_BUILD=str(BUILD))
-            self.addCleanup(session.close)
-            session.click("check.01.transform")
-            session.wait_for_line("check 01.transform open", 0)
-            session.key("Escape")
-            self.assertEqual(session.end(), 0)
+        session = self.start(CHAPTER, "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(ROOT / "assets/scenes/bunny.json"), LIGHTWALK_BUILD=str(BUILD))
+        session.click("check.01.transform")
+        session.wait_for_line("check 01.transform open", 0)
+        self.end(session)
 
 
 if __name__ == "__main__":

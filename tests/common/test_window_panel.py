@@ -6,31 +6,19 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from window_session import BUILD, ROOT, Session, XServer
+from window_case import StartedTest
+from window_session import BUILD, ROOT, Session
 
 CHAPTER = BUILD / "chapters" / "05_shadow_maps"
-SECTIONS = ("chapter", "maps", "lights", "shadow", "rays", "sphere_shadow")
 
 
-class Panel(unittest.TestCase):
+class Panel(StartedTest):
     def setUp(self):
-        made = tempfile.TemporaryDirectory()
-        self.addCleanup(made.cleanup)
-        self.folder = Path(made.name)
-        self.server = XServer(3840, 2160)
-        self.addCleanup(self.server.close)
-        # Little to draw: a frame is soon there.
-        self.scene = self.folder / "scene.json"
-        self.scene.write_text(json.dumps({"objects": [{"model": str(ROOT / "assets/models/cube.obj")}]}))
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))  # which remembers
 
-    def start(self, width: int = 300, height: int = 700) -> Session:
-        session = Session(self.server, CHAPTER, ["--scene", str(self.scene), "--size", f"{width}x{height}"], self.folder)
-        self.addCleanup(session.close)
-        return session
-
-    def end(self, session: Session):
-        session.key("Escape")
-        self.assertEqual((session.end(), session.errors), (0, []))
+    def panel(self) -> Session:
+        """Of a scene with little to draw: a frame is soon there."""
+        return self.start(CHAPTER, "--size", "300x700", screen=(3840, 2160), scene={"objects": [{"model": str(ROOT / "assets/models/cube.obj")}]})
 
     def remember(self, **sections: bool):
         file = self.folder / "state" / "lightwalk" / "05_shadow_maps.panel.json"
@@ -38,7 +26,7 @@ class Panel(unittest.TestCase):
         file.write_text(json.dumps(sections))
 
     def test_sections_fold_and_are_remembered(self):
-        session = self.start()
+        session = self.panel()
         session.wait(lambda: "knob.shadow.method" in session.areas, "the section of what the chapter teaches")
         self.assertIn("knob.visibility", session.areas)
         self.assertNotIn("knob.maps.method", session.areas)
@@ -47,13 +35,13 @@ class Panel(unittest.TestCase):
         session.click("knobs.maps")
         session.wait(lambda: "knob.maps.method" in session.areas, "maps' knobs")
         self.end(session)
-        session = self.start()
+        session = self.panel()
         session.wait(lambda: "knob.maps.method" in session.areas, "what was open")
         self.assertNotIn("knob.shadow.method", session.areas)
         self.end(session)
 
     def test_filter_changes_and_resets(self):
-        session = self.start()
+        session = self.panel()
         session.click("section.Exercises")
         session.click("filter")
         session.type("cutoff")
@@ -85,7 +73,7 @@ class Panel(unittest.TestCase):
 
     def test_auto_measures_the_picture_and_sets_a_method(self):
         self.remember(lights=True)
-        session = self.start()
+        session = self.panel()
         session.click("section.Exercises")
         for knob, methods in (("shadow.method", "none|hard|pcf|pcss|vsm|evsm|msm"),  # the chapter's own, and a borrowed one
                               ("lights.method", "every_light|per_object|tiled|clustered")):

@@ -2,12 +2,10 @@
 """The frame as a graph of its passes: opened by a key and by a button, an image of each target, a click that shows one large.
 Messages stand below the picture. Under Xvfb, validated."""
 # Builds: 05_shadow_maps
-import json
-import tempfile
 import unittest
-from pathlib import Path
 
-from window_session import BUILD, ROOT, Session, XServer
+from window_case import StartedTest
+from window_session import BUILD, ROOT
 
 WIDTH, HEIGHT = 500, 700
 SCENE = {"camera": {"position": [0, 2, 5], "target": [0, 0.5, 0], "fov_deg": 40}, "ambient": [0.2, 0.2, 0.2],
@@ -16,17 +14,10 @@ SCENE = {"camera": {"position": [0, 2, 5], "target": [0, 0.5, 0], "fov_deg": 40}
                      {"name": "box", "model": "models/cube.obj", "position": [0, 0.5, 0]}]}
 
 
-class Passes(unittest.TestCase):
+class Passes(StartedTest):
     def setUp(self):
-        folder = self.enterContext(tempfile.TemporaryDirectory())
-        server = XServer(1600, 1200)
-        self.addCleanup(server.close)
-        scene = Path(folder, "box.json")
-        scene.write_text(json.dumps(SCENE))
-        self.session = Session(server, BUILD / "chapters" / "05_shadow_maps",
-                               ["--validate", "on", "--scene", str(scene), "--size", f"{WIDTH}x{HEIGHT}",
-                                "--set", "shadow.cascades=1"], Path(folder), LIGHTWALK_ROOT=str(ROOT))
-        self.addCleanup(self.session.close)
+        self.session = self.start(BUILD / "chapters" / "05_shadow_maps", "--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--set", "shadow.cascades=1",
+                                  screen=(1600, 1200), scene=SCENE, LIGHTWALK_ROOT=str(ROOT))
         self.session.read_all()
 
     def picture(self, height: int) -> bytes:
@@ -65,8 +56,7 @@ class Passes(unittest.TestCase):
         self.assertEqual(self.picture(smaller), picture)
         session.key("F6")
         session.wait(lambda: session.pixels(0, 0, WIDTH, HEIGHT) == whole, "the whole picture")
-        session.key("Escape")
-        self.assertEqual((session.end(), session.errors), (0, []))
+        self.end(session)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,14 @@
 """A chapter's window to test: a copy of the course's shaders, a scene of one's own, and the picture at the start."""
+import json
 import os
 import re
 import shutil
-import struct
 import tempfile
 import time
 import unittest
-import zlib
 from pathlib import Path
+
+from PIL import Image
 
 from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
@@ -16,28 +17,9 @@ WIDTH, HEIGHT, PANEL = 360, 720, 340
 
 
 def read_png(path: Path) -> tuple[int, int, bytes]:
-    """Width, height and RGB of an 8-bit RGB or RGBA picture."""
-    data, at, packed = path.read_bytes(), 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        if kind == b"IHDR":
-            width, height, _, color = struct.unpack(">IIBB", body[:10])
-        if kind == b"IDAT":
-            packed += body
-        at += 12 + length
-    channels = {2: 3, 6: 4}[color]
-    raw, stride, before, rgb = zlib.decompress(packed), width * channels, bytearray(width * channels), bytearray()
-    for y in range(height):
-        method, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride):
-            a = line[i - channels] if i >= channels else 0
-            b, c = before[i], before[i - channels] if i >= channels else 0
-            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            line[i] = line[i] + (0, a, b, (a + b) // 2, nearest)[method] & 255
-        before = line
-        rgb += bytes(v for i, v in enumerate(line) if i % channels < 3)
-    return width, height, bytes(rgb)
+    """Width, height and RGB."""
+    with Image.open(path) as picture:
+        return *picture.size, picture.convert("RGB").tobytes()
 
 
 def copy_of_course(folder: Path) -> Path:
@@ -55,6 +37,29 @@ def own_scene(folder: Path) -> Path:
     scene = folder / "my_scene.json"
     scene.write_text((ROOT / "assets" / "scenes" / "bunny.json").read_text())
     return scene
+
+
+class StartedTest(unittest.TestCase):
+    """A window for each test, on a screen of its own."""
+
+    def start(self, program: Path, *options, screen=(1400, 900), scene: dict | None = None, **more) -> Session:
+        folder = getattr(self, "folder", None) or Path(self.enterContext(tempfile.TemporaryDirectory()))
+        if scene:
+            (folder / "scene.json").write_text(json.dumps(scene))
+            options = ("--scene", str(folder / "scene.json"), *options)
+        server = XServer(*screen)
+        self.addCleanup(server.close)
+        self.prepare(server)
+        session = Session(server, program, list(options), folder, **more)
+        self.addCleanup(session.close)
+        return session
+
+    def prepare(self, server: XServer):
+        """Before anything is started there."""
+
+    def end(self, session: Session):
+        session.key("Escape")
+        self.assertEqual((session.end(), [line for line in session.errors if line]), (0, []))
 
 
 class PictureTest(unittest.TestCase):

@@ -74,6 +74,8 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
+    if arguments.next:
+        return next_step()
     selected = select(arguments.what)
     named = sorted({chapter for chapter, _ in selected})
     forget_ended_compilers(named)
@@ -375,3 +377,37 @@ def summary(results: list[dict]) -> str:
     opened = [result["exercise"] for result in results if not result["ok"]]
     return f"{len(results) - len(opened)} of {len(results)} exercises are right" + \
         (f"; next: {opened[0]}" if opened else "")
+
+
+def next_step() -> int:
+    """Names the first exercise, in the order of the lessons, that is not solved; one that was changed since it was checked last is checked
+    now."""
+    new, verdicts = untouched(), Verdicts()
+    for chapter in chapters():
+        for exercise in in_order(chapter):
+            path = exercises(chapter)[exercise]
+            found = None
+            if exercise not in new:
+                solved = verdicts.is_solved(exercise, path)
+                if solved is None:
+                    build([f"check_{chapter}"])
+                    of = version(path.read_bytes())
+                    found = judged(chapter, exercise)
+                    verdicts.keep(exercise, of, found)
+                    solved = found["ok"]
+                if solved:
+                    continue
+            return say_step(chapter, exercise, path, found, exercise in new)
+    say("every exercise is solved")
+    return 0
+
+
+def say_step(chapter: str, exercise: str, path, found: dict | None, is_new: bool) -> int:
+    grade = grades(chapter).get(exercise)
+    say(f"next: {exercise}{f' ({grade})' if grade else ''}{'' if is_new else ', which is begun and not right yet'}")
+    if found and found["first_failure"]:
+        say(f"  {found['first_failure']}")
+    say(f"  read   docs/{chapter}.md, \"{exercise}\"")
+    say(f"  edit   {relative(path)}")
+    say(f"  then   ./course check {exercise}{'' if is_new else ' --hint'}")
+    return 0

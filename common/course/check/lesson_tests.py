@@ -1,9 +1,10 @@
 """The tests that lessons name: `build/tests/test_NN_name "[NN.tag]"`, and `[NN.tag]` alone for the chapter's own program.
 
 Prose has tags alone, for a test's name is a sentence. A command may have a name: it is matched as Catch2 does, against the
-sources, so that nothing has to be built. A comma separates names, and a test's own comma is written `\\,`.
+sources, so that nothing has to be built.
 """
 
+import fnmatch
 import re
 from dataclasses import dataclass
 from functools import cache
@@ -39,21 +40,12 @@ def cases(program: str) -> list[tuple[str, str]]:
             for name, tags in CASE.findall(path.read_text(encoding="utf-8"))]
 
 
-def parts(spec: str) -> list[str]:
-    return [one.strip().replace("\\,", ",") for one in re.split(r"(?<!\\),", spec)]
-
-
 def matched(program: str, part: str) -> list[str]:
     """The cases that one name, wildcard or tag matches."""
     if part.startswith("["):
         tags = re.findall(r"\[[^\]]*\]", part.lower())
         return [name for name, has in cases(program) if all(tag in has for tag in tags)]
-    word = part.lower()
-    core = word.strip("*")
-    tests = {(False, False): lambda n: n == core, (True, False): lambda n: n.endswith(core),
-             (False, True): lambda n: n.startswith(core), (True, True): lambda n: core in n}
-    test = tests[word.startswith("*"), word.endswith("*")]
-    return [name for name, _ in cases(program) if test(name.lower())]
+    return [name for name, _ in cases(program) if fnmatch.fnmatchcase(name.lower(), part.lower())]
 
 
 def named_in(lesson: Path) -> list[Named]:
@@ -74,8 +66,8 @@ def of_chapters(names: list[Path]) -> list[Path]:
 
 def check_named(lesson: Path) -> list[str]:
     """A line for each name that no test has, and for each sentence where a tag belongs."""
-    wrong = [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{part}\""
-             for one in named_in(lesson) for part in parts(one.spec) if not matched(one.program, part)]
+    wrong = [f"{one.lesson}:{one.line}: no test of {one.program} matches \"{one.spec}\""
+             for one in named_in(lesson) if not matched(one.program, one.spec)]
     text = (ROOT / lesson).read_text(encoding="utf-8")
     return wrong + [f"{lesson}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}: name the test by its tag, such as `[14.furnace]`"
                     for match in SENTENCE.finditer(text)]

@@ -6,6 +6,7 @@ members() gives (name, a function that reads at most so many bytes) of each ordi
 import io
 import json
 import os
+import signal
 import stat
 import tempfile
 from pathlib import Path
@@ -52,7 +53,8 @@ def members(file, limits: dict[str, int]):
             try:
                 head = json.loads(line)
             except ValueError:
-                why = "it takes too long" if done.late else "it takes too much memory" if done.code else "it is cut off"
+                why = "it takes too long" if done.late else "it unpacks to too much" if done.code == 128 + signal.SIGXFSZ else \
+                    "it takes too much memory" if done.code else "it is cut off"
                 raise Failure(f"cannot be read: {why}") from None
             if "end" in head:
                 if head["end"]:

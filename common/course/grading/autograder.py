@@ -2,11 +2,10 @@
 Classroom."""
 
 import json
-import os
 import shutil
-import tempfile
 from pathlib import Path
 
+from grading.handout import new_folder
 from grading.rules import Rules
 from tree import ROOT, Failure, UsageError, chapters, exercises, find_chapter, git, say, warn, write_atomically
 
@@ -107,32 +106,17 @@ def say_points(file: Path) -> int:
 
 
 def write(arguments, named: list[str]) -> int:
-    folder = arguments.folder.absolute()
-    if folder.exists():
-        raise UsageError(f"{arguments.folder} exists; name a folder that does not")
-    if folder.is_relative_to(ROOT):
-        raise UsageError(f"{arguments.folder} lies in the course itself; name a folder outside of it")
     if not (ROOT / ".git").exists():
         raise Failure("an autograder has the course as it was committed, and there is no git history here")
     chapter = f" --chapter {named[0][:2]}" if arguments.chapter else ""
     rules = " --rules rules.json" if arguments.rules else ""
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        beside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
-    except OSError as error:
-        raise UsageError(f"{arguments.folder} cannot be written: {error.strerror}") from None
-    try:
+    with new_folder(arguments.folder) as beside:
         for name, text in (gradescope_files(chapter, rules) | classroom_files(named[0][:2] if chapter else "all")).items():
             write_atomically(beside / name, text, 0o755 if name.endswith(("setup.sh", "run_autograder")) else 0o644)
         git("archive", "--format=tar.gz", "-o", str(beside / "gradescope/course.tar.gz"), "HEAD")
         if arguments.rules:
             shutil.copyfile(arguments.rules, beside / "gradescope/rules.json")
         shutil.make_archive(str(beside / "gradescope"), "zip", beside / "gradescope")
-        beside.chmod(0o755)
-        os.replace(beside, folder)
-    except BaseException:
-        shutil.rmtree(beside, ignore_errors=True)
-        raise
     say(f"{arguments.folder}: gradescope.zip to upload, and classroom to add to a ./course handout")
     warn("GitHub has announced the end of GitHub Classroom; the workflow runs in any repository")
     return 0

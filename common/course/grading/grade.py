@@ -9,7 +9,6 @@ import csv
 import hashlib
 import io
 import json
-import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -18,7 +17,7 @@ from grading import marks
 from grading.alike import alike
 from grading.feedback import write_pages
 from grading.gradebook import FORMATS, Book, write_books
-from grading.judge import BUDGET_S, Judge, picture_path, starters_of
+from grading.judge import BUDGET_S, MOST_AT_ONCE, Judge, picture_path, starters_of
 from grading.roster import Roster, known_as
 from grading.rules import Rules
 from grading.submission import cell, find, printable, read, time_of
@@ -87,11 +86,7 @@ def run(arguments, _rest) -> int:
     Rules(arguments.rules, wanted)  # said before hours of grading, not behind them
     Roster(arguments.roster, [])
     if arguments.merge:
-        made = shards.merge(arguments.merge, "grade")
-        theirs = exercises_of(made, arguments.merge[0])
-        if not arguments.chapter:
-            wanted = theirs
-        return finish(arguments, *merged(made, wanted), wanted)
+        return finish(arguments, *merged(shards.merge(arguments.merge, "grade"), wanted, not arguments.chapter))
     submissions = find(arguments.paths)
     if not has_solutions():
         raise UsageError("this copy of the course has no solutions to grade with")
@@ -101,22 +96,10 @@ def run(arguments, _rest) -> int:
     if arguments.slurm is not None:
         made = shards.merge([slurm.run("grade", arguments, sys.argv[1:], lambda: Judge(wanted))], "grade")
         slurm.finished("grade")
-        return finish(arguments, *merged(made, wanted), wanted)
+        return finish(arguments, *merged(made, wanted, False))
     with Judge(wanted) as judge:
         judge.fresh, judge.budget_s = set(arguments.regrade), 60 * arguments.budget
         return finish(arguments, *judged(submissions, judge), wanted)
-
-
-def exercises_of(made: shards.Merged, shard: Path) -> dict[str, str]:
-    """The chapter by exercise that shards were made for. Raises UsageError."""
-    try:
-        found = dict(made.head["exercises"])
-        if found and type(made.head["submissions"]) is int and all(
-                re.fullmatch(r"\d\d\.\w{1,80}", name) and re.fullmatch(r"\d\d_\w{1,80}", chapter) for name, chapter in found.items()):
-            return found
-    except (ValueError, TypeError, KeyError):
-        pass
-    raise UsageError(f"{shard}: is not a shard of grades")
 
 
 def out_folder(arguments) -> Path:
@@ -208,45 +191,28 @@ def stamp(path: Path) -> str:
     return f"{int(at.st_mtime)} {at.st_size if path.is_file() else ''}"
 
 
-def merged(made: shards.Merged, wanted: dict[str, str]) -> tuple[dict, dict]:
-    """The grades of all shards, as judged() has them. Raises UsageError where a submission is in none."""
-    if len(made.entries) != made.head["submissions"]:
-        raise UsageError(f"the shards hold {len(made.entries)} of {made.head['submissions']} submissions: make them again")
-    if strange := sorted(set(wanted) - {name for name, _ in made.head["exercises"]}):
-        raise UsageError(f"the shards were made without {strange[0]}")
-    for student, entry in made.entries.items():
-        check_entry(student, entry, made.came_from[student])
-    order = sorted(made.entries, key=lambda student: made.entries[student]["at"])
-    grades, submitted = {}, {}
-    for student in order:
-        entry = made.entries[student]
-        grades[student] = entry["grade"]
-        grades[student]["results"] = [one for one in grades[student]["results"] if one["exercise"] in wanted]
-        for result in grades[student]["results"]:
-            for key in ("picture", "picture_expected"):
-                if key in result and not picture_path(shards.safe(result[key])).exists():
-                    write_atomically(picture_path(result[key]), made.file(student, f"{result[key]}.png"))
-        if entry["read"]:
-            submitted[student] = {exercise: made.file(student, name) for exercise, name in entry["answers"].items()
-                                  if exercise in wanted}
-    return grades, submitted
-
-
-def check_entry(student: str, entry, shard: Path):
-    """Raises UsageError for an entry that no shard writes."""
+def merged(made: shards.Merged, wanted: dict[str, str], all_of_them: bool) -> tuple[dict, dict, dict]:
+    """The grades of all shards as judged() has them, and the exercises, all of the shards' or those that are wanted. Raises UsageError
+    where a submission is in none, and for what no shard of grades holds."""
     try:
-        one = entry["grade"]
-        right = (type(entry["at"]) is int and isinstance(entry["read"], bool) and one["student"] == student
-                 and isinstance(one["path"], str) and isinstance(one["error"], str | None) and one["alike"] == []
-                 and isinstance(one.get("note", ""), str)
-                 and isinstance(one["handed_in_s"], int | float | None)
-                 and all(isinstance(name, str) for name in [*entry["answers"], *map(shards.safe, entry["answers"].values())]))
-        for result in one["results"]:
-            marks.checked(result, result["exercise"])
-    except (ValueError, TypeError, KeyError, AttributeError):
-        right = False
-    if not right:
-        raise UsageError(f"{shard}: what it holds of {printable(student)} is no grade: make it again")
+        theirs = dict(made.head["exercises"])
+        if len(made.entries) != made.head["submissions"]:
+            raise UsageError(f"the shards hold {len(made.entries)} of {made.head['submissions']} submissions: make them again")
+        if not all_of_them and (strange := sorted(set(wanted) - set(theirs))):
+            raise UsageError(f"the shards were made without {strange[0]}")
+        wanted, grades, submitted = theirs if all_of_them else wanted, {}, {}
+        for student, entry in sorted(made.entries.items(), key=lambda item: item[1]["at"]):
+            grades[student] = one = entry["grade"]
+            one["results"] = [marks.checked(result, result["exercise"]) for result in one["results"] if result["exercise"] in wanted]
+            for name in [result[key] for result in one["results"] for key in ("picture", "picture_expected") if key in result]:
+                if not picture_path(shards.safe(name)).exists():
+                    write_atomically(picture_path(name), made.file(student, f"{name}.png"))
+            if entry["read"]:
+                submitted[student] = {exercise: made.file(student, shards.safe(name)) for exercise, name in entry["answers"].items()
+                                      if exercise in wanted}
+        return grades, submitted, wanted
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        raise UsageError(f"the shards hold what is no grade: {printable(repr(error))}; make them again") from None
 
 
 def grade(submissions, judge: Judge) -> list[dict]:
@@ -256,7 +222,7 @@ def grade(submissions, judge: Judge) -> list[dict]:
 def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
     """Each student's results, and the contents of readable submissions."""
     submitted, grades, waiting = {}, {}, {}
-    with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), 8)) as pool:
+    with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), MOST_AT_ONCE)) as pool:
         try:
             for one in submissions:
                 grades[one.student] = {"student": one.student, "path": printable(str(one.path)), "error": None,

@@ -1,5 +1,6 @@
 """Copies the course without its solutions, for students."""
 
+import contextlib
 import io
 import json
 import os
@@ -51,17 +52,7 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    folder = arguments.folder.absolute()
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise UsageError(f"{arguments.folder} exists; name a folder that does not")
-    if folder.resolve().is_relative_to(ROOT):
-        raise UsageError(f"{arguments.folder} lies in the course itself; name a folder outside of it")
-    try:  # before the checks are compiled, which takes minutes
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        beside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
-    except OSError as error:
-        raise UsageError(f"{arguments.folder} cannot be written: {error.strerror}") from None
-    try:
+    with new_folder(arguments.folder) as beside:
         contents = what_is_handed_out(arguments.sources)
         for name, source in contents.items():
             (beside / name).parent.mkdir(parents=True, exist_ok=True)
@@ -69,14 +60,32 @@ def run(arguments, _rest) -> int:
                 (beside / name).write_bytes(source)
             else:
                 shutil.copy2(source, beside / name, follow_symlinks=False)
-        beside.chmod(0o755)
-        os.replace(beside, folder)  # an empty folder there is replaced
-    except BaseException:
-        shutil.rmtree(beside, ignore_errors=True)
-        raise
     count = sum(len(exercises(chapter)) for chapter in chapters())
     say(f"{arguments.folder}: {len(contents)} files, {count} exercises, no solutions")
     return 0
+
+
+@contextlib.contextmanager
+def new_folder(folder: Path):
+    """A folder to fill, which takes its place when it is whole. Raises UsageError where it cannot: before minutes of work, not behind
+    them."""
+    place = folder.absolute()
+    if place.exists() and (not place.is_dir() or any(place.iterdir())):
+        raise UsageError(f"{folder} exists; name a folder that does not")
+    if place.resolve().is_relative_to(ROOT):
+        raise UsageError(f"{folder} lies in the course itself; name a folder outside of it")
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        beside = Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+    except OSError as error:
+        raise UsageError(f"{folder} cannot be written: {error.strerror}") from None
+    try:
+        yield beside
+        beside.chmod(0o755)
+        os.replace(beside, place)  # an empty folder there is replaced
+    except BaseException:
+        shutil.rmtree(beside, ignore_errors=True)
+        raise
 
 
 def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:

@@ -46,6 +46,7 @@ TRIES_S = (0, 1, 5, 15)  # waits before retries after a machine fault
 HANDED_IN = {"01.parse_vertex_line": "tests/01_obj/variants/parse_vertex_line.from_chars.cpp"}
 NOT_LOOKED_FOR = "its numbers are right, and operations that GLSL leaves undefined were not looked for in it"
 CALL_S = 5  # of one call
+MOST_AT_ONCE = 8  # verdicts
 WORDS_MOST = 600
 NOT_DRAWN = "its numbers are right, and there is no picture"
 counted = threading.local()  # .seconds: what the verdict that this thread is on has taken
@@ -68,36 +69,26 @@ def starters_of(wanted: dict[str, str]) -> dict[str, bytes]:
 
 
 class Turns:
-    """Verdicts side by side, or one of them alone."""
+    """Verdicts side by side, at most MOST_AT_ONCE, or one of them alone."""
 
     def __init__(self):
-        self.changed, self.inside, self.waiting = threading.Condition(), 0, 0
+        self.gate, self.places = threading.Lock(), threading.Semaphore(MOST_AT_ONCE)
 
     @contextlib.contextmanager
     def with_others(self):
-        with self.changed:
-            self.changed.wait_for(lambda: self.waiting == 0 and self.inside >= 0)
-            self.inside += 1
+        with self.gate:
+            self.places.acquire()
         try:
             yield
         finally:
-            with self.changed:
-                self.inside -= 1
-                self.changed.notify_all()
+            self.places.release()
 
     @contextlib.contextmanager
     def alone(self):
-        with self.changed:
-            self.waiting += 1
-            self.changed.wait_for(lambda: self.inside == 0)
-            self.waiting -= 1
-            self.inside = -1
-        try:
+        with self.gate, contextlib.ExitStack() as all_places:
+            for _ in range(MOST_AT_ONCE):
+                all_places.enter_context(self.places)
             yield
-        finally:
-            with self.changed:
-                self.inside = 0
-                self.changed.notify_all()
 
 
 class Judge:
@@ -264,8 +255,10 @@ class Judge:
                         entry[1] = True
                         return
                     except Unjudged as why:
+                        if self.stopped:  # which says nothing about this machine
+                            raise
                         entry[1] = why
-                    if self.broken or self.stopped:  # it was waited for already
+                    if self.broken:  # it was waited for already
                         break
                 self.broken = True
                 raise entry[1]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from build.build import used
 from grading.handout import COMPILED, LEFT_OUT
-from tree import BUILD, MANIFEST, ROOT, files
+from tree import BUILD, MANIFEST, ROOT, chapters, exercises, files
 
 KEPT = BUILD / "grade"  # what one call leaves to the next: verdicts, references' pictures, pictures to be shown
 
@@ -69,7 +69,7 @@ def copy_without_answers(to: Path, starters: dict[Path, bytes]):
     for folder in (path for path in (ROOT / "tests").iterdir() if path.is_dir()):
         (to / "tests" / folder.name).mkdir(parents=True, exist_ok=True)
     shutil.copyfile(ROOT / MANIFEST, to / MANIFEST)
-    for path, starter in starters.items():
+    for path in (path for chapter in chapters() for path in exercises(chapter).values()):
         place = to / path.relative_to(ROOT)
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(starter)
+        place.write_bytes(starters.get(path, b""))  # of another chapter's the reference is used, which is found by its starter's name

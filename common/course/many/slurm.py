@@ -71,7 +71,7 @@ def script(kind: str, words: list[str], folder: Path, of: int, given: list[str],
     asked = {word.lstrip("-").partition("=")[0] for word in given} | \
             {name for short, name in (("-c", "cpus-per-task"), ("-t", "time")) if any(word.startswith(short) for word in given)}
     lines = [f"--{name}={value}" for name, value in ASKS.items()
-             if name not in asked and not (name == "mem" and any(one.startswith("mem") for one in asked))] + joined(given)
+             if name not in asked and not (name == "mem" and any(one.startswith("mem") for one in asked))] + [shlex.join(given)] * bool(given)
     command = shlex.join([str(ROOT / "course"), *words])
     return "\n".join([
         "#!/bin/bash",
@@ -87,19 +87,6 @@ def script(kind: str, words: list[str], folder: Path, of: int, given: list[str],
         "",
         f'exec {command} --shard "$SLURM_ARRAY_TASK_ID/{of}" --out {shlex.quote(str(folder))}',
         ""])
-
-
-def joined(words: list[str]) -> list[str]:
-    """Options with their values, one a line."""
-    lines = []
-    for word in words:
-        quoted = word if re.fullmatch(r"[\w@%+=:,./-]+", word) else f'{word.partition("=")[0]}="{word.partition("=")[2]}"' \
-            if "=" in word and word.startswith("--") else f'"{word}"'
-        if word.startswith("-") or not lines:
-            lines.append(quoted)
-        else:
-            lines[-1] += f" {quoted}"
-    return lines
 
 
 def without(words: list[str], *names: str) -> list[str]:

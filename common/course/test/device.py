@@ -1,10 +1,8 @@
 """All shots and all checks on one device, with a page and a file of figures."""
 
-import argparse
 import datetime
 import functools
 import json
-import sys
 from pathlib import Path
 
 from build.build import build
@@ -18,7 +16,7 @@ from shots.rendering import last_words, render_many, run_program
 from test.check_unsolved import passed
 from test.shots import compared, picture_entry
 from tree import (BUILD, Failure, UsageError, chapter_program, exercises, find_shots, git, has_solutions, is_edited, relative,
-                  say, warn, write_atomically)
+                  say, write_atomically)
 
 ALONE = True
 HELP = """Draws all shots on one device, compares each with its golden, and runs all checks there: each reference must pass its
@@ -205,21 +203,13 @@ def read_run(path: Path) -> dict:
     """An earlier run's file. Raises UsageError."""
     try:
         made = json.loads(path.read_text(encoding="utf-8"))
-        if not isinstance(made, dict) or made.get("kind") != KIND:
-            raise ValueError(f'its "kind" is not "{KIND}"')
-        for key, kind in (("device", str), ("driver", str), ("date", str), ("shots", dict)):
-            if not isinstance(made.get(key), kind):
-                raise ValueError(f'it has no "{key}"')
-        for name, shot in made["shots"].items():
-            figures = [shot[key] for key in FIGURES if key in shot]
-            if not isinstance(shot["ok"], bool) or len(figures) not in (0, len(FIGURES)) or not all(
-                    isinstance(value, (int, float)) for value in figures):
-                raise ValueError(f"its figures of {name} are incomplete")
+        if made["kind"] == KIND and all(figures_words(shot) and shot["ok"] in (True, False) for shot in made["shots"].values()):
+            return made | {key: str(made[key]) for key in ("device", "driver", "date")}
+        raise ValueError("it is of another kind")
     except OSError as error:
         raise UsageError(f"--against {relative(path)}: {error.strerror}") from None
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
-        raise UsageError(f"--against {relative(path)} is not a file of figures of ./course test --device: {error}") from None
-    return made
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        raise UsageError(f"--against {relative(path)} is not a file of figures of ./course test --device: {error!r}") from None
 
 
 def moved(made: dict, earlier: dict, path: Path) -> list[str]:
@@ -239,13 +229,3 @@ def moved(made: dict, earlier: dict, path: Path) -> list[str]:
 
 def key_figures(shot: dict) -> tuple:
     return shot["ok"], *(shot.get(key) for key in FIGURES)
-
-
-if __name__ == "__main__":  # python3 common/course test.device --device NAME ...: with programs that are built
-    parser = argparse.ArgumentParser(prog="test.device", allow_abbrev=False)
-    add_arguments(parser)
-    try:
-        sys.exit(run(parser.parse_args(sys.argv[1:]), [], make=lambda targets: None))
-    except (UsageError, Failure) as error:
-        warn(str(error))
-        sys.exit(2 if isinstance(error, UsageError) else 1)

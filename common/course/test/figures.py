@@ -85,9 +85,6 @@ def check(lesson: Path, only_list: bool) -> int:
             for line in output.splitlines():
                 if not INTERESTING.match(line):
                     say(f"    | {line}")
-            here, missing = compared(lines, one.line - 1, output)
-            if here or missing:
-                say(f"    in the lesson and printed: {', '.join(here) or 'none'}; in the lesson alone: {', '.join(missing) or 'none'}")
             if code:
                 wrong += 1
                 say(f"WRONG {lesson}:{one.line}: {again} ended with {code}")
@@ -117,25 +114,6 @@ def check_commands(chapter: str, only_list: bool) -> int:
     for problem in wrong:
         say(f"WRONG {problem}")
     return len(wrong)
-
-
-def compared(lines: list[str], at: int, output: str) -> tuple[list[str], list[str]]:
-    """The numbers of the paragraph at a line, and of a table that follows it: those found in the output, and the others."""
-    begin = end = at
-    while begin > 0 and lines[begin - 1].strip() and not lines[begin - 1].lstrip().startswith("|"):
-        begin -= 1
-    while end + 1 < len(lines) and lines[end + 1].strip():
-        end += 1
-    if lines[end].rstrip().endswith(":") and end + 2 < len(lines) and lines[end + 2].lstrip().startswith("|"):
-        end += 2
-        while end + 1 < len(lines) and lines[end + 1].strip():
-            end += 1
-    text = re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", " ", " ".join(lines[begin:end + 1]))
-    found = [float(number) for number in re.findall(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?", output)]
-    said = dict.fromkeys(re.findall(r"(?<![\w.,])\d+\.\d+(?![\w.])", text))
-    here = [number for number in said
-            if any(tables.agrees(number, value) or tables.agrees(number, 100 * value) for value in map(abs, found))]
-    return here, [number for number in said if number not in here]
 
 
 def ran(command: str) -> tuple[str, int]:
