@@ -36,18 +36,6 @@ Material material_of(const std::string& lines, Tr tr = Tr::safe) {
 
 }  // namespace
 
-TEST_CASE("obj as written: zero bytes at the end, empty indices, free forms, nan as a colour") {
-    CHECK(read_as_written(written_triangle + "f 1 2 3\n" + std::string(3, '\0')).triangles() == 1);
-    const ObjData slashes = read_as_written(written_triangle + "f 1// 2// 3//\n");
-    REQUIRE(slashes.triangles() == 1);
-    CHECK(slashes.corners[1] == Corner{1, none, none});
-    CHECK(read_as_written(written_triangle + "vt 0 0\nf 1/1/ 2/1/ 3/1/\n").corners[0] == Corner{0, 0, none});
-    const ObjData curves = read_as_written(written_triangle + "curv2 1 2\nl 1 2\nl 2 3\nf 1 2 3\n");
-    CHECK(curves.left_out == std::vector<std::string>{"free-form curves and surfaces", "lines"});
-    CHECK(read_as_written("v 0 0 0 nan nan nan\nv 1 0 0 nan nan nan\nv 0 1 0 -nan NaN nan\nf 1 2 3\n").colors.empty());
-    CHECK(outcome_of("v 0 0 nan 1 1 1\n", Loader::parallel).place == "test.obj:1");
-}
-
 TEST_CASE("obj as written: vertex colours are sRGB, of 1 or of 255; white where a position has none") {
     const std::string rest = "v 0 1 0\nf 1 2 3\n";
     const Model model = model_of("v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0 0.5\n" + rest);
@@ -89,12 +77,6 @@ TEST_CASE("obj as written: colours that ZBrush writes as comments") {
     const ObjData few = read_as_written(written_triangle + "#MRGB ffff0000\n" + rest);
     CHECK(few.colors.empty());
     CHECK(few.left_out == std::vector<std::string>{"#MRGB colours, which are not as many as the vertices"});
-}
-
-TEST_CASE("obj as written: statements that are not read are named once") {
-    const ObjData data = read_as_written(written_triangle +
-                                         "vc 1 0 0\nvc 0 1 0\nusemap a.png\nlod 1\ncstype bezier\nf 1 2 3\nvc 1 1 1\n");
-    CHECK(data.left_out == std::vector<std::string>{"vc", "usemap"});
 }
 
 TEST_CASE("obj as written: smoothing groups") {

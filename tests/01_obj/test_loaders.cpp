@@ -155,11 +155,6 @@ TEST_CASE("loaders: a text is cut for threads from the size on at which they win
     CHECK(chunk_bytes_for(mebi / 4, 16) >= mebi / 4);
 }
 
-TEST_CASE("loaders: names of loaders") {
-    for (const std::string_view name : loader_names()) CHECK(loader_name(loader_from_name(name)) == name);
-    CHECK_THROWS_AS(loader_from_name("fastest"), InputError);
-}
-
 TEST_CASE("dump-mesh: the same positions, the same checksum") {
     const fs::path model = course_root() / "assets/models/smart_car.obj";
     const auto checksum = [&](Loader loader) {

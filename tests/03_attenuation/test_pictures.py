@@ -10,7 +10,7 @@ import unittest
 from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import LINEAR, ChapterPictures, to_code  # noqa: E402
+from pictures import LINEAR, ChapterPictures  # noqa: E402
 
 METHODS = ("every_light", "per_object", "tiled", "clustered")
 FLOOR = {"model": "models/plane.obj", "scale": 20,
@@ -76,54 +76,6 @@ class PicturesTest(ChapterPictures):
                 for method, picture in zip(METHODS[1:], others):
                     with self.subTest(label=label, method=method, size=size):
                         self.assertEqual(picture, every)
-
-    def floor_pixels(self, size):
-        """(x, y, the floor's point under the pixel) for the camera DOWN."""
-        half = 6 * math.tan(math.radians(30))
-        for y in range(size[1]):
-            for x in range(size[0]):
-                yield x, y, ((2 * (x + 0.5) / size[0] - 1) * half * size[0] / size[1], 0,
-                             (2 * (y + 0.5) / size[1] - 1) * half)
-
-    def expect(self, lights, radiance, *options):
-        """Every pixel of the floor against `radiance(point)` times its colour, in steps of 1/255."""
-        size = (64, 48)
-        got = self.draw(self.scene("floor", lights, camera=DOWN), *options, size=size)
-        brightest = 0
-        for x, y, place in self.floor_pixels(size):
-            arriving = radiance(place)
-            for c in range(3):
-                want = to_code(FLOOR["material"]["diffuse"][c] * arriving[c])
-                self.assertLess(abs(got[y][x][c] - want), 1.3, (x, y, c, options))
-                brightest = max(brightest, want)
-        self.assertGreater(brightest, 100)
-
-    def test_a_point_light_s_falloff(self):
-        lamp, color, strength, reach, k = (0.7, 1.5, -0.4), (1, 0.8, 0.3), 2.5, 3.2, 0.6
-        falloffs = {
-            "range_fade": lambda d: (1 - d / reach) ** 2 / (1 + k * d * d) if d < reach else 0,
-            "inverse_square_window": lambda d: (1 - (d / reach) ** 4) ** 2 / (d * d + 1) if d < reach else 0,
-            "inverse_square": lambda d: 1 / (d * d)}
-        for name, falloff in falloffs.items():
-            def radiance(place, falloff=falloff):
-                d = math.dist(place, lamp)
-                return [c * strength * falloff(d) * lamp[1] / d for c in color]
-            lights = [point(*lamp, color=color, intensity=strength, range_m=reach)]
-            self.expect(lights, radiance, "--falloff", name, "--fade_k", k, "--threshold", 1e-6)
-
-    def test_a_spot_light_s_cone(self):
-        lamp, inner, outer, softness, axis = (-0.5, 2, 0.3), 15, 40, 0.7, (0.3, -1, 0.1)
-        length = math.hypot(*axis)
-
-        def radiance(place):
-            way = [a - b for a, b in zip(place, lamp)]
-            d = math.hypot(*way)
-            cosine = sum(a * b for a, b in zip(way, axis)) / d / length
-            low, high = math.cos(math.radians(outer)), math.cos(math.radians(inner))
-            t = min(max((cosine - low) / (high - low), 0), 1)
-            return [5 * t ** (1 - 0.65 * softness) * (1 - (d / 9) ** 4) ** 2 / (d * d + 1) * lamp[1] / d] * 3
-        self.expect([spot(*lamp, intensity=5, direction=axis, inner_deg=inner, outer_deg=outer, softness=softness)],
-                    radiance)
 
     def test_lights_in_the_worst_places_leave_no_nan_and_no_infinity(self):
         """A picture with either makes the program fail."""

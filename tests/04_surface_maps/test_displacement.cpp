@@ -38,19 +38,6 @@ int seen_twice(double angle_deg, bool divide) {
 
 }  // namespace
 
-TEST_CASE(
-    "a displacement map of 1/2 moves nothing, white towards the eye and black away from it by half of the whole") {
-    const Table moved = shifts({{0.5, 0.6, 0, 0.8, 0.1, 0.2},
-                                {1, 0.6, 0, 0.8, 0.1, 0.2},
-                                {0, 0.6, 0, 0.8, 0.1, 0.2},
-                                {1, 0, -0.8, 0.6, 0.1, 0.2},
-                                {0.75, 0.48, 0.64, 0.6, 0.1, 0.2},
-                                {1, 1, 0, 0, 0.1, 0.2}});  // along the surface: finite
-    const Table expected{{0, 0}, {0.03, 0}, {-0.03, 0}, {0, -0.08}, {0.012, 0.032}, {0.05, 0}};
-    for (size_t i = 0; i < expected.size(); ++i)
-        for (size_t k = 0; k < 2; ++k) CHECK(moved[i][k] == Approx(expected[i][k]).margin(1e-7));
-}
-
 TEST_CASE("the limited shift shows no place twice; divided by z a swell of slope 1/2 does from tan(angle) = 2 on",
           "[04.limited_shift]") {
     for (const double angle : {30.0, 60.0, 70.0, 85.0}) CHECK(seen_twice(angle, false) == 0);

@@ -43,13 +43,6 @@ Mesh mesh_of(std::vector<Vertex> vertices, std::vector<uint32_t> indices) {
     return mesh;
 }
 
-Level random_level(unsigned side, Random& random) {
-    Level level{glm::uvec2(side), {}};
-    for (unsigned i = 0; i < side * side; ++i)
-        level.texels.push_back(glm::vec4(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), 1));
-    return level;
-}
-
 }  // namespace
 
 TEST_CASE("a spike one texel wide is skipped by layers that are further apart: three rays of four at 85 degrees",
@@ -73,29 +66,6 @@ TEST_CASE("exact traversal finds what 200,000 steps find") {
     }
     CHECK(field.exact({3, 3}, {0, 0}) == Approx(field.depth({3, 3})));  // straight down, on a texel's middle
     CHECK(field.exact({3, 3}, {5, 5}) == Approx(field.hit("relief", 200000, {3, 3}, {5, 5})).margin(1e-6));  // corners
-}
-
-TEST_CASE("codes too long for a unit vector have z = 0, not NaN") {
-    const Table normals = run("04_surface_maps/unpack_normal.glsl", "vec3 unpack_normal(vec2 code, float strength)",
-                              {{1, 1, 1}, {0, 0, 4}, {1, 0.5, 0}, {1, 1, 0}}, 3);
-    for (const Row& n : normals) CHECK(std::hypot(n[0], n[1], n[2]) == Approx(1).margin(1e-5));
-    CHECK(normals[0][2] == 0);
-    CHECK(normals[2][2] == 1);  // nothing is left of it: flat
-}
-
-TEST_CASE("roughness 0 has an exponent, and roughness 1 is matt") {
-    const Table mixed =
-        run("04_surface_maps/mix_orm.glsl", "MixedMaterial mix_orm(vec3 base, float roughness, float metalness)",
-            {{1, 1, 1, 0, 1}, {1, 1, 1, 1e-20, 1}, {1, 1, 1, 1, 0}}, 7);
-    CHECK(mixed[0][6] == 8192);
-    CHECK(mixed[1][6] == 8192);
-    CHECK(mixed[2][6] == 0);
-}
-
-TEST_CASE("detail on a base that lies in the surface stays finite") {
-    const Table blended = run("04_surface_maps/blend_detail.glsl", "vec3 blend_detail(vec3 base, vec3 detail)",
-                              {{1, 0, 0, 0, 1, 0}, {1, 0, 0, -1, 0, 0}, {0, 0, 1, 1, 0, 0}}, 3);
-    for (const Row& n : blended) CHECK(std::hypot(n[0], n[1], n[2]) == Approx(1).margin(1e-5));
 }
 
 TEST_CASE("where the texture is mirrored a shared vertex gets two frames") {
@@ -201,22 +171,6 @@ TEST_CASE("normals that cancel have a mean of length 0 and point up; those that 
     }
 }
 
-TEST_CASE("every level of a normal map has unit normals and never gains length; odd sizes too") {
-    Random random;
-    Level level = random_level(37, random);
-    float before = 0;
-    for (const Level& l : normal_levels(level)) {
-        float mean = 0;
-        for (const glm::vec4& texel : l.texels) {
-            CHECK(glm::length(2.0f * glm::vec3(texel) - 1.0f) == Approx(1).margin(1e-4));
-            mean += texel.a / static_cast<float>(l.texels.size());
-        }
-        CHECK(mean >= before - 0.05f);
-        before = mean;
-    }
-    CHECK(normal_levels(level).back().size == glm::uvec2(1));
-}
-
 TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha is only averaged") {
     const TexelImage grass = read_texels(course_root() / "assets/textures/grass_cutout.png", false);
     Level blades{{grass.width, grass.height}, {}};
@@ -239,32 +193,6 @@ TEST_CASE("a cutout keeps its coverage down the levels, and loses it where alpha
     CHECK(coverage(averaged[8], 0.5f) == 0);
     const Level none{{4, 4}, std::vector<glm::vec4>(16, glm::vec4(1, 1, 1, 0))};
     for (const Level& level : cutout_levels(check_device(), none, 0.5f)) CHECK(coverage(level, 0.5f) == 0);
-}
-
-TEST_CASE("the smallest levels of a cutout are as covered as so many texels can be, after rounding to 8 bits") {
-    Random random;
-    for (const double share : {0.02, 0.05, 0.284, 0.5, 0.9}) {
-        Level leaves{glm::uvec2(64), {}};
-        for (int i = 0; i < 64 * 64; ++i)
-            leaves.texels.push_back(glm::vec4(0, 1, 0, random.uniform(0, 1) < share ? 1 : 0));
-        const double wanted = coverage(leaves, 0.5f);
-        const auto kept = cutout_levels(check_device(), leaves, 0.5f),
-                   averaged = cutout_levels(check_device(), leaves, -1.0f);
-        for (size_t i = 1; i < kept.size(); ++i) {
-            Level level = kept[i];
-            for (glm::vec4& texel : level.texels) texel.a = std::round(255.0f * texel.a) / 255.0f;
-            // Texels with similar alphas are kept or dropped together: half of those at the border may be too many.
-            std::vector<float> alphas;
-            for (const glm::vec4& texel : averaged[i].texels) alphas.push_back(texel.a);
-            std::sort(alphas.begin(), alphas.end(), std::greater<>());
-            const double count = wanted * double(alphas.size());
-            const float border = alphas[std::min(size_t(count), alphas.size() - 1)];
-            const auto alike = std::count_if(alphas.begin(), alphas.end(),
-                                             [&](float a) { return std::fabs(a - border) <= 0.008f * border; });
-            INFO(share << " at " << level.size.x << ", " << alike << " alike");
-            CHECK(std::fabs(coverage(level, 0.5f) * double(alphas.size()) - count) <= 0.5 * double(alike) + 1e-6);
-        }
-    }
 }
 
 TEST_CASE("a map that is off or missing is not in the shader", "[04.map_off]") {

@@ -31,23 +31,6 @@ class SkyTest(ChapterPictures):
             self.assertNotIn(BARE, found, f"{found.get(BARE)} pixels, {360 * side / SIDES:.0f} degrees around")
 
 
-def ball(rings):
-    """A ball of `rings` rings, open to no side; and its faces, corners in turn."""
-    sides, points, faces = 2 * rings, [(0, 1, 0)], []
-    for ring in range(1, rings):
-        for side in range(sides):
-            down, turn = math.pi * ring / rings, 2 * math.pi * side / sides
-            points.append((math.sin(down) * math.cos(turn), math.cos(down), math.sin(down) * math.sin(turn)))
-    points.append((0, -1, 0))
-    at = lambda ring, side: 1 + (ring - 1) * sides + side % sides  # noqa: E731
-    for side in range(sides):
-        faces.append((0, at(1, side + 1), at(1, side)))
-        faces.append((len(points) - 1, at(rings - 1, side), at(rings - 1, side + 1)))
-        for ring in range(1, rings - 1):
-            faces.append((at(ring, side), at(ring, side + 1), at(ring + 1, side + 1), at(ring + 1, side)))
-    return points, faces
-
-
 def turned(outline, sides):
     """An outline of (radius, height), upwards, turned about the y axis; ends at radius 0 are one point each."""
     points, faces, rows = [], [], []
@@ -61,6 +44,12 @@ def turned(outline, sides):
             c, d = high[(side + 1) % len(high)], high[side % len(high)]
             faces.append(tuple(dict.fromkeys((a, d, c, b))))
     return points, faces
+
+
+def ball(rings):
+    """A ball of `rings` rings, open to no side."""
+    inner = [(math.sin(math.pi * i / rings), -math.cos(math.pi * i / rings)) for i in range(1, rings)]
+    return turned([(0, -1), *inner, (0, 1)], 2 * rings)
 
 
 def torus(around, across):

@@ -225,18 +225,6 @@ TEST_CASE("a caster is left out of a cascade only where all that its shadow may 
     CHECK(left_out < of / 2);
 }
 
-TEST_CASE("what moves within the finest cascade draws that one again, and no other") {
-    SceneObject mover = object_at(ball_file, {0, 0, 4}, glm::vec3(0.05f));
-    mover.motion.path = {{.time_s = 0, .position = {0, 0, 4}, .scale = mover.scale},
-                         {.time_s = 1, .position = {0.2f, 0, 4}, .scale = mover.scale}};
-    ShadowScene test({object_at(quad_file, {0, 0, 0}, glm::vec3(40.0f)), mover}, {sun_at(10)});
-    test.visibility({{0, 0, 0}, {0, 0, 1}});
-    CHECK(test.shadow.drawn_views == 3);
-    animate(test.scene, 0.5f);
-    test.visibility({{0, 0, 0}, {0, 0, 1}});
-    CHECK(test.shadow.drawn_views == 1);
-}
-
 TEST_CASE("a caster whose vertices move where it stands has its map drawn again") {
     ShadowScene test(
         {object_at(quad_file, {0, 0, -4}, glm::vec3(9.0f)), object_at("conformance/moving_skin.gltf", {0, 0, 2})},

@@ -148,21 +148,6 @@ class PicturesTest(ChapterPictures):
         self.assertGreater(self.steps(*pictures[:2])[1], 100)  # a frame later there is more to see
         self.assertLessEqual(self.steps(*pictures[2:])[0], 1)  # and in the end it stands still
 
-    def test_roles_do_what_names_do_in_a_scene_without_any(self):
-        scene = self.lamps(position=[2.5, 1.5, 1.5], target=[0, 0.9, -1])
-        screen = {"model": "models/plane.obj", "position": [0, 1, -2], "rotation_deg": [90, 0, 0], "scale": [3.2, 1, 1.8]}
-        camera = {"position": [1, 1, 2], "rotation_deg": [0, 30, 0]}
-        def draw(screen_keys, camera_name, file):
-            scene["objects"] = [FLOOR, screen | screen_keys, camera | {"name": camera_name}]
-            return self.draw(scene, name=file)
-        named = draw({"name": "screen a"}, "camera a", "named")
-        self.assertEqual(self.steps(named, draw({"role": "screen", "shows": "eye"}, "eye", "role"))[0], 0)
-        # Where something has a role, a name is no more than a name.
-        plain = draw({"name": "picture"}, "eye", "plain")
-        scene["objects"][1] |= {"name": "screen a", "role": "ring"}
-        self.assertEqual(self.steps(plain, self.draw(scene, name="ring"))[0], 0)
-        self.assertGreater(self.steps(plain, named)[1], 100)
-
     def test_a_screen_without_a_camera_is_one_clear_line(self):
         scene = self.lamps()
         scene["objects"].append({"name": "screen a", "model": "models/plane.obj"})

@@ -109,36 +109,6 @@ TEST_CASE("what normals lose in each encoding, over the whole sphere", "[06.norm
     CHECK(upper.most > 4);
 }
 
-TEST_CASE("normals along the axes, at the poles and at -z come back exactly, on the device") {
-    Table inputs;
-    for (const int bits : {4, 5, 8, 12, 16})
-        for (int axis = 0; axis < 3; ++axis)
-            for (const double sign : {1.0, -1.0}) {
-                Row row{0, 0, 0, double(bits)};
-                row[axis] = sign;
-                inputs.push_back(row);
-            }
-    const Probe probe{.include = "../tests/06_deferred/data/through.glsl",
-                      .signature = "vec3 normal_through(vec3 normal, int bits)",
-                      .inputs = inputs};
-    const Table out = run_probe(check_device(), probe, 3);
-    for (size_t i = 0; i < out.size(); ++i)
-        for (size_t k = 0; k < 3; ++k) CHECK(out[i][k] == Approx(inputs[i][k]).margin(1e-7));
-    // Near -z, where the four corners of the code meet.
-    Probe near = probe;
-    near.inputs.clear();
-    Random random;
-    for (int i = 0; i < 2000; ++i) {
-        const glm::vec3 n = glm::normalize(glm::vec3(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3), -1));
-        near.inputs.push_back({double(n.x), double(n.y), double(n.z), 8});
-    }
-    const Table found = run_probe(check_device(), near, 3);
-    for (size_t i = 0; i < found.size(); ++i) {
-        const Row& in = near.inputs[i];
-        CHECK(truth::angle_deg({found[i][0], found[i][1], found[i][2]}, {in[0], in[1], in[2]}) < 0.95);
-    }
-}
-
 TEST_CASE("what depth buffers know of z, from 0.1 m to 1000 m", "[06.depth_error]") {
     struct Known {
         const char* name;

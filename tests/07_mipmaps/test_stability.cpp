@@ -102,19 +102,6 @@ TEST_CASE_METHOD(OnChain, "a ramp's mean survives odd sizes with polyphase alone
     }
 }
 
-TEST_CASE_METHOD(OnChain, "a last column that alone is bright: its light is lost by 2x2, and kept by polyphase") {
-    const uint32_t width = 129, height = 16;
-    const Image bright = image({width, height}, one_float, [=](uint32_t, uint32_t x, uint32_t) {
-        return glm::dvec4(x == width - 1 ? 129.0 : 0.0);
-    });
-    fill(bright, "single_pass");
-    CHECK(last(bright).r == 0);
-    fill(bright, "box");
-    CHECK(last(bright).r == 0);
-    fill(bright, "polyphase");
-    CHECK(last(bright).r == Approx(1).epsilon(1e-5));
-}
-
 TEST_CASE_METHOD(OnChain, "polyphase is exact for one step of an odd size, and nearly so for several") {
     const Image noisy = image({683, 341}, one_float, noise);
     std::map<std::string, std::vector<double>> of;
@@ -268,19 +255,6 @@ TEST_CASE_METHOD(OnChain, "coverage is kept down the levels") {
     CHECK(covered(blades, 8, 0.5) == 0);
     WARN("grass: covers " << wanted << "; at 16x16 texels " << covered(blades, 5, 0.5)
                           << " where alpha is only averaged");
-}
-
-TEST_CASE_METHOD(OnChain, "coverage of noise, whose means reach the cutoff nowhere") {
-    const Image noisy = image({256, 256}, srgb8, [](uint32_t layer, uint32_t x, uint32_t y) {
-        return glm::dvec4(1, 1, 1, noise(layer, x, y).b);
-    });
-    for (const std::string method : {"box", "single_pass", "polyphase", "kaiser"}) {
-        fill(noisy, method, Content::cutout, 0.9f);
-        for (uint32_t m = 1; m < 5; ++m) {
-            INFO(method << " level " << m);
-            CHECK(covered(noisy, m, 0.9) == Approx(covered(noisy, 0, 0.9)).margin(0.02));
-        }
-    }
 }
 
 TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean", "[07.mean_roughness]") {

@@ -196,22 +196,6 @@ TEST_CASE_METHOD(OnPost, "nothing is read off the screen: what lies behind the b
     }
 }
 
-TEST_CASE_METHOD(OnPost, "gamma of 0 and below: the picture as it was; a power of black: black") {
-    post.gamma.set("on");
-    const ImageRgb plain = [&] {
-        post.gamma_by.value = 1;
-        return shown({70, 9}, motley);
-    }();
-    for (const float gamma : {0.0f, -1.0f}) {
-        post.gamma_by.value = gamma;
-        const ImageRgb found = shown({70, 9}, motley);
-        CHECK(is_finite(found));
-        CHECK(largest_difference(found, plain) < 0.02);
-    }
-    post.gamma_by.value = 8;
-    CHECK(mean(shown({4, 4}, all_of(glm::vec3(0)))) == glm::dvec3(0));
-}
-
 TEST_CASE_METHOD(OnPost, "Hill's curve is below 0 for black: unclamped a power of it is NaN; here it is 0",
                  "[09.hill]") {
     const double black = truth::hill(glm::dvec3(0), false).g;

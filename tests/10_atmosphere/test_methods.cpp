@@ -122,30 +122,3 @@ TEST_CASE_METHOD(OnAtmosphere,
     fog.method.set("none");
     CHECK(through({0, 40, 0}, {0, 0, 0}) == 1);
 }
-
-TEST_CASE_METHOD(OnAtmosphere, "the modules for other chapters: a sky, a sun and fog in one pass") {
-    Preetham preetham{owner, "preetham"};
-    HeightFog fog{owner, "fog"};
-    const Pipeline both = compute({.shader = "sky and fog", .source = R"(
-#include "10_atmosphere/preetham_inputs.glsl"
-#include "10_atmosphere/height_fog_inputs.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba16f) writeonly uniform image2D result;
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    vec3 direction = normalize(vec3(1.0, float(pixel.y) - 1.0, 0.2)), to_sun = vec3(0.6, 0.8, 0.0);
-    vec3 sky = sky_light(direction, to_sun), lit = sun_light(to_sun) / 3.14159265;
-    imageStore(result, pixel, vec4(pixel.x < 2 ? sky : through_fog(lit, vec3(0.0), direction, 1e5, to_sun), 1.0));
-})"});
-    frame.crop.whole = {4, 4};
-    frame.begin({4, 4}, 0);
-    frame.compute("both", {.writes = {frame.hdr}, .with = {preetham, fog}},
-                  [&](Compute& pass) { pass.use(both).set("result", frame.hdr).dispatch_threads(frame.size); });
-    frame.end();
-    const ImageRgb found = read_linear(gpu, frame.hdr);
-    CHECK(is_light(found));
-    CHECK(found.at(0, 3).b > 1.5f * found.at(0, 3).r);    // the sky is blue
-    CHECK(found.at(3, 1).r == Approx(0.5).margin(0.35));  // level: nothing but fog after 100 km
-    CHECK(found.at(3, 3).r > 2.0f * found.at(3, 1).r);    // up: the sun's light gets through
-}

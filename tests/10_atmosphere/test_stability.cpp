@@ -276,22 +276,6 @@ TEST_CASE("Preetham's formula: below a turbidity of 1.203 infinite, dark at the 
         for (const double c : light) CHECK((std::isfinite(c) && c >= 0 && c < 1e4));
 }
 
-TEST_CASE("fog's (1 - exp(-x)) / x as it stands: 1e-5, 1.3%, all of it; and 88.7 is the end") {
-    const auto plain = [](float x) { return double((1.0f - std::exp(-x)) / x); };
-    const auto right = [](float x) { return -std::expm1(-double(x)) / double(x); };
-    CHECK(std::fabs(plain(1e-6f) / right(1e-6f) - 1) > 0.01);
-    CHECK(plain(2e-8f) == 0);
-    CHECK(std::isinf(plain(-89.0f)));
-    Table inputs;
-    for (const double x : {1e-3, 1e-6, 2e-8, -1e-3, -1e-6, 0.0, -60.0, 300.0})
-        inputs.push_back({1, 1, std::max(-x, 0.0), x / 400, 400});
-    const auto found =
-        ask(of_air("10_atmosphere/height_fog.glsl",
-                   "float height_fog(float density, float falloff, float y, float slope, float distance)", inputs));
-    for (size_t i = 0; i < inputs.size(); ++i)
-        CHECK(found[i] == Approx(truth::fog_depth(1, 1, inputs[i][2], double(float(inputs[i][3])), 400)).epsilon(5e-5));
-}
-
 TEST_CASE("phase functions: each adds up to 1, and dust's have the mean cosine that was asked for",
           "[10.phase_functions]") {
     for (const double wanted : {-0.5, 0.0, 0.3, 0.76, 0.9}) {

@@ -9,15 +9,6 @@ namespace {
 
 const glm::uvec2 size{64, 64};
 
-double largest_difference(const ImageRgb& a, const ImageRgb& b) {
-    double most = 0;
-    for (size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::vec3 off = glm::abs(a.pixels[i] - b.pixels[i]);
-        most = std::max(most, double(glm::max(glm::max(off.r, off.g), off.b)));
-    }
-    return most;
-}
-
 }  // namespace
 
 TEST_CASE_METHOD(OnTaa, "shifts: evenly spread over the pixel, and none of them twice") {
@@ -93,13 +84,6 @@ TEST_CASE_METHOD(OnTaa, "where nothing changes the error falls with the frames, 
     CHECK(many.x < 0.008);
     CHECK(std::abs(many.y) < 0.01);
     CHECK(std::abs(many.z) < 0.001);
-}
-
-TEST_CASE_METHOD(OnTaa, "a cold start depends on nothing that was drawn before") {
-    const auto world = [](float x, float y, int) { return Sample{glm::vec3(float(int(x / 5 + y / 3) % 2)), 0.5f}; };
-    const ImageRgb first = draw_many(8, size, world);
-    draw_many(5, size, [](float x, float, int i) { return Sample{glm::vec3(x > float(i) ? 1 : 0), 0.1f}; });
-    CHECK(largest_difference(first, draw_many(8, size, world)) == 0);
 }
 
 TEST_CASE_METHOD(OnTaa, "no ghost is left where something nearer has moved away", "[13.ghost]") {

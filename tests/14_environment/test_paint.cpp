@@ -107,31 +107,6 @@ TEST_CASE_METHOD(OnPaint,
               Approx(0.5 * through(double(v) / 63) * (1 - coat_f0) * 20 / 21).epsilon(0.003));
 }
 
-TEST_CASE_METHOD(OnPaint, "the flakes are a GGX lobe below the coat, in the mean over the angle between its planes") {
-    objects.paint.flakes.value = 1;
-    objects.paint.flake_color.value = glm::vec3(1);
-    const double alpha = std::pow(double(objects.paint.flake_roughness.value), 2);
-    const auto texels = table();
-    for (const size_t x : {size_t(8), size_t(30), size_t(63)})
-        for (const size_t y : {size_t(8), size_t(30), size_t(63)}) {
-            const double l = below_coat(double(y) / 63), v = below_coat(double(x) / 63);
-            double density = 0;
-            for (int i = 0; i < 2000; ++i) {
-                const double turn = truth::around * (i + 0.5) / 2000;
-                const glm::dvec3 to_light(std::sqrt(1 - l * l), 0, l);
-                const double across = std::sqrt(1 - v * v);
-                const glm::dvec3 half =
-                    glm::normalize(to_light + glm::dvec3(across * std::cos(turn), across * std::sin(turn), v));
-                density += truth::ggx_density(half.z, alpha) / 2000;
-            }
-            INFO("n.v " << double(x) / 63 << ", n.l " << double(y) / 63);
-            CHECK(double(texels[y * 64 + x].r) == Approx(through(double(y) / 63) * through(double(x) / 63) * density *
-                                                         truth::ggx_visibility(l, v, alpha) / (coat_index * coat_index))
-                                                      .epsilon(0.005));
-            CHECK(texels[y * 64 + x].r == Approx(texels[x * 64 + y].r).epsilon(0.002));  // reciprocal
-        }
-}
-
 TEST_CASE_METHOD(OnPaint, "flakes send back what rays that are refracted, mirrored and refracted again carry",
                  "[14.flakes]") {
     objects.paint.flakes.value = 1;

@@ -242,9 +242,3 @@ TEST_CASE_METHOD(OnTransparency, "what lies behind something opaque is not seen;
         CHECK(seen.b == Approx(0).margin(0.002));
     }
 }
-
-TEST_CASE("a list of eight layers takes 274 MB at 1920x1080: 16 bytes a fragment, 4 a pixel") {
-    const double bytes = 1920.0 * 1080 * (8 * sizeof(ListedFragment) + sizeof(uint32_t));
-    CHECK(sizeof(ListedFragment) == 16);
-    CHECK(bytes / 1e6 == Approx(274).margin(1));
-}

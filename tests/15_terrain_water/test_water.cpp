@@ -258,10 +258,6 @@ TEST_CASE_METHOD(OnWater, "level water shows a wall upside down where the wall i
     CHECK(red < 0.2);
 }
 
-TEST_CASE("a cube's reflection is off by the angle of the offset: 11 degrees at 10 m of 50 m") {
-    CHECK(in_degrees * std::atan(10.0 / 50) == Approx(11.3).margin(0.1));
-}
-
 TEST_CASE_METHOD(OnWater, "waves of length 0, or shortest above longest: one clear line") {
     for (const char* name : {"0", "-1", "nan"}) CHECK_THROWS_AS(water.longest_m.set(name), InputError);
     water.shortest_m.value = 20;

@@ -38,47 +38,6 @@ double mean_fresnel(double tilt, double deviation) {
 
 }  // namespace
 
-TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is followed to the stripe of the wall that it meets") {
-    size = {192, 128};
-    camera.position = {0, 4, 0};
-    camera.target = {0, 2, -20};
-    water.roughness.value = 0;
-    water.refraction.value = 0;
-    water.mirror.scale.value = 1;
-    // Stripes of 2 m, each half as bright again as the one below.
-    std::list<Wall> stripes;
-    Drawings wall;
-    for (int i = 0; i < 7; ++i) {
-        Wall& stripe = stripes.emplace_back(owner);
-        stripe.left = -60;
-        stripe.right = 60;
-        stripe.bottom = float(2 * i);
-        stripe.top = float(2 * i + 2);
-        stripe.z = -40;
-        stripe.color = {std::pow(1.5f, float(i)), 0, 0, 1};
-        wall.push_back(stripe);
-    }
-    const ImageRgb none = picture("flat", "none"), followed = picture("flat", "screen_space", 0, wall),
-                   right = picture("flat", "planar", 0, wall);
-    int asked = 0, wrong = 0;
-    for (int y = 70; y < int(size.y); ++y)
-        for (int x = 24; x < 168; ++x) {
-            // Of the mirror image, where neighbours above and below show the same stripe.
-            const auto red = [&](const ImageRgb& seen, int row) {
-                return double(seen.at(x, row).r - none.at(x, row).r);
-            };
-            if (y + 2 >= int(size.y) || red(right, y) < 0.02) continue;
-            if (std::fabs(red(right, y - 2) / red(right, y) - 1) > 0.2 ||
-                std::fabs(red(right, y + 2) / red(right, y) - 1) > 0.2)
-                continue;
-            ++asked;
-            wrong += std::fabs(red(followed, y) / red(right, y) - 1) > 0.1;
-        }
-    fmt::print("{} of {} pixels reflect another stripe than they should\n", wrong, asked);
-    CHECK(asked > 1000);
-    CHECK(wrong < 0.12 * asked);
-}
-
 TEST_CASE_METHOD(OnWater, "in the picture a reflected ray is halved until it misses what it meets by centimetres") {
     size = {24, 2048};
     camera.position = {0, 4, 0};

@@ -87,21 +87,6 @@ TEST_CASE_METHOD(DeviceTest, "simplex noise varies as the kernels of its lattice
     CHECK(squares == Approx(27 * 27 * std::sqrt(5.0) * 0.75 * pi * pi * std::pow(0.6, 11) / 495).epsilon(0.06));
 }
 
-TEST_CASE("4-D noise in a cell's middle has 1/16 of its variance with linear weights, and with any that are even there",
-          "[figures]") {
-    Random random(4);
-    double at_corner = 0, in_middle = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const glm::ivec4 cell(random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6), i);
-        const double corner = truth::noise_4d(cell, glm::dvec4(0), truth::Weight::linear),
-                     middle = truth::noise_4d(cell, glm::dvec4(0.5), truth::Weight::linear);
-        at_corner += corner * corner;
-        in_middle += middle * middle;
-    }
-    fmt::print("variance in the middle: 1/{:.1f} of that at a corner\n", at_corner / in_middle);
-    CHECK(at_corner / in_middle == Approx(16).epsilon(0.05));
-}
-
 TEST_CASE(
     "sampling rules against 2^16 steps: midpoint and trapezium for what is smooth, preintegration for a thin layer",
     "[figures][16.rules]") {

@@ -53,23 +53,6 @@ TEST_CASE_METHOD(OnVolume,
     CHECK(std::nextafter(b * b, 2e6f) - b * b == 0.0625f);
 }
 
-TEST_CASE_METHOD(OnVolume, "opacity that is not corrected: twice the steps let 0.04 through in place of 0.19") {
-    CHECK(std::pow(0.95, 32) == Approx(0.19).margin(0.005));
-    CHECK(std::pow(0.95, 64) == Approx(0.04).margin(0.005));
-    CHECK(std::pow(1 - truth::correct_opacity(0.05, 0.5), 64) == Approx(std::pow(0.95, 32)));
-    load({16, 16, 16}, [](int x, int y, int z) { return float((x + y + z) % 3) / 2; });
-    volume.transfer.set("even");
-    volume.density.value = 0.05f;
-    volume.method.set("midpoint");
-    volume.steps.value = 128;
-    const ImageRgb coarse = picture();
-    volume.steps.value = 256;
-    const double change = mean_difference(coarse, picture());
-    fmt::print("128 or 256 steps: {:.5f} mean difference\n", change);
-    CHECK(change < 0.002);
-    CHECK(change > 0);
-}
-
 TEST_CASE_METHOD(OnVolume,
                  "an early exit at a transmittance of 0.01 loses 0.5 of a lamp of radiance 50 behind the volume",
                  "[16.early_exit]") {

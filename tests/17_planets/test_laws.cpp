@@ -36,21 +36,6 @@ TEST_CASE("half phase: Lambert's ball is 3.5 times as bright as the Moon, Hapke'
     CHECK(truth::phase_curve(truth::hapke, half) == Approx(moon(90)).epsilon(0.15));
 }
 
-TEST_CASE("Minnaert's law darkens the limb and brightens the phases: Jupiter at half phase is a quarter darker") {
-    // Its exponents are fitted across a disc: 0.90 of Titan, 0.58 of Europa. Jupiter sends 25% less than Lambert's ball.
-    const auto over_lambert = [](double k, double deg) {
-        const auto law = [&](double c, double mu, double) { return truth::minnaert(std::max(c, 0.0), mu, k); };
-        return truth::phase_curve(law, glm::radians(deg)) / truth::phase_curve(lambert, glm::radians(deg));
-    };
-    const double jupiter = double(traits(BodyId::jupiter).surface.minnaert);
-    fmt::print("half phase over Lambert's: Jupiter's exponent {:.3f}, Titan's {:.3f}, Europa's {:.3f}; Jupiter 0.75\n",
-               over_lambert(jupiter, 90), over_lambert(0.90, 90), over_lambert(0.58, 90));
-    CHECK(over_lambert(jupiter, 90) == Approx(1.037).margin(0.005));  // a third more than the planet
-    CHECK(over_lambert(0.90, 90) == Approx(1.062).margin(0.005));
-    CHECK(over_lambert(0.58, 90) == Approx(1.275).margin(0.01));
-    CHECK(over_lambert(1, 90) == Approx(1));
-}
-
 TEST_CASE("a wrap of 0.3 with an exponent of 0.47 lights 17 degrees too far and sends 1.77 times Lambert's light",
           "[17.wrap]") {
     double wrapped = 0, right = 0;

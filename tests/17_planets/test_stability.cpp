@@ -217,12 +217,6 @@ TEST_CASE_METHOD(OnPlanets, "rings: a camera in their plane, at their edges, und
     CHECK((depth(120000) < 0.3 && depth(120000) > 0.02));  // Cassini's division
     CHECK((depth(128000) > 0.3 && depth(128000) < 0.8));   // A
     CHECK(depth(137000) == 0);
-    // A ring of 2 km in a texel of 2.6 km keeps its depth times its width.
-    const auto narrow = ring_strip(BodyId::uranus, 4096);
-    double sum = 0, right = 0;
-    for (const glm::vec4& texel : narrow) sum += double(texel.a) * 10500e3 / 4096;
-    for (const RingPart& part : ring_parts(BodyId::uranus)) right += part.depth * (part.outer_m - part.inner_m);
-    CHECK(sum == Approx(right).epsilon(0.01));
 }
 
 TEST_CASE_METHOD(OnPlanets,

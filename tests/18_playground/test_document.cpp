@@ -62,20 +62,6 @@ TEST_CASE("steps hold at most so many bytes, and the last one can always be undo
     CHECK(document.at(id).object()->position.x == 199);
 }
 
-TEST_CASE("states come back with undo and redo: what was saved is known to be saved") {
-    Document document;
-    const uint64_t saved = document.state();
-    const EntryId id = add_object(document, named("a"));
-    CHECK(document.state() != saved);
-    document.undo();
-    CHECK(document.state() == saved);
-    document.redo();
-    document.begin("nothing");
-    document.edit(id).object()->position.x = 9;
-    document.cancel();
-    CHECK(document.at(id).object()->position.x == 0);
-}
-
 TEST_CASE("another parent keeps the place in the world, also at the poles and below uneven scales", "[18.parent]") {
     Document document;
     Random random(4);

@@ -88,17 +88,6 @@ TEST_CASE("only the number that was edited is set: the others stay each entry's 
     CHECK(document.at(ids[1]).object()->scale == glm::vec3(1, 3, 1));
 }
 
-TEST_CASE("a drag of a number over many is one step, from where each one was") {
-    SeveralLights lights({Kind::point, Kind::point, Kind::point});
-    const std::string before = state_of(lights.document);
-    const size_t steps = lights.document.done();
-    for (int i = 1; i <= 50; ++i) lights.set("intensity", glm::vec3(float(i)), glm::bvec3(true), 7);
-    CHECK(lights.document.done() == steps + 1);
-    CHECK(lights.at(0).intensity == 50.0f);
-    lights.document.undo();
-    CHECK(state_of(lights.document) == before);
-}
-
 TEST_CASE("each light gets what its type has: cones, sizes, and a direction of length 1") {
     SeveralLights lights({Kind::directional, Kind::point, Kind::spot, Kind::spot});
     lights.set("outer angle", glm::vec3(10));
@@ -165,18 +154,6 @@ TEST_CASE("what is locked stays as it is and is said; what one would refuse, all
     const std::string lit = state_of(lights.document);
     CHECK(lights.set("intensity", glm::vec3(-1)).starts_with("key 'intensity'"));
     CHECK(state_of(lights.document) == lit);
-}
-
-TEST_CASE("hide and lock of several say how many, and of one which") {
-    Document document;
-    const std::vector<EntryId> ids = add_all(document, {"a", "b", "c"});
-    const auto last = [&] { return document.steps().back().name; };
-    set_hidden(document, {ids[0]}, true);
-    CHECK(last() == "hide a");
-    set_hidden(document, ids, true);
-    CHECK(last() == "hide 2 entries");
-    set_locked(document, ids, true);
-    CHECK(last() == "lock 3 entries");
 }
 
 TEST_CASE("an edit of 1,000 entries and its undo take less than 5 ms each", "[18.edit_time]") {
@@ -251,12 +228,4 @@ TEST_CASE("a gesture is taken back as a whole and cannot be done again; the step
     CHECK(document.done() == 1);
     CHECK_FALSE(document.redo());
     CHECK_FALSE(document.take_back(7));
-}
-
-TEST_CASE("a step that scatters one light is called like it") {
-    Document document;
-    scatter(document, {{-1, 0, -1}, {1, 1, 1}}, 1, 3);
-    CHECK(*document.next_undo() == "scatter 1 light");
-    scatter(document, {{-1, 0, -1}, {1, 1, 1}}, 2, 3);
-    CHECK(*document.next_undo() == "scatter 2 lights");
 }

@@ -174,40 +174,6 @@ TEST_CASE("undo and redo turn the knobs back and forth, and that is no step of i
     CHECK(editor.document().done() == 1);
 }
 
-TEST_CASE("undo and redo in the middle of a drag take the drag back first") {
-    for (const int key : {GLFW_KEY_Z, GLFW_KEY_Y}) {
-        Driven editor;
-        const std::string before = state_of(editor.document());
-        editor.begin_drag("left");
-        editor.key(key, GLFW_MOD_CONTROL);
-        CHECK_FALSE(editor.window.editor.drag);
-        CHECK(state_of(editor.document()) == before);
-        CHECK(editor.mouse(editor.cursor + glm::vec2(20, 0), true));
-        CHECK(state_of(editor.document()) == before);
-    }
-}
-
-TEST_CASE(
-    "loaded again with changes that are not saved: document, knobs and steps stay, also where the file is another") {
-    Driven editor;
-    editor.window.bloom.method.set("paired");
-    editor.draw();
-    rename(editor.document(), editor.named("left"), "mine");
-    const auto picture = editor.picture();
-    const std::string before = state_of(editor.document());
-    editor.live.reload();
-    CHECK(editor.picture() == picture);
-    CHECK(state_of(editor.document()) == before);
-    CHECK(editor.document().done() == 2);
-    CHECK(editor.window.bloom.method.is("paired"));
-    write_file(editor.window.editor.store.path, R"({"objects": [{"name": "theirs"}]})");
-    editor.live.reload();
-    editor.draw();
-    CHECK(editor.named("mine") != no_entry);
-    CHECK(editor.named("theirs") == no_entry);
-    CHECK(editor.window.editor.store.changed_on_disk());  // saving will ask
-}
-
 TEST_CASE("a scene that is opened has its own knobs, and none of the scene before; one that fails changes none") {
     Driven editor;
     editor.window.bloom.method.set("paired");
@@ -263,4 +229,21 @@ TEST_CASE("the tree by keys: what the scene has once, then entries; folded and u
     CHECK(editor.document().at(active()).light()->kind == Light::Kind::spot);
     editor.key(GLFW_KEY_4, GLFW_MOD_SHIFT);
     CHECK(editor.window.editor.selection.ids.size() == 100);
+}
+
+TEST_CASE("numbers and choices that change are the document's settings", "[18.settings]") {
+    Playground chapter;
+    chapter.name = "18_playground";
+    Knob<int> asked(chapter, "asked", 1, {0, 1 << 30}, "A number");
+    load_scene(chapter, check_device(), "models/cube.obj");
+    Frame frame(check_device());
+    const auto draw = [&] { render(chapter, frame, {{16, 16}, 0, 0, {}}); };
+    draw();
+    asked.value = 2;
+    draw();
+    CHECK(chapter.editor.document.settings().knobs.at("asked") == "2");
+    chapter.show.set("ids");  // no setting
+    chapter.objects.maps.method.set("flat");
+    draw();
+    CHECK(chapter.editor.document.settings().knobs.at("maps.method") == "flat");
 }

@@ -205,7 +205,7 @@ TEST_CASE("a file that somebody else has written is noticed; includes are kept w
     CHECK(read_scene(file).objects.size() == 4);
 }
 
-TEST_CASE("what is read and written again is the same text, and the same bits") {
+TEST_CASE("what is read and written again is the same text") {
     Random random(9);
     Document document;
     for (int i = 0; i < 3000; ++i) random_command(document, random);
@@ -217,16 +217,6 @@ TEST_CASE("what is read and written again is the same text, and the same bits") 
     const std::string text = scene_text(exported(document).scene);
     Document again(parse_scene(text, "scene.json"));
     CHECK(scene_text(exported(again).scene) == text);
-    for (int i = 0; i < 1000000; ++i) {
-        const auto bits = uint32_t(random.uniform(0, 1) * 4294967295.0);
-        float value = 0;
-        std::memcpy(&value, &bits, 4);
-        char shortest[32];
-        if (!std::isfinite(value)) continue;
-        const int digits = std::snprintf(shortest, sizeof shortest, "%.9g", double(value));
-        REQUIRE(digits > 0);
-        REQUIRE(static_cast<float>(std::stod(shortest)) == value);
-    }
 }
 
 TEST_CASE("what is hidden and what is locked is so again after saving and opening, object or light") {
@@ -251,28 +241,4 @@ TEST_CASE("what is hidden and what is locked is so again after saving and openin
     set_locked(opened, {entries[2]}, false);
     CHECK(remove(opened, {entries[2]}) == "");
     CHECK(store.text(document) == read_file(store.path));
-}
-
-TEST_CASE("saves by itself beside the file, offers that after a crash, and takes it away when saved") {
-    TestFolder folder;
-    const fs::path file = folder.path / "scene.json";
-    SceneStore store;
-    store.path = file;
-    Document document = small_scene(2);
-    store.save(document);
-    CHECK_FALSE(store.autosave(document));
-    add_object(document, named("not saved"));
-    CHECK(store.autosave(document));
-    CHECK_FALSE(store.autosave(document));
-    CHECK(read_scene(file).objects.size() == 2);
-    store = {};  // a crash
-    SceneStore next;
-    Document opened = next.open(file);
-    REQUIRE(next.has_recovery());
-    opened = next.recover();
-    CHECK(opened.size() == 3);
-    CHECK(next.has_unsaved(opened));
-    next.save(opened);
-    CHECK_FALSE(next.has_recovery());
-    CHECK(read_scene(file).objects.size() == 3);
 }

@@ -42,18 +42,6 @@ TEST_CASE("a ray meets sloping ground where a plane's equation says, from above 
     CHECK(!ground.met_by({{200, 60, 0}, {0, -1, 0}}, 1000));
 }
 
-TEST_CASE("the ground lies just below the scene, and is level below all of it", "[terrain]") {
-    HeightMap map{.width = 3, .height = 3, .sample_m = glm::vec2(100), .elevation_m = std::vector<float>(9, 50)};
-    map.elevation_m[4] = 420;  // the middle
-    Bounds scene;
-    for (const glm::vec3 corner : {glm::vec3(70, 120, 0), glm::vec3(80, 130, 10)}) scene.add(corner);
-    const std::map<std::string, std::string> knobs = terrain_knobs(map, scene);
-    CHECK(std::fabs(420 - std::stof(knobs.at("ground.datum_m")) - 120) <= 0.6f);  // in whole metres
-    CHECK(std::fabs(std::stof(knobs.at("ground.plain_m")) - 120) < 0.1f);
-    const std::string plain = knobs.at("ground.plain_km");
-    CHECK(1e3f * std::stof(plain.substr(plain.rfind(',') + 1)) >= glm::length(glm::vec2(80, 10)));
-}
-
 TEST_CASE("terrain comes and goes in steps; without it the picture is as before, to the byte", "[terrain]") {
     Driven editor;
     const std::vector<std::byte> before = editor.picture();
