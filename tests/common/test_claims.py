@@ -77,6 +77,21 @@ Which is faster?
         loose = [f"{lesson}:{line}: {words}" for lesson in lessons() for line, section, words in claims.unbound(lesson)]
         self.assertEqual(loose, [], "a comparison needs <!-- claim: ... --> (common/course/pages/claims.py)")
 
+    def test_the_tail_of_an_error_does_not_contradict_its_mean(self):
+        def errors(name: str, side: ast.expr, scene) -> list[float]:
+            return [scene.value(name, scene.evaluate(one.args[0])) for one in ast.walk(side)
+                    if isinstance(one, ast.Call) and one.func.id == "flip_mean" and "flip_p99" in scene.data["points"][0]["error"]]
+        wrong = []
+        for lesson in lessons():
+            for match in claims.CLAIM.finditer((ROOT / lesson).read_text(encoding="utf-8")):
+                source, scenes, text = claims.parts_of(match["claim"])
+                comparisons = [one for one in ast.walk(ast.parse(text, mode="eval")) if isinstance(one, ast.Compare)] if text else []
+                for scene, one in ((scene, one) for one in comparisons for scene in claims.scenes_of(source, scenes)):
+                    mean, tail = ([errors(name, side, scene) for side in (one.left, *one.comparators)] for name in ("flip_mean", "flip_p99"))
+                    if list(map(len, mean)) == [1, 1] and (mean[0] < mean[1]) != (tail[0] < tail[1]) and not claims.near(*tail[0], *tail[1]):
+                        wrong.append(f"{lesson}: {scene.scene}: {ast.unparse(one)}, but the 99th percentiles are {tail}")
+        self.assertEqual(wrong, [])
+
 
 class Advice(unittest.TestCase):
     def question(self, **entry):

@@ -74,7 +74,7 @@ class Scene:
                     "taken": lambda p: self.verdict.choice in self.points(p),
                     "same": lambda p, q: all(self.verdict.same(a, b) for a in self.points(p) for b in self.points(q)),
                     "least": lambda metric, p: min(self.of_all(metric, p)), "most": lambda metric, p: max(self.of_all(metric, p)),
-                    "near": lambda a, b: abs(a - b) <= 0.1 * max(abs(a), abs(b)), "round": round, "min": min, "max": max,
+                    "near": near, "round": round, "min": min, "max": max,
                     "value": self.value, "of": lambda scene, name, p: Scene(self.data, scene, None).value(name, p), "at": lambda path: tables.at_path(self.data, path)}
         return verdicts[name](*words) if name in verdicts else self.value(name, *words)
 
@@ -120,20 +120,31 @@ def scenes_of(source: str, named: list[str]) -> list[Scene]:
     return found
 
 
-def fault_of(claim: str) -> str:
-    """Why a claim is false or cannot be read; empty where it holds, or where its data are elsewhere."""
+def near(a: float, b: float) -> bool:
+    return abs(a - b) <= 0.1 * max(abs(a), abs(b))
+
+
+def parts_of(claim: str) -> tuple[str, list[str], str]:
+    """Its source, its scenes and its expression, which is empty for data that are elsewhere."""
     if re.match(r"elsewhere; \S", claim):
-        return ""
+        return "", [], ""
     source, _, rest = " ".join(claim.split()).partition("#")
     named = re.match(r"\s*scene=([^;]*);", rest)
-    text = rest[named.end():] if named else rest.lstrip("; ")
+    return source.strip(), [one.strip() for one in named[1].split("|")] if named else [], (rest[named.end():] if named else rest.lstrip("; ")).strip()
+
+
+def fault_of(claim: str) -> str:
+    """Why a claim is false or cannot be read; empty where it holds, or where its data are elsewhere."""
+    source, named, text = parts_of(claim)
+    if not source:
+        return ""
     try:
-        tree = ast.parse(text.strip(), mode="eval")
-        for scene in scenes_of(source.strip(), [one.strip() for one in named[1].split("|")] if named else []):
+        tree = ast.parse(text, mode="eval")
+        for scene in scenes_of(source, named):
             if scene.evaluate(tree) is not True:
-                return f"{scene.scene or source}, {scene.data.get('device', '')}: it is not so that {text.strip()}"
+                return f"{scene.scene or source}, {scene.data.get('device', '')}: it is not so that {text}"
     except SyntaxError as error:
-        return f"{text.strip()}: {error.msg}"
+        return f"{text}: {error.msg}"
     except (Failure, StudyError, KeyError, TypeError, ValueError, ZeroDivisionError) as error:
         return f"{type(error).__name__}: {error}" if isinstance(error, (KeyError, TypeError)) else str(error)
     return ""
