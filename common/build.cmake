@@ -1,14 +1,7 @@
 # How common and the chapters become targets. A new chapter is a new folder: nothing here names one, or a file of one.
 
-# One precompiled header for all, which they can share because they share flags and definitions.
-function(lightwalk_precompiled name)
-  target_precompile_headers(${name} REUSE_FROM lightwalk)
-endfunction()
-
 # Several files in one compilation: to read their headers takes longer than to compile what they add.
-function(lightwalk_compiled_together name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-endfunction()
+set(together UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
 # A shared library of the files in rooms of common, but for those with a main.
 function(lightwalk_library name)
@@ -19,8 +12,8 @@ function(lightwalk_library name)
   endforeach()
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   add_library(${name} SHARED ${sources})
-  set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "") # programs share its precompiled header
-  lightwalk_compiled_together(${name})
+  # Programs share its precompiled header, and therefore its flags and definitions.
+  set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "" ${together})
   # It calls its own functions directly, not through a table that other files could fill: recording a frame touches less
   # memory, and a program's start looks up fewer names.
   target_link_options(${name} PRIVATE LINKER:-Bsymbolic-functions)
@@ -28,42 +21,41 @@ endfunction()
 
 # common: the library of all programs, and one of checks, which chapters' programs do without. Rooms use only those before
 # them (common/course/test/order.py).
-function(lightwalk_common)
-  lightwalk_library(lightwalk base gpu image scene app measure study window)
-  # Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
-  target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
-                            <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
-                            <glm/gtc/matrix_transform.hpp> <common/gpu/frame.h>)
-  target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters)
-  target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
-  target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
-  target_link_libraries(lightwalk PUBLIC fmt::fmt glm::glm nlohmann_json::nlohmann_json Threads::Threads Vulkan::Vulkan)
-  target_link_libraries(lightwalk PRIVATE ZLIB::ZLIB glslang::glslang glslang::SPIRV glslang::glslang-default-resource-limits
-                        SPIRV-Tools-static ${SPIRV_CROSS} CLI11::CLI11 PkgConfig::stb assimp::assimp glfw ${MESHOPTIMIZER}
-                        ${DRACO} ${WEBP} PkgConfig::imgui)
-  lightwalk_library(lightwalk_check check judge)
-  lightwalk_precompiled(lightwalk_check)
-  target_link_libraries(lightwalk_check PUBLIC lightwalk)
+lightwalk_library(lightwalk base gpu image scene app measure study window)
+# Each file loads all of it: what most do not need, JSON for one, costs them more than it saves the others.
+target_precompile_headers(lightwalk PRIVATE <algorithm> <array> <filesystem> <functional> <map> <memory> <optional>
+                          <span> <string> <string_view> <vector> <fmt/core.h> <glm/glm.hpp>
+                          <glm/gtc/matrix_transform.hpp> <common/gpu/frame.h>)
+target_include_directories(lightwalk PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters)
+target_include_directories(lightwalk SYSTEM PUBLIC ${PROJECT_SOURCE_DIR}/shaders)
+target_compile_definitions(lightwalk PUBLIC GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
+target_link_libraries(lightwalk PUBLIC fmt::fmt glm::glm nlohmann_json::nlohmann_json Threads::Threads Vulkan::Vulkan)
+target_link_libraries(lightwalk PRIVATE ZLIB::ZLIB glslang::glslang glslang::SPIRV glslang::glslang-default-resource-limits
+                      SPIRV-Tools-static ${SPIRV_CROSS} CLI11::CLI11 PkgConfig::stb assimp::assimp glfw ${MESHOPTIMIZER}
+                      ${DRACO} ${WEBP} PkgConfig::imgui)
+lightwalk_library(lightwalk_check check judge)
+target_precompile_headers(lightwalk_check REUSE_FROM lightwalk)
+target_link_libraries(lightwalk_check PUBLIC lightwalk)
 
-  file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
-  if(NOT solutions) # a handout
-    target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
+file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
+if(NOT solutions) # a handout
+  target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
+endif()
+if(EXISTS ${PROJECT_SOURCE_DIR}/compiled_for) # a handout with checks as objects
+  file(STRINGS ${PROJECT_SOURCE_DIR}/compiled_for processor)
+  if(NOT processor STREQUAL CMAKE_SYSTEM_PROCESSOR)
+    message(FATAL_ERROR "The checks of this copy were compiled for ${processor}, this is ${CMAKE_SYSTEM_PROCESSOR}: "
+                        "ask for one made with ./course handout --sources")
   endif()
-  if(EXISTS ${PROJECT_SOURCE_DIR}/compiled_for) # a handout with checks as objects
-    file(STRINGS ${PROJECT_SOURCE_DIR}/compiled_for processor)
-    if(NOT processor STREQUAL CMAKE_SYSTEM_PROCESSOR)
-      message(FATAL_ERROR "The checks of this copy were compiled for ${processor}, this is ${CMAKE_SYSTEM_PROCESSOR}: "
-                          "ask for one made with ./course handout --sources")
-    endif()
-  endif()
-  foreach(program measure/compare window/menu)
-    get_filename_component(name ${program} NAME)
-    add_executable(${name} ${PROJECT_SOURCE_DIR}/common/${program}_main.cpp)
-    lightwalk_precompiled(${name})
-    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-    target_link_libraries(${name} PRIVATE lightwalk CLI11::CLI11 glfw PkgConfig::imgui)
-  endforeach()
-endfunction()
+endif()
+file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/measure/*_main.cpp ${PROJECT_SOURCE_DIR}/common/window/*_main.cpp)
+foreach(main ${mains})
+  string(REGEX REPLACE ".*/(.*)_main\\.cpp" "\\1" name ${main})
+  add_executable(${name} ${main})
+  target_precompile_headers(${name} REUSE_FROM lightwalk)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  target_link_libraries(${name} PRIVATE lightwalk CLI11::CLI11 glfw PkgConfig::imgui)
+endforeach()
 
 # Sets `sources` to the files of a list that are named as sources are: not an editor's lock, a backup, a copy.
 function(lightwalk_plain)
@@ -98,7 +90,7 @@ function(lightwalk_exercises chapter reach)
   target_compile_options(exercises_${chapter} PRIVATE -Wno-error)
   set_target_properties(exercises_${chapter} PROPERTIES CXX_COMPILER_LAUNCHER
     "sh;${PROJECT_SOURCE_DIR}/common/course/build/compile_exercise.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
-  lightwalk_precompiled(exercises_${chapter})
+  target_precompile_headers(exercises_${chapter} REUSE_FROM lightwalk)
   target_link_libraries(chapter_${chapter} ${reach} $<TARGET_OBJECTS:exercises_${chapter}>)
 endfunction()
 
@@ -112,9 +104,8 @@ function(lightwalk_chapter_library chapter)
   list(REMOVE_ITEM sources ${folder}/main.cpp)
   if(sources)
     add_library(chapter_${chapter} STATIC ${sources})
-    set_target_properties(chapter_${chapter} PROPERTIES LINKER_LANGUAGE CXX)
-    lightwalk_compiled_together(chapter_${chapter})
-    lightwalk_precompiled(chapter_${chapter})
+    set_target_properties(chapter_${chapter} PROPERTIES LINKER_LANGUAGE CXX ${together})
+    target_precompile_headers(chapter_${chapter} REUSE_FROM lightwalk)
     set(reach PUBLIC)
   else() # all it has is its main.cpp
     add_library(chapter_${chapter} INTERFACE)
@@ -131,73 +122,57 @@ function(lightwalk_chapter_library chapter)
     target_link_libraries(chapter_${chapter} ${reach} chapter_${name})
   endforeach()
   lightwalk_exercises(${chapter} ${reach})
-  if(EXISTS ${folder}/build.cmake)
-    include(${folder}/build.cmake)
-  endif()
-endfunction()
-
-# Sets `included` to the chapters of a list that files of a folder include.
-function(lightwalk_included_chapters folder chapters)
-  file(GLOB_RECURSE files ${folder}/*.cpp ${folder}/*.h)
-  lightwalk_plain(${files})
-  set(found)
-  foreach(file ${sources})
-    file(STRINGS ${file} lines REGEX "^#include \"[0-9][0-9]_[a-z0-9_]+/")
-    list(APPEND found ${lines})
-  endforeach()
-  set(included)
-  foreach(name ${chapters})
-    if(found MATCHES "\"${name}/")
-      list(APPEND included ${name})
-    endif()
-  endforeach()
-  set(included ${included} PARENT_SCOPE)
+  include(${folder}/build.cmake OPTIONAL)
 endfunction()
 
 # A chapter is linked with common and the earlier chapters that it includes; which it may include is a test's
 # (common/course/test/order.py). ./course configures again where a file includes a further one than chapters.links says.
-function(lightwalk_chapters)
-  file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9]*)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/starters.txt)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/tests/starters.txt listed)
-  set(folders)
-  foreach(folder ${found}) # of several of one number those in the manifest: common/course/tree.py
-    get_filename_component(chapter ${folder} NAME)
-    string(SUBSTRING ${chapter} 0 3 number)
-    if("${listed}" MATCHES "/${chapter}/" OR (NOT "${listed}" MATCHES "/${number}" AND chapter MATCHES "^[0-9][0-9]_[a-z0-9_]+$"))
-      list(APPEND folders ${folder})
+file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9]*)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/starters.txt)
+file(STRINGS ${PROJECT_SOURCE_DIR}/tests/starters.txt listed)
+foreach(folder ${found}) # of several of one number those in the manifest: common/course/tree.py
+  get_filename_component(chapter ${folder} NAME)
+  string(SUBSTRING ${chapter} 0 3 number)
+  if("${listed}" MATCHES "/${chapter}/" OR (NOT "${listed}" MATCHES "/${number}" AND chapter MATCHES "^[0-9][0-9]_[a-z0-9_]+$"))
+    list(APPEND folders ${folder})
+  endif()
+endforeach()
+foreach(folder ${folders})
+  get_filename_component(chapter ${folder} NAME)
+  file(GLOB_RECURSE files ${folder}/*.cpp ${folder}/*.h)
+  lightwalk_plain(${files})
+  set(includes)
+  foreach(file ${sources})
+    file(STRINGS ${file} lines REGEX "^#include \"[0-9][0-9]_[a-z0-9_]+/")
+    list(APPEND includes ${lines})
+  endforeach()
+  set(included)
+  foreach(name ${earlier})
+    if(includes MATCHES "\"${name}/")
+      list(APPEND included ${name})
     endif()
   endforeach()
-  set(earlier)
-  set(links)
-  foreach(folder ${folders})
-    get_filename_component(chapter ${folder} NAME)
-    lightwalk_included_chapters(${folder} "${earlier}")
-    list(JOIN included " " words)
-    string(APPEND links "${chapter} ${words}\n")
-    lightwalk_chapter_library(${chapter} ${included})
-    add_executable(${chapter} ${folder}/main.cpp)
-    target_link_libraries(${chapter} PRIVATE chapter_${chapter})
-    target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
-    lightwalk_precompiled(${chapter})
-    set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
-    # Every shader is compiled and validated as part of the build, which also fills the cache. The
-    # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
-    set(stamp ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
-    # With the default knobs; every variant is compiled by every_shader, for ./course test --all.
-    add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} --default-variants DEPENDS ${chapter}
-                       DEPFILE ${stamp}.d VERBATIM)
-    add_custom_command(OUTPUT ${stamp}.all COMMAND ${chapter} --compile-shaders ${stamp}.all DEPENDS ${chapter}
-                       DEPFILE ${stamp}.all.d VERBATIM)
-    add_custom_target(shaders_${chapter} ALL DEPENDS ${stamp})
-    list(APPEND every_shader ${stamp}.all)
-    list(APPEND earlier ${chapter})
-  endforeach()
-  file(WRITE ${PROJECT_BINARY_DIR}/chapters.links "${links}")
-  add_custom_target(every_shader DEPENDS ${every_shader})
-  add_custom_target(programs DEPENDS ${earlier} menu)  # what a person starts, without the tests
-  set(LIGHTWALK_CHAPTERS ${earlier} PARENT_SCOPE)
-endfunction()
-
-lightwalk_common()
-lightwalk_chapters()
+  list(JOIN included " " words)
+  string(APPEND links "${chapter} ${words}\n")
+  lightwalk_chapter_library(${chapter} ${included})
+  add_executable(${chapter} ${folder}/main.cpp)
+  target_link_libraries(${chapter} PRIVATE chapter_${chapter})
+  target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
+  target_precompile_headers(${chapter} REUSE_FROM lightwalk)
+  set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
+  # Every shader is compiled and validated as part of the build, which also fills the cache. The
+  # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.
+  set(stamp ${PROJECT_BINARY_DIR}/chapters/${chapter}.shaders)
+  # With the default knobs; every variant is compiled by every_shader, for ./course test --all.
+  add_custom_command(OUTPUT ${stamp} COMMAND ${chapter} --compile-shaders ${stamp} --default-variants DEPENDS ${chapter}
+                     DEPFILE ${stamp}.d VERBATIM)
+  add_custom_command(OUTPUT ${stamp}.all COMMAND ${chapter} --compile-shaders ${stamp}.all DEPENDS ${chapter}
+                     DEPFILE ${stamp}.all.d VERBATIM)
+  add_custom_target(shaders_${chapter} ALL DEPENDS ${stamp})
+  list(APPEND every_shader ${stamp}.all)
+  list(APPEND earlier ${chapter})
+endforeach()
+file(WRITE ${PROJECT_BINARY_DIR}/chapters.links "${links}")
+add_custom_target(every_shader DEPENDS ${every_shader})
+add_custom_target(programs DEPENDS ${earlier} menu)  # what a person starts, without the tests
+set(LIGHTWALK_CHAPTERS ${earlier})

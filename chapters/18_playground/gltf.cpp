@@ -11,7 +11,7 @@
 #include "18_playground/terrain_entry.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
-#include "common/base/write_files.h"
+#include "common/base/own_files.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;

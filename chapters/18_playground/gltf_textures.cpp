@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/image/encode.h"
+#include "common/image/decode.h"
 #include "common/image/mip_levels.h"
 
 namespace lightwalk {

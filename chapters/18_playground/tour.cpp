@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "18_playground/widgets.h"
-#include "common/window/panel_memory.h"
+#include "common/window/knob_sections.h"
 
 namespace lightwalk {
 namespace {

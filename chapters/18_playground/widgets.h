@@ -9,7 +9,6 @@
 
 #include "common/image/image.h"
 #include "common/window/event_log.h"
-#include "common/window/icons.h"
 #include "common/window/overlay.h"
 #include "common/window/panel.h"
 

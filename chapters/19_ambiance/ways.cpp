@@ -14,7 +14,7 @@
 #include "common/measure/flip.h"
 #include "common/scene/json_lines.h"
 #include "common/study/cheapest.h"
-#include "common/study/gpu_time.h"
+#include "common/study/need.h"
 
 namespace lightwalk {
 namespace {
@@ -44,7 +44,7 @@ std::vector<double> times_of(const FilmScene& scene) {
     return times_s;
 }
 
-json as_json(const KnobSettings& knobs) {
+json settings_json(const KnobSettings& knobs) {
     json object = json::object();
     for (const auto& [name, value] : knobs) object[name] = value;
     return object;
@@ -141,7 +141,7 @@ void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options)
         const std::vector<Way> ways = measure_ways(chapter, reel, gpu, i, options);
         const auto [way, enough] = cheapest_way(ways, *options.budget);
         std::printf("%-14s %9.2f ms, was %9.2f; error %.5f  %s%s\n", reel.film().scenes[i].name.c_str(), way.gpu_ms,
-                    ways.front().gpu_ms, way.error, as_json(way.knobs).dump().c_str(),
+                    ways.front().gpu_ms, way.error, settings_json(way.knobs).dump().c_str(),
                     enough ? "" : "; no way is within the budget, the truest is kept");
         std::fflush(stdout);
         reel.draw_by(i, way.knobs);
@@ -159,7 +159,7 @@ int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Opti
     for (size_t i = 0; i < reel.film().scenes.size(); ++i) {
         json ways = json::array();
         for (const Way& way : measure_ways(chapter, reel, *gpu, i, options))
-            ways.push_back({{"knobs", as_json(way.knobs)}, {"error", way.error}, {"gpu_ms", way.gpu_ms}});
+            ways.push_back({{"knobs", settings_json(way.knobs)}, {"error", way.error}, {"gpu_ms", way.gpu_ms}});
         const double as_it_stands = Measuring(chapter, reel, *gpu, i, options).times_ms({{}}).front();
         scenes.push_back({{"name", reel.film().scenes[i].name},
                           {"kind", reel.film().scenes[i].kind},

@@ -1,8 +1,7 @@
-#include "common/app/compile_shaders.h"
-
 #include <cstdio>
 #include <set>
 
+#include "common/app/headless.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"

@@ -1,7 +1,6 @@
 #include "common/app/headless.h"
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 

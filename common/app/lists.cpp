@@ -1,8 +1,7 @@
-#include "common/app/lists.h"
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "common/app/headless.h"
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"

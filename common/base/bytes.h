@@ -17,16 +17,14 @@ namespace lightwalk {
 class ByteWriter {
   public:
     std::string bytes;
-    virtual ~ByteWriter() = default;
 
     template <class... Values>
     void operator()(const Values&... values) {
         (put(values), ...);
     }
 
-    virtual void raw(const void* from, size_t count) { bytes.append(static_cast<const char*>(from), count); }
-
   private:
+    void raw(const void* from, size_t count) { bytes.append(static_cast<const char*>(from), count); }
     void put(const std::string& text) {
         put(text.size());
         raw(text.data(), text.size());

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/base/write_files.h"
+#include "common/base/own_files.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;

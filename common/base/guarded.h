@@ -1,16 +1,14 @@
-// Sandboxing of third-party readers of untrusted files in a separate process.
+// Isolation of third-party readers of untrusted files in a process of their own.
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
-#include <string_view>
 
 namespace lightwalk {
 
 struct GuardLimits {
     double cpu_s = 10;                ///< CPU seconds; ten times as long in real time
-    size_t memory = size_t{1} << 30;  ///< bytes beyond the program's own; also bounds the result
+    size_t memory = size_t{1} << 30;  ///< bytes beyond the program's own
 };
 
 /// Limits for a file: 10 s plus 1 s per 5 MB, 1 GiB plus 40 bytes per byte.
@@ -23,32 +21,12 @@ GuardLimits limits_for(size_t file_bytes);
 std::string run_guarded(const std::string& file, const std::string& reader, const GuardLimits& limits,
                         const std::function<std::string()>& work);
 
-struct GuardReply {
-    virtual ~GuardReply() = default;
-    virtual void append(std::string_view bytes) = 0;
-};
-
-/// Reader that depends only on its input, so that a process forked earlier can run it.
-using GuardReader = void (*)(std::string_view input, GuardReply& reply);
-
-/// Parts of a reader's input, concatenated.
-using GuardInput = std::initializer_list<std::string_view>;
-
-struct GuardJob {
-    std::string file, name;
-    GuardReader read;
-};
-
-/// run_guarded() in a reused process: forking takes 4 to 50 ms. `receive` gets the result, valid during the call.
-void read_guarded(const GuardJob& reader, const GuardLimits& limits, const GuardInput& input,
-                  const std::function<void(std::string_view)>& receive);
-
-/// Forks the process of read_guarded() early, while this process is small.
-void prepare_guard();
-
 bool guards();
 
 /// Disables forking, for fuzzers, which need to observe crashes.
 void stop_guarding();
+
+/// Prints one line on stderr for a crash, with exit code 1 if memory ran out. Disabled under sanitizers.
+void say_crashes();
 
 }  // namespace lightwalk

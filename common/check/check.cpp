@@ -12,7 +12,6 @@
 #include "common/base/error.h"
 #include "common/base/exercise.h"
 #include "common/check/guard.h"
-#include "common/check/lost.h"
 #include "common/check/tables.h"
 #include "common/check/undefined.h"
 #include "common/gpu/glsl.h"

@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "common/base/error.h"
+
 namespace lightwalk {
 
 /// Processor time of a call: $LIGHTWALK_TIMEOUT_S, default 5 s.
@@ -18,5 +20,10 @@ void guard_calls(std::function<void(const std::string& message)> report);
 void guard_call(std::string what);
 
 const std::string& guarded();
+
+/// A process running student C++ crashed, timed out or sent invalid data. The text is a full sentence.
+struct Lost : Failure {
+    using Failure::Failure;
+};
 
 }  // namespace lightwalk

@@ -147,96 +147,33 @@ class Flattener {
     std::set<fs::path> seen_;
 };
 
-struct Definition {
-    std::string name, kind;  ///< kind: "" of a variable or struct, else a function's parameter types
-};
-
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Words and single characters of a text, without comments and directives.
-std::vector<std::string> tokens_of(std::string_view text) {
-    std::vector<std::string> tokens;
+// Names that a text defines at file scope, each with the types of a function's parameters; blocks and shared variables are
+// others' to name.
+std::set<std::pair<std::string, std::string>> definitions_of(const std::string& text) {
+    static const std::regex definition(
+        R"((?:^|[;}])\s*(?:(?:const|precise|highp|mediump)\s+)*)"
+        R"((?:struct\s+(\w+)|\w+\s*(?:\[\w*\])?\s+(\w+)\s*(?:\(([^()]*)\)\s*(?=\})|(?=[=;,\[]))))");
+    static const std::regex parameter_name(R"(\s*\w+\s*((\[\w*\])?\s*(,|$)))");
+    std::string outside;  // of braces, comments and directives
+    int depth = 0;
     bool line_start = true;
-    for (size_t at = 0; at < text.size();) {
-        const std::string_view rest = text.substr(at);
-        if (rest.starts_with("//") || (line_start && rest[0] == '#')) {
-            at = std::min(text.find('\n', at), text.size());
-        } else if (rest.starts_with("/*")) {
-            const size_t end = text.find("*/", at);
-            at = end == text.npos ? text.size() : end + 2;
-        } else if (is_word(rest[0])) {
-            size_t end = at;
-            while (end < text.size() && is_word(text[end])) ++end;
-            tokens.emplace_back(text.substr(at, end - at));
-            at = end;
-            line_start = false;
-        } else {
-            if (rest[0] == '\n')
-                line_start = true;
-            else if (!std::isspace(static_cast<unsigned char>(rest[0]))) {
-                tokens.emplace_back(1, rest[0]);
-                line_start = false;
-            }
-            ++at;
-        }
+    for (size_t at = 0; at < text.size(); ++at) {
+        const size_t from = at;
+        if (text.compare(at, 2, "//") == 0 || (line_start && text[at] == '#')) at = text.find('\n', at);
+        if (text.compare(from, 2, "/*") == 0) at = std::min(text.find("*/", at), text.size()) + 1;
+        if (at >= text.size()) break;
+        const char c = at == from || text[at] == '\n' ? text[at] : ' ';
+        line_start = c == '\n' || (line_start && std::isspace(static_cast<unsigned char>(c)));
+        depth += (c == '{') - (c == '}');
+        if (depth == 0) outside += c;
     }
-    return tokens;
-}
-
-// What a text defines at file scope, but for blocks and shared variables, which others name.
-std::vector<Definition> definitions_of(std::string_view text) {
-    std::vector<Definition> found;
-    const std::vector<std::string> tokens = tokens_of(text);
-    for (size_t at = 0; at < tokens.size();) {
-        size_t first = at, name = tokens.size(), round = 0;
-        while (first < tokens.size() && (tokens[first] == "const" || tokens[first] == "precise" ||
-                                         tokens[first] == "highp" || tokens[first] == "mediump"))
-            ++first;
-        const bool others =
-            first < tokens.size() && (tokens[first] == "layout" || tokens[first] == "shared" ||
-                                      tokens[first] == "uniform" || tokens[first] == "in" || tokens[first] == "out");
-        const bool structure = first < tokens.size() && tokens[first] == "struct";
-        // To the statement's end: a semicolon, or a function's body.
-        size_t end = first, deep = 0;
-        std::vector<size_t> names;
-        std::string types;
-        bool function = false, value = false, body = false;
-        for (; end < tokens.size(); ++end) {
-            const std::string& token = tokens[end];
-            if (token == "(" || token == "[") {
-                if (token == "(" && deep == 0 && !value && round++ == 0) name = end - 1, function = true;
-                ++deep;
-            } else if (token == ")" || token == "]") {
-                if (deep > 0) --deep;
-            } else if (token == "{") {
-                int braces = 0;
-                for (; end < tokens.size(); ++end) {
-                    if (tokens[end] == "{") ++braces;
-                    if (tokens[end] == "}" && --braces == 0) break;
-                }
-                body = true;
-                if (function && !others) break;
-            } else if (token == ";" && deep == 0) {
-                break;
-            } else if (token == "=" && deep == 0) {
-                value = true;
-            } else if (token == "," && deep == 0) {
-                value = false;
-            }
-            if (!function && deep == 0 && !value && end > first && end + 1 < tokens.size() && is_word(token[0]) &&
-                (tokens[end + 1] == "=" || tokens[end + 1] == ";" || tokens[end + 1] == "," || tokens[end + 1] == "["))
-                names.push_back(end);
-            if (function && deep == 1 && end > name + 1 && is_word(token[0]) && end + 1 < tokens.size() &&
-                is_word(tokens[end + 1][0]))
-                types += token + " ";  // a parameter's words but its name
-        }
-        if (!others && structure && first + 1 < tokens.size())
-            found.push_back({tokens[first + 1], ""});
-        else if (!others && function && body && name < tokens.size())
-            found.push_back({tokens[name], "(" + types + ")"});
-        else if (!others && !function && !structure)
-            for (const size_t one : names) found.push_back({tokens[one], ""});
-        at = end + 1;
+    std::set<std::pair<std::string, std::string>> found;
+    for (std::sregex_iterator one(outside.begin(), outside.end(), definition), end; one != end; ++one) {
+        const std::smatch& match = *one;
+        const std::string types = std::regex_replace(match[3].str(), parameter_name, "$1");
+        found.emplace(match[1].matched ? match[1] : match[2], types + (match[3].matched ? "()" : ""));
     }
     return found;
 }
@@ -259,25 +196,22 @@ std::string apart(std::string text) {
         whole[pieces.back().file] += text.substr(last + 1, next - last - 1);
         at = next;
     }
-    std::map<std::string, std::set<std::string>> by_name;  // name and kind to files
-    std::map<std::string, std::vector<Definition>> mine;
-    for (const auto& [file, words] : whole) {
-        const std::vector<Definition> all = definitions_of(words);
-        for (const Definition& one : all) by_name[one.name + one.kind].insert(file);
-        if (file.find("/exercise/") != file.npos) mine[file] = all;
-    }
+    std::map<std::pair<std::string, std::string>, int> files;  // that define a name
+    for (const auto& [file, words] : whole)
+        for (const auto& one : definitions_of(words)) ++files[one];
     std::map<std::string, std::pair<std::string, std::string>> around;
-    for (const auto& [file, all] : mine)
-        for (const Definition& one : all)
-            if (by_name[one.name + one.kind].size() > 1) {
-                auto& [before, after] = around[file];
-                std::string own = "check_own_" + one.name + "_" + file;
-                std::ranges::replace_if(
-                    own, [](char c) { return !is_word(c); }, '_');
-                if (before.find(" " + one.name + " ") != before.npos) continue;
-                before += fmt::format("#define {} {}\n", one.name, own);
-                after += fmt::format("#undef {}\n", one.name);
-            }
+    for (const auto& [file, words] : whole) {
+        if (file.find("/exercise/") == file.npos) continue;
+        for (const auto& one : definitions_of(words)) {
+            auto& [before, after] = around[file];
+            if (files[one] < 2 || before.find(" " + one.first + " ") != before.npos) continue;
+            std::string own = "check_own_" + one.first + "_" + file;
+            std::ranges::replace_if(
+                own, [](char c) { return !is_word(c); }, '_');
+            before += fmt::format("#define {} {}\n", one.first, own);
+            after += fmt::format("#undef {}\n", one.first);
+        }
+    }
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
         if (const auto found = around.find(piece->file); found != around.end()) {
             text.insert(piece->end, (text[piece->end - 1] == '\n' ? "" : "\n") + found->second.second);

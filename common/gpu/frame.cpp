@@ -1,6 +1,5 @@
 #include "common/gpu/frame.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/base/error.h"

@@ -179,20 +179,6 @@ Raw decode_here(const fs::path& path, std::string_view bytes, int wanted, Depth 
     return raw;
 }
 
-void decode_in_guard(std::string_view input, GuardReply& reply) {
-    ByteReader in(input);
-    fs::path path;
-    int wanted = 0;
-    Depth depth{};
-    size_t count = 0;
-    in(path, wanted, depth, count);
-    Raw raw = decode_here(path, in.take(count), wanted, depth);
-    ByteWriter header;
-    header(raw.header);
-    reply.append(header.bytes);
-    reply.append({static_cast<const char*>(raw.samples.get()), raw.bytes(wanted)});
-}
-
 }  // namespace
 
 Decoded decode_picture(const fs::path& path, int wanted, Depth depth) {
@@ -216,21 +202,22 @@ Decoded decode_picture(const fs::path& path, const std::string& bytes, int wante
         keep(raw.samples.get());
         return picture;
     }
-    ByteWriter head;
-    head(path, wanted, depth, bytes.size());
     // Compression may reach a factor of 1000; the largest image needs 3 × 1 GiB in transit.
     const GuardLimits limits{.cpu_s = 60, .memory = size_t{5} << 30};
-    read_guarded({path.string(), "stb_image", decode_in_guard}, limits, {head.bytes, bytes},
-                 [&](std::string_view said) {
-                     ByteReader reply(said);
-                     reply(picture);
-                     check_image_size(path, picture.width, picture.height);
-                     const bool as_asked = picture.bits == 8 || (picture.bits == 16 && depth == Depth::as_stored);
-                     const std::string_view samples = as_asked ? reply.take(Raw::bytes_of(picture, wanted)) : "";
-                     if (said.size() != sizeof(int) * 4 + samples.size() || !as_asked)
-                         throw Failure("{}: its reader answered in part", path.string());
-                     keep(samples.data());
-                 });
+    const std::string said = run_guarded(path.string(), "stb_image", limits, [&] {
+        const Raw raw = decode_here(path, bytes, wanted, depth);
+        ByteWriter writer;
+        writer(raw.header);
+        return writer.bytes.append(static_cast<const char*>(raw.samples.get()), raw.bytes(wanted));
+    });
+    ByteReader reply(said);
+    reply(picture);
+    check_image_size(path, picture.width, picture.height);
+    const bool as_asked = picture.bits == 8 || (picture.bits == 16 && depth == Depth::as_stored);
+    const std::string_view samples = as_asked ? reply.take(Raw::bytes_of(picture, wanted)) : "";
+    if (said.size() != sizeof(int) * 4 + samples.size() || !as_asked)
+        throw Failure("{}: its reader answered in part", path.string());
+    keep(samples.data());
     return picture;
 }
 

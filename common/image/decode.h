@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/image/image.h"
+
 namespace lightwalk {
 
 enum class Depth { bits8, as_stored };
@@ -27,5 +29,11 @@ Decoded decode_picture(const std::filesystem::path& path, const std::string& byt
 
 /// Throws InputError "PATH: WHY; expected ...".
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why);
+
+/// PNG with alpha. Throws Failure if out of memory.
+std::string encode_png(const Image8& image);
+
+/// JPEG without alpha; `quality` 1 to 100. Throws Failure if out of memory.
+std::string encode_jpeg(const Image8& image, int quality);
 
 }  // namespace lightwalk

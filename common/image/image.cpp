@@ -13,7 +13,6 @@
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/image/decode.h"
-#include "common/image/encode.h"
 
 namespace {
 

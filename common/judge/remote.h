@@ -5,7 +5,7 @@
 // define each function as one that asks.
 #pragma once
 #include "common/base/exercise.h"
-#include "common/check/lost.h"
+#include "common/check/guard.h"
 #include "common/check/trial.h"
 #include "common/judge/wire.h"
 

@@ -1,6 +1,7 @@
 // File names written into model and material files by other programs.
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,5 +13,11 @@ std::filesystem::path resolve_file(std::string_view written, const std::filesyst
 /// Files named in one statement, such as an OBJ file's mtllib: the whole text where such a file exists; else the longest
 /// runs of words that name files, in order, and a word for each that does not. Names may be quoted.
 std::vector<std::filesystem::path> resolve_files(std::string_view written, const std::filesystem::path& folder);
+
+/// Decodes percent-encoded URIs (RFC 3986, 2.1), as used by glTF and Collada.
+std::string decode_uri(std::string_view text);
+
+/// Bytes of a model file and, for glTF, of the files it references. Throws InputError if the model file is missing.
+size_t bytes_to_import(const std::filesystem::path& path);
 
 }  // namespace lightwalk

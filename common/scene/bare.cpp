@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "common/base/error.h"
-#include "common/image/encode.h"
+#include "common/image/decode.h"
 #include "common/image/image.h"
 #include "common/scene/file_view.h"
 

@@ -1,5 +1,3 @@
-#include "common/scene/gltf.h"
-
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>

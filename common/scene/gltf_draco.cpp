@@ -1,4 +1,4 @@
-#include "common/scene/gltf_draco.h"
+#include "common/scene/gltf_parts.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "common/base/files.h"
-#include "common/scene/named_files.h"
+#include "common/scene/asset_path.h"
 
 namespace lightwalk {
 namespace {

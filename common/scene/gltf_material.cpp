@@ -1,6 +1,6 @@
 // glTF materials: metallic-roughness, specular-glossiness, unlit, textures.
+#include "common/scene/asset_path.h"
 #include "common/scene/gltf_parts.h"
-#include "common/scene/named_files.h"
 
 namespace lightwalk {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <set>
 
-#include "common/scene/gltf_draco.h"
 #include "common/scene/gltf_parts.h"
 
 namespace lightwalk {

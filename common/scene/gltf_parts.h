@@ -1,10 +1,21 @@
 // Conversion of the parts of a glTF file to a Model.
 #pragma once
+namespace draco {
+class Mesh;
+class PointAttribute;
+}  // namespace draco
+#include <memory>
+#include <optional>
+
 #include "common/scene/gltf_file.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
 
+/// Reads .gltf and .glb: triangles, strips and fans, also quantised or compressed (Draco, meshoptimizer); both material
+/// models; nodes, first animation, skins, morph targets, cameras, lights. Unsupported content is listed in
+/// Model::left_out. Throws InputError, also for unsupported required extensions (glTF 2.0, 3.12).
+Model read_gltf(const std::filesystem::path& path);
 void read_gltf_materials(const GltfFile& file, Model& model);
 
 /// Index in Model::meshes by primitive, ignoring its material.
@@ -21,5 +32,25 @@ void read_gltf_motions(const GltfFile& file, const std::vector<int>& nodes, Mode
 void check_gltf_required(const GltfFile& file);
 
 void list_gltf_extensions(const GltfFile& file, Model& model);
+
+class DracoPrimitive {
+  public:
+    /// `how`: the extension's JSON object. Throws InputError for damaged data.
+    DracoPrimitive(const GltfFile& file, const nlohmann::json& how);
+    ~DracoPrimitive();
+
+    /// Values of an attribute such as "POSITION"; empty if not compressed. `is_normalized`: from the accessor.
+    std::optional<std::vector<float>> floats(const std::string& attribute, size_t components, bool is_normalized) const;
+    std::optional<std::vector<uint32_t>> integers(const std::string& attribute, size_t components) const;
+
+    std::vector<uint32_t> indices() const;
+
+  private:
+    const draco::PointAttribute* find(const std::string& attribute, size_t components) const;
+
+    const GltfFile& file_;
+    nlohmann::json ids_;
+    std::unique_ptr<draco::Mesh> mesh_;
+};
 
 }  // namespace lightwalk

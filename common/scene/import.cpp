@@ -10,7 +10,6 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -19,11 +18,10 @@
 #include "common/base/guarded.h"
 #include "common/base/text.h"
 #include "common/image/image.h"
-#include "common/scene/gltf.h"
+#include "common/scene/asset_path.h"
+#include "common/scene/gltf_parts.h"
 #include "common/scene/import_parts.h"
-#include "common/scene/import_text.h"
 #include "common/scene/model_bytes.h"
-#include "common/scene/named_files.h"
 
 namespace lightwalk {
 namespace {
@@ -139,12 +137,6 @@ std::string extension_of(const fs::path& file) {
 
 bool is_gltf(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
 
-void import_in_guard(std::string_view name, GuardReply& reply) {
-    const fs::path path(name);
-    const std::string extension = extension_of(path);
-    write_model(is_gltf(extension) ? read_gltf(path) : import_here(path, extension), reply);
-}
-
 }  // namespace
 
 bool is_model_file(const fs::path& file) {
@@ -166,9 +158,11 @@ Model import_model(const fs::path& path) {
     if (bytes == 0) throw InputError("{}: the file is empty", name);
     if (extension == ".ply") check_counts(path, bytes);
     Model model;
-    read_guarded({name, is_gltf(extension) ? "the glTF reader" : "Assimp", import_in_guard},
-                 limits_for(bytes_to_import(path)), {name},
-                 [&](std::string_view said) { read_bytes(said, name, model); });
+    const bool gltf = is_gltf(extension);
+    const std::string said =
+        run_guarded(name, gltf ? "the glTF reader" : "Assimp", limits_for(bytes_to_import(path)),
+                    [&] { return model_bytes(gltf ? read_gltf(path) : import_here(path, extension)); });
+    read_bytes(said, name, model);
     if (!model.left_out.empty()) warn_once(fmt::format("{}: left out: {}", name, left_out_text(model)));
     return model;
 }

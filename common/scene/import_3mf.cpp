@@ -1,10 +1,10 @@
-#include "common/scene/import_3mf.h"
-
 #include <zlib.h>
 
 #include <cstdint>
 #include <cstring>
 #include <map>
+
+#include "common/scene/import_parts.h"
 
 namespace lightwalk {
 namespace {

@@ -7,7 +7,6 @@
 #include "common/scene/asset_path.h"
 #include "common/scene/import_parts.h"
 #include "common/scene/model_bytes.h"
-#include "common/scene/named_files.h"
 
 namespace lightwalk {
 namespace {

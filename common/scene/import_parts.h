@@ -3,6 +3,8 @@
 #include <assimp/scene.h>
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "common/scene/mesh.h"
 
@@ -25,5 +27,20 @@ void add_import_nodes(const aiScene& scene, const std::string& name, const std::
 void add_import_meshes(const aiScene& scene, const std::string& name, const std::string& extension, Model& model);
 
 void add_import_cameras(const aiScene& scene, Model& model);
+
+/// Unit of length in metres; adds ignored colours to Model::left_out. `bytes`: the 3MF file, a ZIP archive of XML.
+float metres_of_3mf(std::string_view bytes, Model& model);
+
+/// PLY that Assimp reads completely; other properties go to Model::left_out. Throws InputError for triangle strips.
+std::string readable_ply(std::string text, const std::string& name, Model& model);
+
+/// Converts [ST][C][N][4]OFF text (Geomview) to PLY. Throws InputError: binary, other dimensions, truncated.
+std::string off_as_ply(std::string_view text, const std::string& name, Model& model);
+
+/// Colours of a binary STL, three per triangle, by VisCAM's or Materialise Magics' convention; empty if it has none.
+std::vector<glm::vec4> stl_colors(std::string_view bytes, Model& model);
+
+/// OBJ text without a byte order mark, and with each material file of `folder` in an mtllib of its own.
+std::string readable_obj(std::string_view text, const std::filesystem::path& folder);
 
 }  // namespace lightwalk

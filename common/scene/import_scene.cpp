@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "common/base/files.h"
-#include "common/scene/import_3mf.h"
 #include "common/scene/import_parts.h"
 
 namespace lightwalk {

@@ -1,5 +1,3 @@
-#include "common/scene/import_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/scene/asset_path.h"
+#include "common/scene/import_parts.h"
 
 namespace lightwalk {
 namespace {

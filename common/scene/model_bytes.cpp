@@ -93,13 +93,6 @@ void fields(Bytes& bytes, Model& model) {
 
 namespace {
 
-// Writes directly to shared memory: growing a string takes longer than reading the model.
-struct ReplyWriter : ByteWriter {
-    explicit ReplyWriter(GuardReply& to) : reply(to) {}
-    void raw(const void* from, size_t count) override { reply.append({static_cast<const char*>(from), count}); }
-    GuardReply& reply;
-};
-
 bool is_consistent(const Mesh& mesh, size_t materials) {
     uint32_t largest = 0;
     for (const uint32_t index : mesh.indices) largest = std::max(largest, index);
@@ -176,7 +169,11 @@ bool is_consistent(const Model& model) {
 
 }  // namespace
 
-void write_model(const Model& model, GuardReply& reply) { ReplyWriter{reply}(model); }
+std::string model_bytes(const Model& model) {
+    ByteWriter writer;
+    writer(model);
+    return std::move(writer.bytes);
+}
 
 void read_bytes(std::string_view bytes, const std::string& file, Model& model) {
     ByteReader reader(bytes);

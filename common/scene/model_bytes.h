@@ -3,12 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "common/base/guarded.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
 
-void write_model(const Model& model, GuardReply& reply);
+std::string model_bytes(const Model& model);
 
 /// Throws Failure, naming `file`, if the bytes are truncated or an index is out of range.
 void read_bytes(std::string_view bytes, const std::string& file, Model& model);

@@ -1,4 +1,3 @@
-#include "common/study/method_choice.h"
 
 #include <fmt/core.h>
 

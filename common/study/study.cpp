@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "common/app/clock_warmer.h"
 #include "common/app/foreign_scene.h"
@@ -18,7 +17,6 @@
 #include "common/measure/flip.h"
 #include "common/measure/metrics.h"
 #include "common/scene/json_lines.h"
-#include "common/study/gpu_time.h"
 #include "common/study/need.h"
 #include "common/study/subject.h"
 

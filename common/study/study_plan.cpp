@@ -1,14 +1,65 @@
 #include "common/study/study_plan.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <set>
 
 #include "common/app/module.h"
 #include "common/base/error.h"
+#include "common/scene/json_lines.h"
 #include "common/scene/scene_file.h"
-#include "common/study/json_node.h"
 
 namespace lightwalk {
+
 namespace {
+
+/// A value of the file with its position: errors name file, line and key.
+class JsonNode {
+  public:
+    JsonNode(const JsonWithLines& source, const nlohmann::json& of, std::string pointer)
+        : value(of), source_(source), pointer_(std::move(pointer)) {}
+
+    const nlohmann::json& value;
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw InputError(source_.where(pointer_) + (why[0] == ':' ? "" : " ") + why);
+    }
+    void expect(bool right, const char* what) const {
+        if (!right) refuse(std::string("is ") + value.dump() + ", expected " + what);
+    }
+    void expect_keys(std::initializer_list<const char*> known) const {
+        expect(value.is_object(), "an object { }");
+        std::string names;
+        for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+        for (const auto& [key, ignored] : value.items())
+            if (std::find(known.begin(), known.end(), key) == known.end())
+                (*this)[key].refuse("is unknown here; known: " + names);
+    }
+    bool has(const std::string& key) const { return value.contains(key); }
+    JsonNode operator[](const std::string& key) const {
+        if (!has(key)) refuse("has no \"" + key + "\"");
+        return {source_, value.at(key), pointer_ + "/" + key};
+    }
+    std::vector<JsonNode> items() const {
+        expect(value.is_array() && !value.empty(), "a list [ ] with something in it");
+        std::vector<JsonNode> nodes;
+        for (size_t i = 0; i < value.size(); ++i)
+            nodes.emplace_back(source_, value[i], pointer_ + "/" + std::to_string(i));
+        return nodes;
+    }
+    std::string text() const {
+        expect(value.is_string() && !value.get_ref<const std::string&>().empty(), "a text in quotes");
+        return value.get<std::string>();
+    }
+    std::string one_of(std::initializer_list<const char*> words, const char* what) const {
+        expect(std::find(words.begin(), words.end(), text()) != words.end(), what);
+        return text();
+    }
+
+  private:
+    const JsonWithLines& source_;
+    std::string pointer_;
+};
 
 using nlohmann::json;
 
@@ -270,6 +321,38 @@ KnobValues StudyPoint::all() const {
     KnobValues values = set;
     if (!method.empty()) values.emplace_back(knob, method);
     return values;
+}
+
+void set_knobs(const KnobList& knobs, const KnobValues& values) {
+    for (const auto& [name, value] : values) find_knob(knobs, name).set(value);
+}
+
+bool have_values(const KnobList& knobs, const KnobValues& values) {
+    const KeptKnobs kept(knobs);
+    return std::all_of(values.begin(), values.end(), [&](const auto& wanted) {
+        KnobBase& knob = find_knob(knobs, wanted.first);
+        const std::string now = knob.text();
+        knob.set(wanted.second);
+        return knob.text() == now;
+    });
+}
+
+nlohmann::json as_json(const KnobValues& values) {
+    using nlohmann::json;
+    json knobs = json::object();
+    for (const auto& [name, value] : values) {
+        const json number = json::parse(value, nullptr, false);
+        knobs[name] = number.is_number() ? number : json(value);
+    }
+    return knobs;
+}
+
+KeptKnobs::KeptKnobs(const KnobList& knobs) {
+    for (KnobBase* knob : knobs) kept_.emplace_back(knob, knob->text());
+}
+
+void KeptKnobs::put_back() const {
+    for (const auto& [knob, text] : kept_) knob->set(text);
 }
 
 }  // namespace lightwalk

@@ -2,11 +2,37 @@
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "common/app/knob.h"
 #include "common/scene/json_lines.h"
-#include "common/study/knob_values.h"
 
 namespace lightwalk {
+
+/// Knobs by name, each with the text that KnobBase::set takes.
+using KnobValues = std::vector<std::pair<std::string, std::string>>;
+
+void set_knobs(const KnobList& knobs, const KnobValues& values);
+
+/// Whether the knobs have these values, in any notation.
+bool have_values(const KnobList& knobs, const KnobValues& values);
+
+/// As JSON has them: a number where it is one.
+nlohmann::json as_json(const KnobValues& values);
+
+/// Restores every knob to its value at construction.
+class KeptKnobs {
+  public:
+    explicit KeptKnobs(const KnobList& knobs);
+    ~KeptKnobs() { put_back(); }
+    KeptKnobs(const KeptKnobs&) = delete;
+    void put_back() const;
+
+  private:
+    std::vector<std::pair<KnobBase*, std::string>> kept_;
+};
 
 struct StudyScene {
     std::string file;   ///< as load_scene takes it

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "common/window/child_process.h"
 
@@ -43,5 +44,11 @@ class ExerciseChecks {
 
 /// Reads the verdict of ./course check --json for an exercise from its output and exit code.
 CheckVerdict read_check(const std::string& exercise, const std::string& said, int code);
+
+/// Hash of the student's file, ignoring white space; 0 if missing. Cached by modification time and size.
+uint64_t answer_digest(std::string_view id);
+
+/// True if the file equals the starter in tests/starters.txt, ignoring white space; false if none is recorded.
+bool is_untouched(std::string_view id);
 
 }  // namespace lightwalk

@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
+#include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/base/own_files.h"
 #include "common/window/event_log.h"
 #include "common/window/knob_widgets.h"
 #include "common/window/overlay.h"
-#include "common/window/panel_memory.h"
 
 namespace lightwalk {
+
 namespace {
 
 std::string lower(std::string_view text) {
@@ -128,6 +132,42 @@ bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times, Au
         }
     if (!any) ImGui::TextColored(quiet_color, "no knob matches");
     return changed;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t most_bytes = 1 << 16;
+
+// Empty if there is no home.
+fs::path memory_file(const std::string& chapter) {
+    const fs::path folder = state_folder();
+    return folder.empty() ? folder : folder / (chapter + ".panel.json");
+}
+
+}  // namespace
+
+std::map<std::string, bool> read_panel_memory(const std::string& chapter) {
+    const fs::path file = memory_file(chapter);
+    if (file.empty() || !file_exists(file)) return {};
+    try {
+        const auto json = nlohmann::json::parse(read_file(file, most_bytes), nullptr, false);
+        std::map<std::string, bool> open;
+        if (json.is_object())
+            for (const auto& [name, value] : json.items())
+                if (value.is_boolean()) open[name] = value.get<bool>();
+        return open;
+    } catch (const InputError&) { return {}; }
+}
+
+void write_panel_memory(const std::string& chapter, const std::map<std::string, bool>& open) {
+    const fs::path file = memory_file(chapter);
+    std::error_code error;
+    if (file.empty() || (fs::create_directories(file.parent_path(), error), error)) return;
+    try {
+        write_file(file, nlohmann::json(open).dump(1) + "\n");
+    } catch (const InputError&) {}
 }
 
 }  // namespace lightwalk

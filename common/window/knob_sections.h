@@ -5,7 +5,7 @@
 
 #include "common/app/chapter.h"
 #include "common/gpu/frame.h"
-#include "common/window/auto_choices.h"
+#include "common/window/knob_widgets.h"
 
 namespace lightwalk {
 
@@ -32,5 +32,12 @@ bool matches_filter(const KnobBase& knob, std::string_view filter);
 
 /// Milliseconds of all passes named after a module: "shadow_map" and "clear_shadow" are the module `shadow`'s.
 double module_ms(std::string_view module, const std::vector<PassTime>& times);
+
+/// By section; empty if nothing was remembered or the file cannot be read. It lies in
+/// $XDG_STATE_HOME/lightwalk, by default ~/.local/state/lightwalk.
+std::map<std::string, bool> read_panel_memory(const std::string& chapter);
+
+/// Leaves everything as it is where the file cannot be written: a read-only home is no reason to disturb anybody.
+void write_panel_memory(const std::string& chapter, const std::map<std::string, bool>& open);
 
 }  // namespace lightwalk

@@ -1,5 +1,8 @@
 #include "common/window/lesson_pages.h"
 
+#include <fstream>
+#include <regex>
+
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/window/event_log.h"
@@ -36,6 +39,19 @@ std::string LessonPages::poll() {
     opener_.reset();
     if (*code != 0) log_event("opener failed " + std::to_string(*code));
     return *code == 0 ? "" : "xdg-open found nothing to show it with; open " + page_;
+}
+
+std::string chapter_title(const std::string& chapter) {
+    std::ifstream lesson(course_root() / "docs" / (chapter + ".md"));
+    static const std::regex heading(R"(#\s+(?:[Cc]hapter\s+)?(?:\d+\s*[:.·–-]*\s*)?(.*\S)\s*)");
+    std::smatch match;
+    for (std::string line; std::getline(lesson, line);)
+        if (std::regex_match(line, match, heading)) return match[1];
+    std::string title = chapter.size() > 3 ? chapter.substr(3) : chapter;
+    for (char& c : title)
+        if (c == '_') c = ' ';
+    if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
 }
 
 }  // namespace lightwalk

@@ -2,13 +2,16 @@
 #include "common/window/menu_chapters.h"
 
 #include <algorithm>
+#include <fstream>
+#include <utility>
 
 #include "common/app/shots.h"
 #include "common/base/files.h"
 #include "common/image/image.h"
-#include "common/window/titles.h"
+#include "common/window/lesson_pages.h"
 
 namespace lightwalk {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,6 +75,36 @@ std::vector<MenuEntry> find_chapters(Gpu& gpu, float scale, const MenuPrograms& 
             gpu.upload(entry.picture, std::as_bytes(std::span(picture.pixels)));
         }
     return entries;
+}
+
+MenuPrograms::MenuPrograms(std::filesystem::path folder) : folder_(std::move(folder)) { poll(); }
+
+bool MenuPrograms::poll() {
+    if (folder_.empty()) return false;
+    std::ifstream file(folder_ / "states");
+    std::map<std::string, ProgramState> states;
+    std::string chapter;
+    for (ProgramState state; file >> chapter >> state.name >> state.done >> state.total;) states[chapter] = state;
+    if (states.empty() || states == states_) return false;
+    states_ = std::move(states);
+    return true;
+}
+
+bool MenuPrograms::are_building() const {
+    return std::any_of(states_.begin(), states_.end(), [](const auto& entry) { return entry.second.name != "ready"; });
+}
+
+ProgramState MenuPrograms::state(const std::string& chapter) const {
+    const auto found = states_.find(chapter);
+    return found == states_.end() ? ProgramState() : found->second;
+}
+
+void MenuPrograms::want(const std::string& chapter) {
+    wanted_ = chapter;
+    const std::filesystem::path beside = folder_ / "wanted.new";
+    std::ofstream(beside) << chapter << '\n';
+    std::error_code ignored;
+    std::filesystem::rename(beside, folder_ / "wanted", ignored);
 }
 
 }  // namespace lightwalk

@@ -258,7 +258,7 @@ int run_menu(std::vector<std::string> options) {
 }  // namespace
 }  // namespace lightwalk
 
-/// --programs FOLDER comes first (menu_programs.h). All other options are passed on to the chapters; --device, --validate and
+/// --programs FOLDER comes first (menu_chapters.h). All other options are passed on to the chapters; --device, --validate and
 /// --events are the menu's own too.
 int main(int argc, char** argv) {
     try {

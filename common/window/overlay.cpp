@@ -10,9 +10,8 @@
 #include <iterator>
 
 #include "common/base/error.h"
+#include "common/window/display.h"
 #include "common/window/event_log.h"
-#include "common/window/icons.h"
-#include "common/window/short_keys.h"
 
 namespace lightwalk {
 namespace {

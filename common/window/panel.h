@@ -1,13 +1,30 @@
 // The panel beside the picture, and text over the picture.
 #pragma once
+#include <deque>
+#include <vector>
+
+#include "common/gpu/frame.h"
 #include "common/window/blit.h"
-#include "common/window/cost_graph.h"
 #include "common/window/exercise_checks.h"
 #include "common/window/knob_sections.h"
 #include "common/window/overlay.h"
 #include "common/window/split_view.h"
 
 namespace lightwalk {
+
+class CostGraph {
+  public:
+    static constexpr double seconds = 10.0;
+
+    void note(const std::vector<PassTime>& times, double frame_ms);  ///< a new picture's
+    void draw() const;
+
+  private:
+    struct Cost {
+        double at_s, gpu_ms, frame_ms;
+    };
+    std::deque<Cost> costs_;
+};
 
 /// Requests by panel and keys.
 struct Requests {

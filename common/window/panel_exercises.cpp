@@ -1,8 +1,8 @@
 #include <map>
 
 #include "common/base/exercise.h"
-#include "common/base/starters.h"
 #include "common/window/event_log.h"
+#include "common/window/exercise_checks.h"
 #include "common/window/panel.h"
 
 namespace lightwalk {

@@ -13,7 +13,7 @@
 #include "common/app/read_picture.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
-#include "common/image/encode.h"
+#include "common/image/decode.h"
 #include "common/window/camera_control.h"
 #include "common/window/live_chapter.h"
 

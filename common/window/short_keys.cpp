@@ -1,4 +1,3 @@
-#include "common/window/short_keys.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

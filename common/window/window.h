@@ -1,18 +1,53 @@
 // A chapter in a window, while someone works on it.
 #pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/app/chapter.h"
 #include "common/app/options.h"
-#include "common/window/camera_mouse.h"
+#include "common/window/activity.h"
+#include "common/window/blit.h"
+#include "common/window/camera_control.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/live_chapter.h"
 #include "common/window/panel.h"
-#include "common/window/pixel_probe.h"
-#include "common/window/scene_saver.h"
 #include "common/window/sound_player.h"
-#include "common/window/status_line.h"
 #include "common/window/window_picture.h"
 #include "common/window/window_tool.h"
 
 namespace lightwalk {
+
+struct StatusLine {
+    static constexpr int height = 46;  ///< two lines, in pixels at scale 1
+
+    /// 0 in a window in which it would take much of the picture.
+    static uint32_t height_px(float scale, uint32_t window_height);
+
+    /// As many words as have room. No `mouse`: it moves the camera. A `notice` takes their place, and part of the picture
+    /// only where it has more lines than these.
+    static void draw(const Area& picture, float scale, const std::string& notice, const std::vector<std::string>& mouse,
+                     const std::vector<std::string>& pixel);
+};
+
+class SceneSaver {
+  public:
+    SceneSaver(const Chapter& chapter, std::filesystem::path scene, Notice& notice);
+
+    /// Saves a person's scene file and preserves the rest of it; if it changed since it was read, or another file
+    /// exists there, the key must be pressed twice.
+    void save();
+    void remember();  ///< the file was read again
+
+  private:
+    const Chapter& chapter_;
+    std::filesystem::path scene_;
+    Notice& notice_;
+    uint64_t read_ = 0;         ///< hash of the scene file as it was read or saved
+    uint64_t saved_ = 0;        ///< of the file that was saved beside it
+    double confirm_until_ = 0;  ///< until then it is saved without asking
+};
 
 /// Makes the device in `gpu`, which must outlive the chapter, and runs it in a window, which makes a second chapter
 /// where two versions are shown side by side. Returns the exit code.

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "common/window/auto_choices.h"
 #include "common/window/blit.h"
 #include "common/window/display.h"
+#include "common/window/knob_widgets.h"
 
 namespace lightwalk {
 

@@ -4,7 +4,6 @@
 #include "catch.h"
 #include "common/base/files.h"
 #include "common/check/check.h"
-#include "common/study/method_choice.h"
 #include "common/study/need.h"
 
 using namespace lightwalk;

@@ -7,5 +7,5 @@ add_executable(glass_valley ${CMAKE_CURRENT_LIST_DIR}/compositions/glass_valley.
 target_link_libraries(glass_valley PRIVATE chapter_15_terrain_water)
 target_compile_definitions(glass_valley PRIVATE LIGHTWALK_CHAPTER="99_glass_valley")
 lightwalk_compiled_fast(glass_valley)
-lightwalk_precompiled(glass_valley)
+target_precompile_headers(glass_valley REUSE_FROM lightwalk)
 set_target_properties(glass_valley PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

@@ -11,7 +11,7 @@
 #include "18_playground/playground.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
-#include "common/base/write_files.h"
+#include "common/base/own_files.h"
 #include "common/scene/import.h"
 #include "editor_fixture.h"
 

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "common/study/method_choice.h"
+#include "common/study/need.h"
 #include "driven_editor.h"
 
 using namespace lightwalk;

@@ -14,13 +14,15 @@
 namespace lightwalk {
 
 struct FileFolder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("lightwalk_files_{}", getpid());
+    static inline int made = 0;
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / fmt::format("lightwalk_files_{}_{}", getpid(), ++made);
     FileFolder() { std::filesystem::create_directories(path); }
     ~FileFolder() {
         std::error_code ignored;
         std::filesystem::remove_all(path, ignored);
     }
-    std::filesystem::path operator/(const char* name) const { return path / name; }
+    std::filesystem::path operator/(const std::filesystem::path& name) const { return path / name; }
     size_t count() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path), {})); }
 };
 

@@ -1,7 +1,5 @@
 // A glTF file of one triangle, with a material and further entries of a test.
 #pragma once
-#include <unistd.h>
-
 #include "import_fixture.h"
 #include "scene_fixture.h"
 
@@ -18,10 +16,7 @@ inline const std::string head =
     "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "material": 0}]}], "materials": [{)";
 
 struct Gltf {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / fmt::format("lightwalk_gltf_{}", getpid());
-    Gltf() { std::filesystem::create_directories(folder); }
-    ~Gltf() { std::filesystem::remove_all(folder); }
+    const FileFolder folder;
     Model read(const std::string& material, const std::string& rest = R"("nodes": [{"mesh": 0}])") {
         const auto file = folder / "model.gltf";
         write_file(file, head + material + "}], " + rest + "}");

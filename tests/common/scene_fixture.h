@@ -7,16 +7,14 @@
 #include "common/check/check.h"
 #include "common/scene/import.h"
 #include "common/scene/scene.h"
+#include "file_fixture.h"
 #include "module_fixture.h"
 
 namespace lightwalk {
 
 /// The error for this text of a scene file; empty if there is none.
 inline std::string error_of(const std::string& text) {
-    try {
-        parse_scene(text, "scene.json");
-    } catch (const InputError& e) { return e.what(); }
-    return "";
+    return refusal_of([&] { parse_scene(text, "scene.json"); });
 }
 
 /// Names of existing files; test_model() replaces their contents.

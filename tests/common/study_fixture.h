@@ -1,17 +1,14 @@
 // Shared by the tests of studies: a chapter of one grey, a study of it, and that study's error message.
 #pragma once
-#include <unistd.h>
-
-#include "catch.h"
 #include "common/app/read_picture.h"
 #include "common/app/render.h"
 #include "common/app/target.h"
-#include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/check/check.h"
 #include "common/scene/json_lines.h"
 #include "common/study/study.h"
 #include "common/study/study_plan.h"
+#include "file_fixture.h"
 
 namespace lightwalk {
 
@@ -54,15 +51,11 @@ struct GreyStudy : Chapter {
     }
 };
 
-struct StudyFolder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("lightwalk_study_" + std::to_string(getpid()));
+struct StudyFolder : FileFolder {
     StudyFolder() {
-        std::filesystem::create_directories(path);
         for (const char* scene : {"a", "b"})
             write_file(path / (std::string(scene) + ".json"), R"({"knobs": {"light": 0.5}})");
     }
-    ~StudyFolder() { std::filesystem::remove_all(path); }
     std::string scene(const char* name) const { return (path / name).string() + ".json"; }
 };
 
@@ -89,10 +82,7 @@ struct StudyTest {
     nlohmann::json resume() { return measure_study(study.dump(1), "study.json", options, chapter, check_device()); }
     /// Its error message; empty if it is usable.
     std::string refusal() {
-        try {
-            read_study(parse_json(study.dump(1), "study.json"), chapter.all_knobs());
-        } catch (const InputError& e) { return e.what(); }
-        return "";
+        return refusal_of([&] { read_study(parse_json(study.dump(1), "study.json"), chapter.all_knobs()); });
     }
 };
 

@@ -2,7 +2,6 @@
 #include <stb_image_write.h>
 #include <webp/encode.h>
 
-#include <filesystem>
 #include <string>
 
 #include "common/base/files.h"

@@ -1,5 +1,4 @@
 // The environment's cubes against sums in double precision.
-#include <glm/gtc/packing.hpp>
 
 #include "common/app/environment.h"
 #include "common/image/image.h"
@@ -116,7 +115,8 @@ TEST_CASE_METHOD(OnEnvironment, "irradiance of photographed places, lamps of 15,
 
 TEST_CASE_METHOD(OnEnvironment,
                  "where things are: the picture's middle is -z, its right quarter +x; a turn is about +y") {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "lightwalk_directions.pfm";
+    const FileFolder folder;
+    const auto file = folder / "directions.pfm";
     ImageRgb picture(64, 32);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x)
@@ -136,5 +136,4 @@ TEST_CASE_METHOD(OnEnvironment,
             CHECK(glm::length(turned - glm::dvec3(directions[i])) < 0.02);  // a spline flattens a little
         }
     }
-    std::filesystem::remove(file);
 }

@@ -1,6 +1,4 @@
 // Materials of glTF, and what is named as left out: numbers that follow from the specification.
-#include <algorithm>
-#include <glm/gtc/constants.hpp>
 
 #include "gltf_fixture.h"
 

@@ -83,27 +83,19 @@ TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an 
     CHECK(frame.times[0].gpu_ms >= 0);
 }
 
-TEST_CASE("what a pass does not state it cannot bind; a wrong name lists the right ones") {
+TEST_CASE("buffers that a pass does not state, and blocks of another size") {
     Gpu& gpu = check_device();
     const Pipeline twice = compute({.shader = "doubler", .source = doubler});
-    const Buffer in = gpu.upload("in", std::vector<float>{1});
     const Buffer out(gpu.device, {.name = "out", .bytes = 16}), other(gpu.device, {.name = "other", .bytes = 16});
     CHECK(refusal_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
           "pass 'test' binds 'doubled' without stating it in its writes");
     CHECK(refusal_of([&](Compute& p) { p.use(twice).set("values", other); }, {.writes = {out}}) ==
           "pass 'test' binds 'values' without stating it in its reads");
-    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("valeus", in); }, {}) ==
-          "pass 'test': its shaders have no binding 'valeus'; they have: doubled, scale, values");
     CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
           "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
     // More than the block has would be lost without a word.
     CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
           "pass 'test': 'scale' is 16 bytes in C++ and 8 in the shader");
-    CHECK(refusal_of(
-              [&](Compute& p) {
-                  p.use(twice).set("values", in).dispatch({1, 1, 1});
-              },
-              {.writes = {out}}) == "pass 'test' draws or dispatches without 'doubled' being set");
 }
 
 TEST_CASE("an image goes through uploads of all levels and read-back unchanged") {

@@ -1,5 +1,4 @@
 // Uniform blocks, also where they are hidden from the driver.
-#include <map>
 
 #include "common/gpu/hidden_blocks.h"
 #include "common/gpu/reflect.h"

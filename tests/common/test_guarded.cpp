@@ -10,7 +10,6 @@
 #include <new>
 
 #include "common/base/bytes.h"
-#include "common/base/crash.h"
 #include "common/base/files.h"
 #include "common/base/guarded.h"
 #include "common/base/sanitized.h"
@@ -104,48 +103,6 @@ TEST_CASE("guarded: what a reader does wrong stays in its process") {
             return {};
         },
         "crashed on it (File size limit exceeded)");
-#endif
-}
-
-TEST_CASE("guarded: one process reads one file after another; after a crash or a limit it is another") {
-    const auto ask = [](GuardReader read, std::string_view input) {
-        std::string said;
-        read_guarded({"FILE", "READER", read}, {.cpu_s = 1, .memory = size_t{50} << 20}, {"input ", input},
-                     [&](std::string_view bytes) { said = bytes; });
-        return said;
-    };
-    const GuardReader process = [](std::string_view, GuardReply& reply) { reply.append(std::to_string(getpid())); };
-    const GuardReader twice = [](std::string_view input, GuardReply& reply) {
-        reply.append(input);
-        reply.append(input);
-    };
-    const GuardReader refuses = [](std::string_view input, GuardReply& reply) {
-        reply.append("half an answer");
-        throw InputError("FILE:3: {}", input);
-    };
-    const GuardReader folder = [](std::string_view, GuardReply& reply) { reply.append(fs::current_path().string()); };
-    const std::string first = ask(process, "");
-    CHECK(first != std::to_string(getpid()));
-    CHECK(ask(twice, "x") == "input xinput x");
-    CHECK(ask(twice, std::string(20000000, 'x')).size() == 40000012);  // larger than the memory that is kept mapped
-    CHECK(refusal_of([&] { ask(refuses, "no"); }) == "FILE:3: input no");
-    CHECK(ask(process, "") == first);
-    const FileFolder elsewhere;
-    const fs::path here = fs::current_path();
-    fs::current_path(elsewhere / "");
-    CHECK(fs::equivalent(ask(folder, ""), fs::current_path()));  // relative names mean the same file there
-    fs::current_path(here);
-#ifndef __SANITIZE_ADDRESS__
-    const GuardReader crashes = [](std::string_view, GuardReply&) { raise(SIGSEGV); };
-    CHECK(has_part(refusal_of([&] { ask(crashes, ""); }), "FILE: READER crashed on it (Segmentation fault)"));
-    const std::string second = ask(process, "");
-    CHECK(second != first);
-    CHECK(has_part(refusal_of([&] { ask(twice, std::string(30000000, 'x')); }), "FILE: READER needs more than 50 MiB"));
-    CHECK(ask(process, "") != second);
-    const GuardReader endless = [](std::string_view, GuardReply&) {
-        for (std::atomic<int> i = 0;; ++i) {}
-    };
-    CHECK(has_part(refusal_of([&] { ask(endless, ""); }), "takes more than 1 s"));
 #endif
 }
 

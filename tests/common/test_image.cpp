@@ -2,7 +2,6 @@
 #include <stb_image_write.h>
 
 #include <bit>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>

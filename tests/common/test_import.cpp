@@ -1,12 +1,10 @@
 // Other formats through Assimp: transforms in the right order, and bad files refused.
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include "catch.h"
-#include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/scene/asset_path.h"
 #include "common/scene/import.h"
-#include "common/scene/named_files.h"
+#include "file_fixture.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
@@ -26,14 +24,6 @@ std::vector<glm::vec3> placed(const Model& model, glm::vec3 point) {
 }
 
 bool near(glm::vec3 a, glm::vec3 b) { return glm::length(a - b) < 1e-5f; }
-
-struct TemporaryFile {
-    fs::path path;
-    TemporaryFile(const char* name, std::string_view bytes) : path(fs::temp_directory_path() / name) {
-        write_file(path, bytes);
-    }
-    ~TemporaryFile() { fs::remove(path); }
-};
 
 }  // namespace
 
@@ -77,11 +67,12 @@ TEST_CASE("import: files on which Assimp 5.2.5 dies cost no more than an error")
 // Assimp's memory limit depends on the size of its input: a glTF of 6 KB may name 335 MB.
 TEST_CASE("import: the size of a glTF file is that of all that it names") {
     const size_t hole = size_t{3} << 30;  // a file with nothing in it takes no place on a disk
-    const TemporaryFile buffer("lightwalk named 1.bin", "");
-    fs::resize_file(buffer.path, hole);
+    const FileFolder folder;
+    write_file(folder / "lightwalk named 1.bin", "");
+    fs::resize_file(folder / "lightwalk named 1.bin", hole);
     const auto bytes = [&](const std::string& text) {
-        const TemporaryFile file("lightwalk_names.gltf", text);
-        return bytes_to_import(file.path) - text.size();
+        write_file(folder / "names.gltf", text);
+        return bytes_to_import(folder / "names.gltf") - text.size();
     };
     const std::string named = R"({"uri": "lightwalk%20named%201.bin"})";
     CHECK(bytes(R"({"buffers": [)" + named + "]}") == hole);
@@ -94,18 +85,14 @@ TEST_CASE("import: the size of a glTF file is that of all that it names") {
     CHECK(bytes(R"({"buffers": [)" + named + ", ") == 0);  // no JSON
     CHECK(bytes("") == 0);
     CHECK(bytes_to_import(data("nested.dae")) == fs::file_size(data("nested.dae")));
-    CHECK_THROWS_AS(bytes_to_import(fs::temp_directory_path() / "lightwalk_none.gltf"), InputError);
+    CHECK_THROWS_AS(bytes_to_import(folder / "none.gltf"), InputError);
 }
 
 TEST_CASE("import: a buffer that is a pipe, a tree that is too deep, a position that is no number") {
-    const fs::path folder = fs::temp_directory_path() / fmt::format("lightwalk_import_{}", getpid());
-    fs::create_directories(folder);
+    const FileFolder folder;
     const auto message = [&](const char* name, const std::string& text) {
         write_file(folder / name, text);
-        try {
-            import_model(folder / name);
-        } catch (const InputError& error) { return std::string(error.what()); }
-        return std::string("no error");
+        return refusal_of([&] { import_model(folder / name); });
     };
     REQUIRE(mkfifo((folder / "pipe.bin").c_str(), 0600) == 0);
     CHECK(message("pipe.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "pipe.bin", "byteLength": 36}],
@@ -121,12 +108,12 @@ TEST_CASE("import: a buffer that is a pipe, a tree that is too deep, a position 
     const size_t first = ply.find("end_header\n") + 11;
     CHECK(message("nan.ply", ply.substr(0, first) + "nan" + ply.substr(ply.find(' ', first))).find("nan.ply: ") !=
           std::string::npos);
-    fs::remove_all(folder);
 }
 
 // Two nodes a level, each with both of the next level as children: 2^30 paths in 4 KB.
 TEST_CASE("import: nodes that form a lattice") {
-    const fs::path file = fs::temp_directory_path() / fmt::format("lightwalk_lattice_{}.gltf", getpid());
+    const FileFolder folder;
+    const fs::path file = folder / "lattice.gltf";
     std::string nodes = R"({"children": [1, 2]})";
     for (int level = 0; level < 30; ++level)
         for (int twin = 0; twin < 2; ++twin)
@@ -138,12 +125,5 @@ TEST_CASE("import: nodes that form a lattice") {
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "scenes": [{"nodes": [0]}], "scene": 0,
         "nodes": [)" + nodes +
                          R"(, {"mesh": 0}, {"mesh": 0}]})");
-    try {
-        import_model(file);
-        FAIL_CHECK("it found nothing wrong");
-    } catch (const InputError& error) {
-        CAPTURE(error.what());
-        CHECK(std::string(error.what()).starts_with(file.string() + ": node "));
-    }
-    fs::remove(file);
+    CHECK(refusal_of([&] { import_model(file); }).starts_with(file.string() + ": node "));
 }

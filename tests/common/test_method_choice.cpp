@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/check/check.h"
-#include "common/study/method_choice.h"
+#include "common/study/need.h"
 #include "common/study/study_plan.h"
 
 using namespace lightwalk;

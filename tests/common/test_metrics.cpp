@@ -1,5 +1,4 @@
 // Errors and statistics, with the numbers worked out by hand, and the choice among measured methods.
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
 // Misspelt names, and the panel's search in a knob's help.
-#include <cmath>
 
 #include "catch.h"
 #include "common/app/chapter.h"

@@ -141,16 +141,6 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     frame.end();
 }
 
-TEST_CASE_METHOD(OnDevice, "mips of one image are sampled and written at once", "[refused]") {
-    const Image image = this->image({.name = "levels", .format = one_float, .size = {4, 4}, .mips = 2});
-    frame.raster("fill", {.color = {clear(image.mip(0), glm::vec4(3))}}, [](Raster&) {});
-    frame.compute("x", {.reads = {image.mip(0)}, .writes = {image.mip(1)}}, [&](Compute& pass) {
-        pass.use(samples).set("from", image.mip(0)).set("into", image.mip(1)).dispatch({1, 1, 1});
-    });
-    frame.end();
-    CHECK(value(image.mip(1)) == 3);
-}
-
 TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its line", "[refused]") {
     const Image one = image({.name = "one", .format = one_float, .size = {4, 4}});
     const auto said = [&](const Pipeline& pipeline) {

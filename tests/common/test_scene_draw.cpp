@@ -202,7 +202,8 @@ TEST_CASE("a turned object's bounds hold all of it and no more than its turned b
 TEST_CASE("an environment is loaded as halves with mips, in linear light; without one there is none") {
     TestScene test({object_at(quad_file, {0, 0, 0})});
     CHECK(test.scene.environment == nullptr);
-    const auto file = std::filesystem::temp_directory_path() / ("lightwalk_sky_" + std::to_string(getpid()) + ".pfm");
+    const FileFolder folder;
+    const auto file = folder / "sky.pfm";
     ImageRgb sky(8, 4);
     for (int x = 0; x < 8; ++x) sky.at(x, 0) = glm::vec3(float(x), 1000.0f, 0.25f);
     write_pfm(file, sky);
@@ -218,7 +219,6 @@ TEST_CASE("an environment is loaded as halves with mips, in linear light; withou
     uint64_t texel = 0;
     std::memcpy(&texel, &bytes[8 * 3], 8);
     CHECK(glm::unpackHalf4x16(texel) == glm::vec4(3, 1000, 0.25f, 1));
-    std::filesystem::remove(file);
     test.scene.load(test.gpu, SceneFile(), test_model);
     CHECK(test.scene.environment == nullptr);
 }

@@ -1,6 +1,4 @@
 // Scene files: contents, and the line and key reported with each mistake.
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
@@ -10,17 +8,6 @@
 #include "scene_fixture.h"
 
 using namespace lightwalk;
-
-namespace {
-
-struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("lightwalk_scene_" + std::to_string(getpid()));
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
-
-}  // namespace
 
 TEST_CASE("a scene is read, degrees become radians, a parent stands before its children") {
     const SceneFile scene = parse_scene(R"({
@@ -119,15 +106,15 @@ TEST_CASE("a keyframe that leaves something out has the object's own") {
 }
 
 TEST_CASE("several includes: lights and objects of all are kept in their order, of other keys what was said last") {
-    const Folder folder;
-    const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path / name) << text; };
+    const FileFolder folder;
+    const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
     write("room.json", R"({"lights": [{"intensity": 1}, {"intensity": 2}], "objects": [{"name": "a"}],
                            "camera": {"fov_deg": 90}, "background": [1, 0, 0], "knobs": {"samples": 2, "wrap": 1}})");
     write("sky.json", R"({"lights": [{"intensity": 3}], "objects": [{"name": "b"}], "background": [0, 1, 0],
                           "knobs": {"samples": 3}})");
     write("all.json",
           R"({"include": ["room.json", "sky.json"], "lights": [{"intensity": 4}], "objects": [{"name": "c"}]})");
-    const SceneFile scene = read_scene(folder.path / "all.json");
+    const SceneFile scene = read_scene(folder / "all.json");
     REQUIRE(scene.lights.size() == 4);
     for (size_t i = 0; i < 4; ++i) CHECK(scene.lights[i].intensity == float(i + 1));
     REQUIRE(scene.objects.size() == 3);
@@ -138,20 +125,20 @@ TEST_CASE("several includes: lights and objects of all are kept in their order, 
 }
 
 TEST_CASE("a cycle of includes is named, and a chain without one is read") {
-    const Folder folder;
-    const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path / name) << text; };
+    const FileFolder folder;
+    const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
     write("a.json", R"({"include": ["b.json"], "ambient": [1, 1, 1]})");
     write("b.json", R"({"lights": [{}], "ambient": [0, 0, 0]})");
     write("c.json", R"({"include": ["d.json"]})");
     write("d.json", R"({"include": ["c.json"]})");
-    const SceneFile scene = read_scene(folder.path / "a.json");
+    const SceneFile scene = read_scene(folder / "a.json");
     CHECK(scene.lights.size() == 1);
     CHECK(scene.ambient == glm::vec3(1.0f));
-    CHECK_THROWS_WITH(read_scene(folder.path / "c.json"), Catch::Matchers::Contains("a cycle of includes"));
+    CHECK_THROWS_WITH(read_scene(folder / "c.json"), Catch::Matchers::Contains("a cycle of includes"));
 }
 
 TEST_CASE("what is written is read back the same") {
-    const Folder folder;
+    const FileFolder folder;
     SceneFile scene = parse_scene(R"({
         "camera": {"position": [0.1, 0.2, 0.3], "fov_deg": 41},
         "objects": [{"name": "a", "model": "models/cube.obj", "rotation_deg": [10, 20, 30],
@@ -162,10 +149,10 @@ TEST_CASE("what is written is read back the same") {
                     "shadow": true, "size_m": 0.25, "tube_m": [0.5, 0, 2]}, {"shadow": true, "size_deg": 0.53}],
         "knobs": {"samples": 3}})",
                                   "s.json");
-    write_file(folder.path / "sky.hdr", "read when the scene is loaded");
-    scene.environment = {.image = folder.path / "sky.hdr", .intensity = 2.5f, .rotation_deg = -30};
-    write_scene(scene, folder.path / "s.json");
-    const SceneFile again = read_scene(folder.path / "s.json");
+    write_file(folder / "sky.hdr", "read when the scene is loaded");
+    scene.environment = {.image = folder / "sky.hdr", .intensity = 2.5f, .rotation_deg = -30};
+    write_scene(scene, folder / "s.json");
+    const SceneFile again = read_scene(folder / "s.json");
     CHECK(again.camera.position == scene.camera.position);
     CHECK(again.camera.fov_y_rad == Approx(scene.camera.fov_y_rad));
     CHECK(again.objects[0].rotation_deg == scene.objects[0].rotation_deg);
@@ -202,31 +189,18 @@ TEST_CASE("rotations go about x, then y, then z") {
 }
 
 TEST_CASE("limits: nested lists, nested includes, includes without number, long chains of parents") {
-    const auto message = [](const std::string& text) {
-        try {
-            parse_scene(text, "/nonexistent/test.json");
-        } catch (const InputError& e) { return std::string(e.what()); }
-        return std::string("no error");
-    };
-    CHECK(message("{\"objects\": " + std::string(100000, '[')).find("nested too deep") != std::string::npos);
+    CHECK(error_of("{\"objects\": " + std::string(100000, '[')).find("nested too deep") != std::string::npos);
     // A key of 1 MB around a million values: their pointers would take 1 TB.
     std::string bomb = "{\"" + std::string(1000000, 'k') + "\": [";
     for (int i = 0; i < 1000000; ++i) bomb += "{},";
-    CHECK(message(bomb + "{}]}").find("too large") != std::string::npos);
+    CHECK(error_of(bomb + "{}]}").find("too large") != std::string::npos);
     // A / in a key is no level of its own, and a key that is wrong is shown as it stands.
-    CHECK(message("{\"knobs\": {\"a/b\": 1, \"a\": 2}, \"knobs/a\": 1}").find("'knobs/a' is unknown") !=
+    CHECK(error_of("{\"knobs\": {\"a/b\": 1, \"a\": 2}, \"knobs/a\": 1}").find("'knobs/a' is unknown") !=
           std::string::npos);
-    CHECK(message("{\"a~1b\": 1, \"a/b\": 1}").find("twice") == std::string::npos);
+    CHECK(error_of("{\"a~1b\": 1, \"a/b\": 1}").find("twice") == std::string::npos);
 
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / fmt::format("lightwalk_includes_{}", getpid());
-    std::filesystem::create_directories(folder);
-    const auto refused = [&](const char* name) {
-        try {
-            read_scene(folder / name);
-        } catch (const InputError& e) { return std::string(e.what()); }
-        return std::string("no error");
-    };
+    const FileFolder folder;
+    const auto refused = [&](const char* name) { return refusal_of([&] { read_scene(folder / name); }); };
     for (int i = 0; i < 100; ++i)
         write_file(folder / fmt::format("deep{}.json", i), fmt::format("{{\"include\": [\"deep{}.json\"]}}", i + 1));
     CHECK(refused("deep0.json").find("more than 32 deep: deep0.json includes deep1.json includes") !=
@@ -236,8 +210,7 @@ TEST_CASE("limits: nested lists, nested includes, includes without number, long 
                    fmt::format("{{\"include\": [\"twice{0}.json\", \"twice{0}.json\"]}}", i + 1));
     write_file(folder / "twice30.json", "{}");
     CHECK(refused("twice0.json").find("more than 256 includes in all") != std::string::npos);
-    CHECK(refused("twice25.json") == "no error");
-    std::filesystem::remove_all(folder);
+    CHECK(refused("twice25.json").empty());
 
     std::string chain = "{\"objects\": [";
     for (int i = 0; i < 20000; ++i) chain += fmt::format("{{\"name\": \"{}\", \"parent\": \"{}\"}},", i, i + 1);

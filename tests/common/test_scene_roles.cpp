@@ -1,6 +1,4 @@
 // Roles in scene files: contents, messages for each mistake, and the names of files without any role.
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "catch.h"
@@ -108,8 +106,8 @@ TEST_CASE("names count where nothing has a role, and only there") {
 }
 
 TEST_CASE("what has a role keeps it when the scene is written") {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("lightwalk_roles_" + std::to_string(getpid()) + ".json");
+    const FileFolder folder;
+    const std::filesystem::path path = folder / "roles.json";
     const std::string model = R"("model": "models/cube.obj")";
     write_scene(parse_scene(R"({"objects": [{"name": "door"}, {"name": "a", "role": "screen", "shows": "door", )" +
                                 model + R"(}, {"name": "b", "role": {"x": "skin", "y": "eye"}, )" + model +
@@ -117,7 +115,6 @@ TEST_CASE("what has a role keeps it when the scene is written") {
                             "s.json"),
                 path);
     const SceneFile again = read_scene(path);
-    std::filesystem::remove(path);
     REQUIRE(again.objects.size() == 4);
     CHECK_FALSE(again.objects[0].role);
     CHECK(again.objects[1].role.object == Role::screen);

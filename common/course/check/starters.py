@@ -16,7 +16,7 @@ EXERCISE = re.compile(r"(chapters|shaders)/\d\d_\w+/exercise/\w+\.(cpp|glsl)")
 
 @functools.lru_cache(1024)
 def digest(data: bytes) -> str:
-    """FNV-1a of 64 bits, ignoring white space, as common/base/starters.cpp computes it."""
+    """FNV-1a of 64 bits, ignoring white space, as common/window/exercise_checks.cpp computes it."""
     found = 14695981039346656037
     for byte in b"".join(data.split()):
         found = (found ^ byte) * 1099511628211 & (1 << 64) - 1
