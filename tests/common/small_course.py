@@ -77,7 +77,8 @@ else:
 """
 COMPARE = """#!PYTHON
 import json, sys
-for words in map(json.loads, sys.stdin) if "--pairs" in sys.argv else [sys.argv[1:]]:
+for line in sys.stdin:
+    words = json.loads(line)
     a, b = (open(name).read() for name in words[:2])
     if "--heatmap" in words:
         open(words[words.index("--heatmap") + 1], "w").write("hot")

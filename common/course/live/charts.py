@@ -7,13 +7,12 @@ from pathlib import Path
 
 from charts import drawn
 from charts.points import can_draw, places_of, request_of
-from live import answers
 from live.answers import Refused
 from live.pages import Answer
-from tree import BUILD, Failure
+from shots.golden import compare
+from tree import Failure
 
 SIZE = [480, 270]
-DRAW_S = 120
 ERROR = "chart.2"  # the place of the third picture
 
 
@@ -64,23 +63,17 @@ async def show(socket, chart, number):
         done = await asyncio.gather(*answered)
         if any(answer["code"] for answer, _ in done):
             raise Failure("the error needs both pictures")
-        mean, heat = await compared(*(picture for _, picture in done))
+        mean, heat = await asyncio.to_thread(compared, *(picture for _, picture in done))
     except Failure as why:
         socket.deliver(ERROR, number, {"code": 1, "error": str(why), "format": "png"}, b"")
     else:
         socket.deliver(ERROR, number, {"code": 0, "error": "", "format": "png", "flip_mean": mean}, heat)
 
 
-async def compared(picture: bytes, truth: bytes) -> tuple[float | None, bytes]:
+def compared(picture: bytes, truth: bytes) -> tuple[float | None, bytes]:
     """FLIP's mean, where it has one, and its map. Raises Failure."""
     with tempfile.TemporaryDirectory(prefix="lightwalk_error_") as folder:
         files = [Path(folder, name) for name in ("picture.png", "truth.png", "error.png")]
         for file, data in zip(files, (picture, truth)):
             file.write_bytes(data)
-        try:
-            code, out = await answers.run([BUILD / "compare", files[1], files[0], "--json", "--heatmap", files[2]], lambda line: None, DRAW_S)
-        except OSError as error:
-            raise Failure(f"build/compare: {error.strerror}; ./course serve builds it") from None
-        if not files[2].is_file():
-            raise Failure(f"compare ended with {code}")
-        return json.loads(out)["flip"]["mean"] if code == 0 else None, files[2].read_bytes()
+        return compare(files[1], files[0], files[2])["flip"]["mean"], files[2].read_bytes()

@@ -7,15 +7,14 @@ The load of the machine stands beside them: other work on the same cores makes a
 """
 
 import asyncio
-import json
 import os
 import statistics
-import subprocess
 import sys
 import time
 
 from live.programs import Program
-from tree import ROOT, chapter_program, find_chapter, say, shots
+from pages.knob_links import knobs_of
+from tree import find_chapter, say, shots
 
 SIZE, ROUNDS = [480, 270], 20
 DEFAULT = ("02", "03", "04", "05", "06", "07", "08")
@@ -24,8 +23,7 @@ DEFAULT = ("02", "03", "04", "05", "06", "07", "08")
 def knob_to_drag(chapter: str) -> dict:
     """The last number that is declared and is not 0: it is dragged upwards from its default. Far from it a chapter may
     take many times as long, as lights do that reach everything."""
-    said = subprocess.run([chapter_program(chapter), "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, check=True)
-    numbers = [knob for knob in json.loads(said.stdout) if knob["type"] == "number" and isinstance(knob["default"], float) and knob["default"] > 0]
+    numbers = [knob for knob in knobs_of(chapter) if knob["type"] == "number" and isinstance(knob["default"], float) and knob["default"] > 0]
     return numbers[-1]
 
 
@@ -61,7 +59,7 @@ async def measure(chapter: str) -> str:
             scale = scale_for(known)
         orbit = [await timed_ms(turn_rad=0.02 * i) for i in range(ROUNDS)]
     finally:
-        await program.end()
+        program.end()
     return (f"| {chapter[:2]} {words[1]} | {first / 1000:.1f} s | {warm / 1000:.2f} s | {knob['name']} | {statistics.median(dragged):.0f} ms | "
             f"{statistics.median(ms for ms, _ in as_page[ROUNDS // 2:]):.0f} ms at {as_page[-1][1][0]} × {as_page[-1][1][1]} | {1000 / statistics.median(orbit):.1f} |")
 

@@ -1,20 +1,15 @@
 """The chapters' programs behind the pages: one for each chapter, kept warm, asked for one picture at a time."""
 
 import asyncio
-import collections
-import contextlib
-import json
-import os
 import signal
 import time
 
-from tree import ROOT, chapter_program, exercises
+from shots.rendering import Asked
+from tree import Failure, chapter_program, exercises
 
 IDLE_S = 60  # without a question; then it is ended
 ANSWER_S = 120  # a first picture compiles its shaders
 MOST_PROGRAMS = 4  # the one asked longest ago makes room
-LINE_BYTES = 1 << 20
-PICTURE_BYTES = 1 << 25
 
 
 class Gone(Exception):
@@ -25,37 +20,29 @@ class Program:
     """One chapter's program: started by the first draw(), ended by end()."""
 
     def __init__(self, chapter: str):
-        self.chapter, self.process, self.said, self.reader = chapter, None, collections.deque(maxlen=5), None
-        self.started_from = None
+        self.chapter, self.asked, self.started_from = chapter, None, None
+
+    @property
+    def pid(self) -> int | None:
+        return self.asked.program.pid if self.asked and self.asked.program else None
 
     async def draw(self, request: dict) -> tuple[dict, bytes]:
         """The answer and the picture. Raises Gone."""
+        version = self.version()
+        if not self.asked or version != self.started_from:  # it was built since
+            self.end()
+            self.asked, self.started_from = Asked([chapter_program(self.chapter), "--pictures"], ANSWER_S), version
+        asked, began_s = self.asked, time.monotonic()
         try:
-            return await asyncio.wait_for(self.ask(request), ANSWER_S)
-        except asyncio.TimeoutError:
-            why = f"chapter {self.chapter[:2]} did not answer within {ANSWER_S} s and was ended"
-        except (OSError, ValueError, KeyError, asyncio.IncompleteReadError):
-            why = await self.last_words()
-        except asyncio.CancelledError:
-            await self.end()
-            raise
-        await self.end()
-        raise Gone(f"{why}; the next picture starts it again")
-
-    async def ask(self, request: dict) -> tuple[dict, bytes]:
-        if self.process and self.started_from != self.version():  # it was built since
-            await self.end()
-        if not self.process:
-            await self.start()
-        self.process.stdin.write(json.dumps(request).encode() + b"\n")
-        await self.process.stdin.drain()
-        line = await self.process.stdout.readline()
-        if not line:
-            raise ConnectionError
-        answer = json.loads(line)
-        if not 0 <= answer["bytes"] <= PICTURE_BYTES:
-            raise ValueError
-        return answer, await self.process.stdout.readexactly(answer["bytes"])
+            answer, said, code = await asyncio.to_thread(asked.ask, request)
+        except Failure:
+            raise Gone(f"chapter {self.chapter[:2]} is not built: ./course run {self.chapter[:2]} builds it") from None
+        if answer:
+            return answer, asked.picture
+        words = ([""] + [line.strip() for line in said.splitlines() if line.strip()])[-1]
+        how = f"did not answer within {ANSWER_S} s and was ended" if time.monotonic() - began_s > ANSWER_S else \
+            f"was ended by {signal.Signals(-code).name}" if code < 0 else f"ended with {code}"
+        raise Gone(f"chapter {self.chapter[:2]} {how}{f': {words[:300]}' if words else ''}; the next picture starts it again")
 
     def version(self):
         """Changes where the program was built again."""
@@ -65,40 +52,9 @@ class Program:
         except OSError:
             return None
 
-    async def start(self):
-        self.started_from = self.version()
-        self.process = await asyncio.create_subprocess_exec(
-            chapter_program(self.chapter), "--pictures", cwd=ROOT, limit=LINE_BYTES, stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE, start_new_session=True)
-        self.said.clear()
-        self.reader = asyncio.ensure_future(self.listen(self.process.stderr))
-
-    async def listen(self, stderr):
-        with contextlib.suppress(ValueError):  # a line without an end
-            async for line in stderr:
-                self.said.append(line.decode(errors="replace").strip())
-
-    async def last_words(self) -> str:
-        """How it ended."""
-        if not self.process:
-            return f"chapter {self.chapter[:2]} is not built: ./course run {self.chapter[:2]} builds it"
-        with contextlib.suppress(asyncio.TimeoutError):
-            await asyncio.wait_for(self.process.wait(), 5)
-            await asyncio.wait_for(self.reader, 1)
-        code, words = self.process.returncode, next((line for line in reversed(self.said) if line), "")
-        how = f"was ended by {signal.Signals(-code).name}" if code and code < 0 else f"ended with {code}"
-        return f"chapter {self.chapter[:2]} {how}" + (f": {words[:300]}" if words else "")
-
-    async def end(self):
-        process, self.process = self.process, None
-        if not process:
-            return
-        if process.returncode is None:
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)  # it has nothing to put away
-            await process.wait()
-        if self.reader:
-            self.reader.cancel()
+    def end(self):
+        if self.asked:
+            self.asked.end()
 
 
 class Programs:
@@ -131,7 +87,7 @@ class Programs:
                 place = next(iter(self.waiting[chapter]))
                 request, deliver = self.waiting[chapter].pop(place)
                 self.used_s[chapter] = time.monotonic()
-                await self.make_room(chapter)
+                self.make_room(chapter)
                 began_s = time.monotonic()
                 try:
                     answer, picture = await program.draw(request)
@@ -143,29 +99,29 @@ class Programs:
         finally:
             del self.tasks[chapter]
 
-    async def make_room(self, chapter: str):
+    def make_room(self, chapter: str):
         others = [one for one, program in self.programs.items()
-                  if program.process and one != chapter and one not in self.tasks]
-        warm = sum(program.process is not None for one, program in self.programs.items() if one != chapter)
+                  if program.pid and one != chapter and one not in self.tasks]
+        warm = sum(program.pid is not None for one, program in self.programs.items() if one != chapter)
         if others and warm >= MOST_PROGRAMS:
-            await self.programs[min(others, key=lambda one: self.used_s.get(one, 0))].end()
+            self.programs[min(others, key=lambda one: self.used_s.get(one, 0))].end()
 
-    async def end_idle(self):
+    def end_idle(self):
         """Ends programs that were idle for a minute; called now and then."""
         for chapter, program in list(self.programs.items()):
-            if program.process and chapter not in self.tasks and time.monotonic() > self.used_s.get(chapter, 0) + IDLE_S:
-                await program.end()
+            if program.pid and chapter not in self.tasks and time.monotonic() > self.used_s.get(chapter, 0) + IDLE_S:
+                program.end()
 
     async def end(self):
-        for task in list(self.tasks.values()):
+        for task in self.tasks.values():
             task.cancel()
-        await asyncio.gather(*self.tasks.values(), return_exceptions=True)
         for program in self.programs.values():
-            await program.end()
+            program.end()
+        await asyncio.gather(*self.tasks.values(), return_exceptions=True)
 
     def running(self) -> dict[str, int]:
         """Process ids by chapter."""
-        return {chapter: program.process.pid for chapter, program in self.programs.items() if program.process}
+        return {chapter: program.pid for chapter, program in self.programs.items() if program.pid}
 
 
 def is_cpp(chapter: str, exercise: str) -> bool:

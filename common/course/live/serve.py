@@ -172,7 +172,7 @@ async def serve(arguments, listening, where, folder: Path) -> int:
             rounds += 1
             made.work.look_at_disk()
             if rounds % IDLE_LOOK_S == 0:
-                await made.programs.end_idle()
+                made.programs.end_idle()
     made.closing = True
     server.stop()
     await made.work.end()

@@ -26,6 +26,7 @@ from charts import measured
 from charts.study_file import Study, figures, load
 from charts.verdict import Verdict, limits_of, names_of, verdict_of
 from check import lesson_tests
+from pages.tables import fill
 from tree import ROOT, Failure, chapter_title, chapters
 
 PAGE = Path("docs/which.md")
@@ -210,29 +211,16 @@ def block(name: str) -> list[str]:
     return ["", f"**{question.entry['question']}**", "", *table(question), ""]
 
 
-def check_blocks(text: Path, lines: list[str], write: bool = False) -> tuple[list[str], list[str]]:
+def check_blocks(text: Path, lines: list[str]) -> tuple[list[str], list[str]]:
     """The faults in a text's verdicts, and its lines with them filled."""
-    wrong, out, i = [], [], 0
-    while i < len(lines):
-        out.append(lines[i])
-        match = BEGIN.match(lines[i])
-        i += 1
-        if not match:
-            continue
+    def verdict(match: re.Match, i: int) -> tuple[int, int]:
         end = next((j for j in range(i, len(lines)) if END.match(lines[j]) or BEGIN.match(lines[j])), None)
         if end is None or not END.match(lines[end]):
-            wrong.append(f"{text}:{i}: the verdict {match[1]} does not end; expected <!-- /verdict -->")
-            continue
-        try:
-            new = block(match[1])
-        except Failure as error:
-            wrong.append(f"{text}:{i}: {error}")
-            new = lines[i:end]
-        if new != lines[i:end] and not write:
-            wrong.append(f"{text}:{i}: the verdict {match[1]} is not that of its studies; ./course docs --quote fills it")
-        out += [*new, lines[end]]
-        i = end + 1
-    return wrong, out
+            raise Failure(f"the verdict {match[1]} does not end; expected <!-- /verdict -->")
+        return i, end
+
+    return fill(text, lines, BEGIN, verdict, lambda match, *_: block(match[1]),
+                lambda match, *_: [f"the verdict {match[1]} is not that of its studies"])
 
 
 def page() -> str:

@@ -173,7 +173,8 @@ SKIPPED = ("Exercises", "Questions", "Further reading", "What you will be able t
 
 
 def sentences(text: Path) -> list[tuple[int, str, str]]:
-    """(line, section, sentence) of a text's prose: without code, tables, quotations and answers; comments are marks."""
+    """(its paragraph's line, section, sentence) of a text's prose: without code, tables, quotations and answers; comments are
+    marks."""
     words = (ROOT / text).read_text(encoding="utf-8")
 
     def blank(match: re.Match) -> str:
@@ -186,35 +187,21 @@ def sentences(text: Path) -> list[tuple[int, str, str]]:
     found, section, begin, part = [], "", 0, []
 
     def end():
-        whole = " ".join(part)
-        at = 0
-        for one in re.split(r"(?<=[.!?])(?:\*\*)?((?:\s*⟦bound⟧)*)\s+(?=[A-Z`*$\[0-9])", whole) if whole else []:
-            if not one.strip():
-                continue
-            if one.strip().replace("⟦bound⟧", "") == "" and found:
+        for one in re.split(r"(?<=[.!?])(?:\*\*)?((?:\s*⟦bound⟧)*)\s+(?=[A-Z`*$\[0-9])", " ".join(part)) if part else []:
+            if one.strip() and not one.replace("⟦bound⟧", "").strip() and found:
                 found[-1] = (*found[-1][:2], found[-1][2] + one)
-                continue
-            where = whole.find(one, at)
-            at = max(where, at)
-            lines = 0
-            for k, line in enumerate(part):
-                lines += len(line) + 1
-                if lines > at:
-                    break
-            found.append((begin + k, section, one.strip()))
+            elif one.strip():
+                found.append((begin, section, one.strip()))
         part.clear()
 
     for number, line in enumerate(words.split("\n"), 1):
-        if line.startswith("#"):
+        starts = line.startswith("#") or re.match(r"\s*(?:[-*]|\d+\.) ", line)
+        if starts or not line.strip() or line.lstrip().startswith(("|", "<", "!")) or line.startswith("    ") and not part:
             end()
-            section = re.sub(r"^#+\s*", "", line) if line.startswith("## ") else section
-        elif not line.strip() or line.lstrip().startswith(("|", "<", "!")) or line.startswith("    ") and not part:
-            end()
-        else:
-            if re.match(r"\s*(?:[-*]|\d+\.) ", line):
-                end()
-            if not part:
-                begin = number
+        if line.startswith("## "):
+            section = re.sub(r"^#+\s*", "", line)
+        elif line.strip() and not line.startswith("#") and not line.lstrip().startswith(("|", "<", "!")) and (part or starts or not line.startswith("    ")):
+            begin = begin if part else number
             part.append(line.strip())
     end()
     return found

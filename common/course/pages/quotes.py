@@ -16,7 +16,7 @@ from pathlib import Path
 
 from check.starters import check_starters
 from pages import advice
-from pages.tables import check_tables
+from pages.tables import check_tables, fill
 from tree import ROOT, Failure, files, say, write_atomically
 
 HELP = ("Fills the code that lessons quote (<!-- quote: FILE#MARKER --> before a block of code) from the source, and the\n"
@@ -70,37 +70,27 @@ def quoted(source: Path, marker: str) -> list[str]:
 
 
 def check_quotes(lesson: Path, write: bool = False) -> list[str]:
-    """Compares a lesson's quoted blocks with the source, or fills them."""
-    lines = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
-    wrong, out, i = [], [], 0
-    while i < len(lines):
-        out.append(lines[i])
-        match = QUOTE.match(lines[i])
-        i += 1
-        if not match:
-            continue
-        here = f"{lesson}:{i}"
+    """Compares what a lesson quotes with the source: code, tables, verdicts. Or fills it; then only faults remain."""
+    lines = before = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
+    faults = []
+    for check in (check_code, check_tables, advice.check_blocks):
+        found, lines = check(lesson, lines)
+        faults += [one for one in found if not write or not one.endswith(" fills it")]
+    if write and lines != before:
+        write_atomically(ROOT / lesson, "\n".join(lines) + "\n")
+    return faults
+
+
+def check_code(lesson: Path, lines: list[str]) -> tuple[list[str], list[str]]:
+    """The faults in a lesson's quoted blocks of code, and its lines with them filled."""
+    def code(match: re.Match, i: int) -> tuple[int, int]:
         fence = FENCE.match(lines[i]) if i < len(lines) else None
         if not fence:
-            wrong.append(f"{here}: no block of code follows the quote")
-            continue
+            raise Failure("no block of code follows the quote")
         end = next((j for j in range(i + 1, len(lines)) if lines[j].strip() == fence[1]), None)
         if end is None:
-            wrong.append(f"{here}: the quoted block does not end")
-            continue
-        body = lines[i + 1:end]
-        try:
-            source = quoted(Path(match[1]), match[2])
-        except Failure as failure:
-            wrong.append(f"{here}: {failure}")
-            source = body
-        if body != source and not write:
-            wrong.append(f"{here}: the block is not what {match[1]} says at [{match[2]}]; ./course docs --quote fills it")
-        out += [lines[i], *source, lines[end]]
-        i = end + 1
-    for check in (check_tables, advice.check_blocks):
-        problems, out = check(lesson, out, write)
-        wrong += problems
-    if write and out != lines:
-        write_atomically(ROOT / lesson, "\n".join(out) + "\n")
-    return wrong
+            raise Failure("the quoted block does not end")
+        return i + 1, end
+
+    return fill(lesson, lines, QUOTE, code, lambda match, *_: quoted(Path(match[1]), match[2]),
+                lambda match, *_: [f"the block is not what {match[1]} says at [{match[2]}]"])

@@ -1,12 +1,11 @@
 """A shader whole: with all that it includes, in the order in which it is compiled, each part under the file it comes from."""
 
-import json
 import re
-import subprocess
 from pathlib import Path
 
 from build.build import build
-from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, nearest, say
+from pages.knob_links import knobs_of
+from tree import ROOT, Failure, UsageError, find_chapter, nearest, say
 
 HELP = """Prints a shader whole, as a chapter compiles it: each part under a comment with the file it comes from.
 
@@ -105,11 +104,8 @@ def add(name: str, use: str, lines: list[str], seen: set[str], asked: str = "./c
 def header(chapter: str, text: str) -> str:
     """The lines before a shader: the macros of the chapter's knobs that it names, at their defaults."""
     build([chapter])
-    said = subprocess.run([chapter_program(chapter), "--list", "knobs", "--json"], cwd=ROOT, stdout=subprocess.PIPE, text=True)
-    if said.returncode:
-        raise Failure(f"{chapter} could not list its knobs")
     macros = {}
-    for knob in json.loads(said.stdout):
+    for knob in knobs_of(chapter):
         macros |= macros_of(knob)
     named = set(re.findall(r"\w+", text))
     defines = "".join(f"#define {macro} {value}\n" for macro, value in macros.items() if macro in named)

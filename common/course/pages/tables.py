@@ -222,45 +222,56 @@ def table_rows(source: str, common: str, body: list[str], old: list[list[str]]) 
     return new
 
 
-def check_tables(lesson: Path, lines: list[str], write: bool = False) -> tuple[list[str], list[str]]:
-    """The faults in a lesson's tables, and its lines with them filled."""
+def fill(text: Path, lines: list[str], begin: re.Pattern, block_of, new_of, stale) -> tuple[list[str], list[str]]:
+    """The faults of the blocks behind comments, and the lines with the blocks filled. block_of(match, i) says from where to where
+    a block goes whose comment's first line is before line i, new_of(match, i, first, block) what it has to be, and stale(match,
+    block, new) what is wrong with it."""
     wrong, out, i = [], [], 0
     while i < len(lines):
-        match = TABLE.match(lines[i])
+        match = begin.match(lines[i])
         out.append(lines[i])
         i += 1
         if not match:
             continue
-        here, first, body = f"{lesson}:{i}", match[2], []
-        while not (first if not body else body[-1]).rstrip().endswith("-->") and i < len(lines):
-            body.append(lines[i])
-            out.append(lines[i])
-            i += 1
-        body = [line.replace("-->", "").strip() for line in body]
-        first = first.replace("-->", "").strip()
-        while i < len(lines) and not lines[i].strip():
-            out.append(lines[i])
-            i += 1
-        begin = i
-        while i < len(lines) and lines[i].lstrip().startswith("|"):
-            i += 1
-        if i - begin < 3:
-            wrong.append(f"{here}: no table follows")
-            continue
-        indent = lines[begin][:len(lines[begin]) - len(lines[begin].lstrip())]
-        old = [split_row(line) for line in lines[begin + 2:i]]
         try:
-            new = table_rows(match[1], first, [line for line in body if line], old)
+            first, end = block_of(match, i)
+            block = lines[first:end]
+        except Failure as error:
+            wrong.append(f"{text}:{i}: {error}")
+            continue
+        try:
+            new = new_of(match, i, first, block)
         except (Failure, KeyError, TypeError, ValueError) as error:
-            wrong.append(f"{here}: {match[1]}: {error}")
-            new = old
-        if new != old and not write:
-            wrong += [f"{here}: {match[1]} has {' | '.join(b)}, the table {' | '.join(a)}; ./course docs --quote fills it"
-                      for a, b in zip(old, new) if a != b]
-        out += lines[begin:begin + 2]
-        out += [indent + "| " + " | ".join(row) + " |" if row != was else line
-                for row, was, line in zip(new, old, lines[begin + 2:i])]
+            wrong.append(f"{text}:{i}: {match[1]}: {error}")
+            new = block
+        if new != block:
+            wrong += [f"{text}:{i}: {words}; ./course docs --quote fills it" for words in stale(match, block, new)]
+        out += [*lines[i:first], *new]
+        i = end
     return wrong, out
+
+
+def check_tables(lesson: Path, lines: list[str]) -> tuple[list[str], list[str]]:
+    """The faults in a lesson's tables, and its lines with them filled."""
+    def table(match: re.Match, i: int) -> tuple[int, int]:
+        after = next((k for k in range(i - 1, len(lines)) if lines[k].rstrip().endswith("-->")), len(lines)) + 1
+        first = next((k for k in range(after, len(lines)) if lines[k].strip()), len(lines))
+        end = next((k for k in range(first, len(lines)) if not lines[k].lstrip().startswith("|")), len(lines))
+        if end - first < 3:
+            raise Failure("no table follows")
+        return first, end
+
+    def rows(match: re.Match, i: int, first: int, block: list[str]) -> list[str]:
+        settings = [line.replace("-->", "").strip() for line in lines[i:first]]
+        indent = block[0][:len(block[0]) - len(block[0].lstrip())]
+        old = [split_row(line) for line in block[2:]]
+        new = table_rows(match[1], match[2].replace("-->", "").strip(), [line for line in settings if line], old)
+        return block[:2] + [line if row == was else f"{indent}| {' | '.join(row)} |" for row, was, line in zip(new, old, block[2:])]
+
+    def stale(match: re.Match, block: list[str], new: list[str]) -> list[str]:
+        return [f"{match[1]} has {' | '.join(split_row(b))}, the table {' | '.join(split_row(a))}" for a, b in zip(block, new) if a != b]
+
+    return fill(lesson, lines, TABLE, table, rows, stale)
 
 
 def agrees(text: str, found: float, tolerance: str = "") -> bool:

@@ -58,11 +58,13 @@ def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", 
 
 
 class Asked:
-    """A program that answers each line of JSON with a line of JSON. If it dies, the next question starts it again."""
+    """A program that answers each line of JSON with a line of JSON, whose "bytes" follow it. If it dies, the next question starts it
+    again."""
 
     def __init__(self, command: list, timeout_s: float = TIMEOUT_S, environment: dict | None = None):
         self.command, self.timeout_s, self.environment = [str(word) for word in command], timeout_s, environment
         self.program = self.stderr = None
+        self.picture = b""  # the bytes behind the last answer
 
     def __enter__(self):
         return self
@@ -82,6 +84,8 @@ class Asked:
     def end(self) -> int:
         """Its exit code."""
         program, self.program = self.program, None
+        if not program:
+            return 0
         program.kill()
         with program, self.stderr:
             return program.wait()
@@ -94,18 +98,25 @@ class Asked:
         if not self.program:
             self.stderr = tempfile.TemporaryFile("w+", errors="replace", encoding="utf-8")
             try:
-                self.program = subprocess.Popen(self.command, cwd=ROOT, env=self.environment, text=True, errors="replace",
-                                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
+                self.program = subprocess.Popen(self.command, cwd=ROOT, env=self.environment, stdin=subprocess.PIPE,
+                                                stdout=subprocess.PIPE, stderr=self.stderr)
             except OSError as error:
                 raise Failure(f"{relative(self.command[0])}: {error.strerror}") from None
         begin = self.stderr.seek(0, os.SEEK_END)
         with contextlib.suppress(OSError):  # it has died: there is no answer
-            self.program.stdin.write(json.dumps(question) + "\n")
+            self.program.stdin.write(json.dumps(question).encode() + b"\n")
             self.program.stdin.flush()
-        answer = self.program.stdout.readline() if select.select([self.program.stdout], [], [], self.timeout_s)[0] else ""
+        out = self.program.stdout
+        in_time = bool(select.select([out], [], [], self.timeout_s)[0])
+        line = out.readline() if in_time else b""
+        if in_time and not line:  # it is dying: of what is known in a moment
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.program.wait(5)
+        answer = json.loads(line) if line.startswith(b"{") else {}
+        self.picture = out.read(answer.get("bytes", 0))
         self.stderr.seek(begin)
         said = self.stderr.read()
-        return (json.loads(answer), said, 0) if answer.startswith("{") else (None, said, self.end())
+        return (answer, said, 0) if answer and len(self.picture) == answer.get("bytes", 0) else (None, said, self.end())
 
 
 class Drawing(Asked):
