@@ -35,7 +35,8 @@ def add_arguments(parser):
 
 
 def run(_arguments, _rest) -> int:
-    write_atomically(ROOT / advice.PAGE, advice.page())
+    if advice.questions():
+        write_atomically(ROOT / advice.PAGE, advice.page())
     wrong = [problem for name in lessons() for problem in check_quotes(name, write=True)]
     check_starters(write=True)
     for problem in wrong:
