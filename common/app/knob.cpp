@@ -44,6 +44,13 @@ struct Components<glm::vec<N, float>> {
     static void put(glm::vec<N, float>& value, int i, double number) { value[i] = static_cast<float>(number); }
 };
 
+constexpr const char* a_word = "a name is a letter, then letters, digits and _: it becomes a macro";
+
+bool is_word(std::string_view name) {
+    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) &&
+           std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
 template <class T>
 constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
                              : Components<T>::count == 1 ? "number"
@@ -53,6 +60,10 @@ constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
 
 KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit)
     : owner(knob_owner), name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
+    if (!is_word(name)) throw Failure("knob '{}': {}", path(), a_word);
+    for (const Module::Member& other : owner.members_)
+        if (other.knob && other.knob->name == name)
+            throw Failure("knob '{}' stands twice in one module; give one another name", path());
     owner.members_.push_back({.knob = this});
     owner.forget_macros();
 }
@@ -68,15 +79,15 @@ std::string KnobBase::macro() const { return upper(owner.kind().empty() ? name :
 
 template <class T>
 Knob<T>::Knob(Module& knob_owner, std::string knob_name, T initial, Range<T> knob_range, std::string knob_help,
-              std::string knob_unit, std::source_location where)
+              std::string knob_unit, std::source_location where) try
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
       value(initial),
       default_value(initial),
       range(knob_range) {
     try {
         set(text());
-    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
-}
+    } catch (const InputError& e) { throw Failure("default of {}", e.what()); }
+} catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }
 
 template <class T>
 void Knob<T>::set(const std::string& given) {
@@ -163,13 +174,17 @@ nlohmann::json Knob<bool>::describe() const {
 }
 
 Choice::Choice(Module& knob_owner, std::string knob_name, std::vector<std::string> names, std::string initial,
-               std::string knob_help, std::source_location where)
+               std::string knob_help, std::source_location where) try
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
+    for (const std::string& option : options) {
+        if (!is_word("x" + option)) throw Failure("option '{}' of {}: {}", option, path(), a_word);
+        if (std::ranges::count(options, option) > 1) throw Failure("option '{}' of {} stands twice", option, path());
+    }
     try {
         set(initial);
-    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
+    } catch (const InputError& e) { throw Failure("default of {}", e.what()); }
     default_index_ = index;
-}
+} catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }
 
 void Choice::set(const std::string& given) {
     const auto it = std::find(options.begin(), options.end(), given);

@@ -81,6 +81,8 @@ void add_knobs(CLI::App& app, const KnobList& knobs, std::map<std::string, std::
     const auto add = [&](const KnobBase& knob, const std::string& group) {
         std::string names = "--" + knob.path();
         if (has_short_name(knobs, knob)) names += ",--" + knob.name;
+        if (values.contains(knob.path()))
+            throw Failure("two knobs are called '{}'; give one of their modules another name", knob.path());
         app.add_option(names, values[knob.path()], knob.help)->type_name(knob.usage())->group(group);
     };
     for (const KnobBase* knob : knobs)

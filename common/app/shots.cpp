@@ -35,6 +35,8 @@ std::vector<Shot> parse_shots(const std::string& text, const std::string& file) 
             if (entry.contains("size")) shot.size = size_of(entry["size"]);
             shot.time_s = entry.value("time_s", 0.0f);
             shot.frames = entry.value("frames", 1);
+            if (entry.contains("set") && !entry["set"].is_object())
+                throw InputError("set of {} is {}; expected an object {{ }} of knobs", shot.name, entry["set"].dump());
             if (entry.contains("set"))
                 for (const auto& [name, value] : entry["set"].items())
                     shot.set.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());

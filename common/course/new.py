@@ -28,7 +28,7 @@ struct STRUCT : ModelChapter {
     Vignette vignette{*this, "vignette"};
 
     STRUCT() {
-        vignette.method.alone = true;  // --method is about the vignette here
+        vignette.method.preferred = true;  // --method is about the vignette here
     }
     std::string default_scene() const override { return "scenes/colonnade.json"; }
 
@@ -318,6 +318,9 @@ What the reader can do now.
 
 Book or paper, year, page.
 """
+INDEX = "docs/index.md"
+ROW = ("natural vignetting", "| natural vignetting | cos^4 law | [NN](FOLDER.md#the-frame) | `vignette.strength` | NN.corners | "
+       "[NN.falloff](FOLDER.md#NNfalloff-easy) |\n")
 FILES = {"chapters/FOLDER/main.cpp": MAIN, "chapters/FOLDER/vignette.h": MODULE, "chapters/FOLDER/truth.h": TRUTH,
          "chapters/FOLDER/study.json": STUDY, "shaders/FOLDER/shares.comp": SHARES, "shaders/FOLDER/darken.comp": DARKEN,
          "shaders/FOLDER/exercise/falloff.glsl": EXERCISE, "shaders/FOLDER/solution/falloff.glsl": SOLUTION,
@@ -344,16 +347,24 @@ def refusal(name: str) -> str:
     return f"{taken[0]} exists already; nothing was written" if taken else ""
 
 
+def named(text: str, name: str) -> str:
+    title = name[3:].replace("_", " ").capitalize()
+    for word, value in (("FOLDER", name), ("STRUCT", title.title().replace(" ", "") + "Chapter"), ("TITLE", title), ("NN", name[:2])):
+        text = text.replace(word, value)
+    return text
+
+
 def written(name: str) -> dict[str, str]:
     """The files of a chapter by path."""
-    title = name[3:].replace("_", " ").capitalize()
-    words = {"FOLDER": name, "STRUCT": title.title().replace(" ", "") + "Chapter", "TITLE": title, "NN": name[:2]}
-    found = {}
-    for path, text in FILES.items():
-        for word, value in words.items():
-            path, text = path.replace(word, value), text.replace(word, value)
-        found[path] = text
-    return found
+    return {named(path, name): named(text, name) for path, text in FILES.items()}
+
+
+def with_row(index: str, name: str) -> str:
+    """The index with the example's term, in alphabetical order."""
+    lines = index.splitlines(keepends=True)
+    terms = [(number, line.split("|")[1].strip().casefold()) for number, line in enumerate(lines) if line.count("|") == 7]
+    after = [number for number, term in terms if ROW[0] >= term != "term" and term != "---"]
+    return "".join([*lines[:after[-1] + 1], named(ROW[1], name), *lines[after[-1] + 1:]]) if after else index
 
 
 def run(arguments, _rest) -> int:
@@ -363,6 +374,9 @@ def run(arguments, _rest) -> int:
     for path, text in files.items():
         write_atomically(ROOT / path, text)
         say(path)
+    if (ROOT / INDEX).exists():
+        write_atomically(ROOT / INDEX, with_row((ROOT / INDEX).read_text(encoding="utf-8"), arguments.name))
+        say(INDEX)
     check_quotes(f"docs/{arguments.name}.md", write=True)
     check_starters(write=True)
     say(f"\nLook at it:    ./course run {number}\n"

@@ -122,7 +122,7 @@ def say_left_alone():
     """Once for each command."""
     if found := left_alone():
         more = f" and {len(found) - 3} more" if len(found) > 3 else ""
-        warn(f"left alone: {', '.join(found[:3])}{more}, not in {MANIFEST}")
+        warn(f"left alone: {', '.join(found[:3])}{more}, not in {MANIFEST}; ./course docs --quote records a new exercise that has a solution")
 
 
 def shader_files() -> list[Path]:

@@ -93,8 +93,8 @@ std::string place_in(const std::string& text, size_t at) {
                        std::atoi(text.c_str() + directive + 6) + std::ranges::count(between, '\n'));
 }
 
-// What GLSL accepts and passes ignore: numbers of bindings, and one thread where no local size is given.
-void refuse_ignored(Stage stage, const std::string& commented, const std::string& name) {
+// What GLSL accepts and passes ignore: numbers of bindings, and one thread where no local size is given; and no main().
+void refuse_ignored(Stage stage, const std::string& commented) {
     const std::string text = without_comments(commented);
     for (size_t at = text.find("layout"); at != text.npos; at = text.find("layout", at + 1)) {
         const size_t open = text.find_first_not_of(" \t\n", at + 6), close = text.find(')', at);
@@ -106,12 +106,15 @@ void refuse_ignored(Stage stage, const std::string& commented, const std::string
                     throw ShaderError("{}: '{}' has no effect: bindings are set by name; leave it out",
                                       place_in(text, at), word);
     }
+    const size_t end = text.find_last_not_of(" \t\n");
+    if (!names_macro(text, "main")) throw ShaderError("{}: no void main()", place_in(text, end));
     if (stage == Stage::compute && text.find("local_size_") == text.npos)
-        throw ShaderError("{}: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images", name);
+        throw ShaderError("{}: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images",
+                          place_in(text, end));
 }
 
 std::vector<uint32_t> compile_now(Stage stage, const std::string& text, const std::string& name) {
-    refuse_ignored(stage, text, name);
+    refuse_ignored(stage, text);
     static const bool initialised = glslang::InitializeProcess();
     (void)initialised;
     const char* string = text.c_str();

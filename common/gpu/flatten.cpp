@@ -30,13 +30,15 @@ fs::path overlaid(const fs::path& file) {
     return fs::exists(other) ? other : file;
 }
 
-// #line would attribute errors to another file.
+// #line would attribute errors to another file; #version is added.
 void refuse_line_numbers(const std::string& text, const std::string& shown) {
-    static const std::regex directive(R"re(^\s*#\s*line\b.*)re");
+    static const std::regex directive(R"re(^\s*#\s*(line|version)\b.*)re");
     std::istringstream in(text);
     std::string line;
+    std::smatch match;
     for (int number = 1; std::getline(in, line); ++number)
-        if (std::regex_match(line, directive)) throw ShaderError("{}:{}: no shader has a #line", shown, number);
+        if (std::regex_match(line, match, directive))
+            throw ShaderError("{}:{}: no shader has a #{}; leave it out", shown, number, match[1].str());
 }
 
 // Test shader, on disk or inline. `#pragma replaces "05_shadow_maps/x.glsl"` makes includes of that file empty.
@@ -110,6 +112,9 @@ class Flattener {
                 continue;
             }
             if (!std::regex_match(line, match, directive)) {  // <...>: C++ header of a shared struct
+                static const std::regex bracketed(R"re(.*<([^>]+\.glsl)>.*)re");
+                if (std::regex_match(line, match, bracketed))
+                    throw ShaderError("{}:{}: a shader is included as \"{}\"", shown, number, match[1].str());
                 result.text += "\n";
                 continue;
             }
@@ -122,6 +127,10 @@ class Flattener {
                 throw ShaderError("{}:{}: #include \"{}\": an include is a path below shaders/", shown, number, name);
             // Files are included once; within #if, inclusion would depend on file order.
             if (depth > 0) throw ShaderError("{}:{}: #include within #if; move it to the top", shown, number);
+            for (const char* const version : {"exercise", "solution"})
+                if (!replaced && std::ranges::count(below, fs::path(version)) && !is_of_tests(shown))
+                    throw ShaderError("{}:{}: #include \"{}\": leave out {}/; --use chooses the version", shown, number,
+                                      name, version);
             if (chapter_of(name) > chapter && !replaced)
                 throw ShaderError("{}:{}: chapter {} may not include the later chapter's {}", shown, number, chapter,
                                   name);
@@ -239,13 +248,45 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
+// The defined macro that a name in #ifdef was meant to be, which would silently be false; empty: none.
+std::string misspelt(std::string_view word, const Macros& macros) {
+    for (const auto& [name, value] : macros) {
+        const size_t distance = name.size() < 8 ? 0 : edit_distance(name, word);
+        if (distance == 1 || distance == 2) return name;
+    }
+    return "";
+}
+
+// The choice that an option in #if is not compared with: an option alone is a constant. Empty: none.
+std::string uncompared(std::string_view option, std::string_view line, const Macros& macros) {
+    if (line.find_first_of("=<>") != line.npos) return "";
+    if (!macros.values().contains(std::string(option))) return "";
+    for (const auto& [name, value] : macros)
+        if (option.size() > name.size() && option.starts_with(name) && option[name.size()] == '_') return name;
+    return "";
+}
+
 // GLSL evaluates undefined macros in #if as 0, which would silently compile the wrong branch.
 void refuse_unknown_macros(const std::string& text, const Macros& macros) {
     std::set<std::string, std::less<>> known;
     for (const auto& [name, value] : macros) known.insert(name);
     std::istringstream in(text);
     std::string line, file;
-    for (int number = 1; std::getline(in, line); ++number) {
+    int number = 1;
+    const auto refuse = [&](const std::string& why) {
+        throw ShaderError("{}:{}: {}\n    {}", file.size() > 2 ? file.substr(1, file.size() - 2) : file, number, why,
+                          line);
+    };
+    const auto check_spelling = [&](std::string_view word) {
+        if (known.count(word)) return;
+        if (const std::string meant = misspelt(word, macros); !meant.empty())
+            refuse(fmt::format("nobody defines {}; did you mean {}?", word, meant));
+    };
+    const auto check_compared = [&](std::string_view word) {
+        if (const std::string choice = uncompared(word, line, macros); !choice.empty())
+            refuse(fmt::format("{0} is an option's number; write {1} == {0}", word, choice));
+    };
+    for (; std::getline(in, line); ++number) {
         const size_t hash = line.find_first_not_of(" \t");
         if (hash == line.npos || line[hash] != '#') continue;
         const std::vector<std::string_view> words = words_of(line);
@@ -255,16 +296,21 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
             numbers >> number >> file;
             --number;
         } else if ((words[0] == "define" || words[0] == "ifndef" || words[0] == "ifdef") && words.size() > 1) {
+            if (words[0] != "define") {
+                check_spelling(words[1]);
+                check_compared(words[1]);
+            }
             known.emplace(words[1]);  // tested for definition first
         } else if (words[0] == "if" || words[0] == "elif") {
             for (size_t i = 1; i < words.size(); ++i) {
                 if (words[i] == "defined") {
-                    ++i;
+                    if (++i < words.size()) check_spelling(words[i]);
                 } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
-                    const std::string shown = file.size() > 2 ? file.substr(1, file.size() - 2) : file;
-                    throw ShaderError(
-                        "{}:{}: nobody defines {}; does the pass state `.with` the module it belongs to?\n    {}",
-                        shown, number, words[i], line);
+                    check_spelling(words[i]);
+                    refuse(fmt::format("nobody defines {}; does the pass state `.with` the module it belongs to?",
+                                       words[i]));
+                } else {
+                    check_compared(words[i]);
                 }
             }
         }

@@ -66,6 +66,7 @@ void Frame::make_room() {
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {
     make_room();
     if (in_pass_) throw Failure("pass '{}' begins within pass '{}'", name, recording().passes.back().name);
+    if (name.empty()) throw Failure("a pass has no name, by which timers and messages call it");
     in_pass_ = true;
     return recording().begin_pass(name, stage);
 }
@@ -145,14 +146,15 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
                    std::source_location where) {
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
+    VkCommandBuffer commands{};
     check_at(where, [&] {
         rendering.set(name, targets, size, watch_.shows_discarded);
         all_inputs(lists_.given, name, targets.with, root);
         with_inputs(lists_.reads, targets.reads, lists_.given);
         state(lists_.stated, name, lists_.reads, targets.writes, &targets);
         check_reads(name, lists_.stated, &rendering);
+        commands = begin_pass(name, "raster");
     });
-    const VkCommandBuffer commands = begin_pass(name, "raster");
     add_barriers(lists_.barriers, false, lists_.stated);
     rendering.add_barriers(lists_.barriers);
     lists_.barriers.record(commands);
@@ -168,36 +170,39 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
                        vkCmdEndRendering(commands);
                        end_pass();
                    });
-    note_writes(lists_.stated, &rendering);
+    note_writes({}, &rendering);
     run_after_pass(outputs_before);
 }
 
 void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record,
                     std::source_location where) {
     const size_t outputs_before = outputs.size();
+    VkCommandBuffer commands{};
     check_at(where, [&] {
         all_inputs(lists_.given, name, access.with, root);
         with_inputs(lists_.reads, access.reads, lists_.given);
         state(lists_.stated, name, lists_.reads, access.writes);
         check_reads(name, lists_.stated, nullptr);
+        commands = begin_pass(name, "compute");
     });
-    const VkCommandBuffer commands = begin_pass(name, "compute");
     add_barriers(lists_.barriers, true, lists_.stated);
     lists_.barriers.record(commands);
     for (const Resource& written : access.writes) add_output(name, written.view);
     Compute pass(*this, name, commands, lists_, where);
     if (watch_.listener) watch_.listener->begins(name, access);
     record_and_end([&] { record(pass); }, [&] { end_pass(); });
-    note_writes(lists_.stated, nullptr);
     run_after_pass(outputs_before);
 }
 
 void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record,
                      std::source_location where) {
     std::vector<Stated> stated;
-    check_at(where, [&] { state(stated, name, access.reads, access.writes); });
+    VkCommandBuffer commands{};
+    check_at(where, [&] {
+        state(stated, name, access.reads, access.writes);
+        commands = begin_pass(name, "transfer");
+    });
     note_writes(stated, nullptr);
-    const VkCommandBuffer commands = begin_pass(name, "transfer");
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;
     const auto add = [&](const Resource& r, const Access& next) {

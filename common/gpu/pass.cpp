@@ -40,6 +40,17 @@ bool turn_into(ImageView& view, VkImageViewType wanted) {
     return possible;
 }
 
+// Storage images are read in the general layout. Earlier dispatches of the pass have sampled in theirs.
+void turn_general(VkCommandBuffer commands, Stated& stated, PassLists& lists) {
+    constexpr Access loads{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT, VK_IMAGE_LAYOUT_GENERAL,
+                           false};
+    barrier(commands, stated.resource.view, loads);
+    stated.layout = loads.layout;
+    for (size_t i = 0; i < lists.views.size(); ++i)
+        if (lists.views[i] && stated.resource.view.contains(lists.views[i]))
+            lists.image_infos[i].imageLayout = loads.layout;
+}
+
 }  // namespace
 
 Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_commands, PassLists& lists,
@@ -127,7 +138,11 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     if (pipeline && pipeline == pipeline_) return;
     pipeline_ = pipeline;
     point_ = point;
-    if (!pipeline) return;
+    if (!pipeline) {  // while its shader does not compile, what it would write is left as it is
+        for (const Stated& s : lists_.stated)
+            if (s.writable && s.resource.view) s.resource.view.image->written_in = frame.number();
+        return;
+    }
     vkCmdBindPipeline(commands, point, pipeline->handle);
     if (frame.gpu.device.software_paths) {
         const uint32_t index = 0;
@@ -143,7 +158,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     missing_ = static_cast<size_t>(std::ranges::count(pipeline->bindings, true, &Binding::used));
     dirty_ = true;
     lists_.image_infos.assign(pipeline->descriptors, {});
-    lists_.views.assign(pipeline->samples_and_writes ? pipeline->descriptors : 0, {});
+    lists_.views.assign(pipeline->descriptors, {});
     lists_.buffer_infos.assign(pipeline->descriptors, {});
     if (listener()) listener()->uses(wanted, variant);
     modules_bind_ = true;
@@ -202,14 +217,24 @@ VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const 
         fail(where, ": '{}' is {} in the shader, and {} is {}", binding.name, shape(binding.view_type), view.name(),
              shape(view));
     check_view(where, binding, view);
-    const Stated* found = stated(view, storage);
-    if (!found && storage && !binding.writable && stated(view, false))
+    const Stated* found = stated(view, storage && binding.writable);
+    if (found && storage && found->layout != VK_IMAGE_LAYOUT_GENERAL) {
+        if (point_ != VK_PIPELINE_BIND_POINT_COMPUTE || view.image->constant)
+            fail(
+                where,
+                ": '{}' is a readonly image in the shader; raster passes and uploaded images are only sampled: declare "
+                "a sampler and use texelFetch(), or state {} in writes, too",
+                binding.name, view.name());
+        turn_general(commands, *std::ranges::find_if(lists_.stated, [&](const Stated& s) { return &s == found; }),
+                     lists_);
+    }
+    if (!found && (!view.image->constant || storage)) fail_unstated(where, binding.name, binding.writable);
+    if (found && !found->read && storage && binding.readable)
         fail(where,
-             ": '{}' is a readonly image in the shader; a read allows only sampling: declare a sampler and use "
-             "texelFetch(), or state {} in writes, too",
+             ": '{}' is not writeonly in the shader, and {} is stated in writes alone; declare it writeonly, or "
+             "state it in reads, too",
              binding.name, view.name());
-    if (!found && (!view.image->constant || storage)) fail_unstated(where, binding.name, storage);
-    if (found && !found->read && (!storage || binding.readable)) fail_unstated(where, binding.name, false);
+    if (found && !found->read && !storage) fail_unstated(where, binding.name, false);
     return {.sampler = storage ? VK_NULL_HANDLE : frame.gpu.samplers[sampler],
             .imageView = view.handle(),
             .imageLayout = found ? found->layout : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -233,7 +258,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
             info = image_info(where, binding, view, sampler);
         }
         store(binding, i, lists_.image_infos, info);
-        if (pipeline_->samples_and_writes) lists_.views[binding.first + i] = view;
+        lists_.views[binding.first + i] = view;
     }
     missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
 }
@@ -308,14 +333,18 @@ bool Pass::flush() {
     dirty_ = false;
     if (pipeline_->samples_and_writes) check_not_sampled();
     lists_.writes.clear();
-    for (const Binding& binding : pipeline_->bindings)
-        if (binding.used)
-            lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                                     .dstBinding = binding.number,
-                                     .descriptorCount = binding.count,
-                                     .descriptorType = binding.type,
-                                     .pImageInfo = &lists_.image_infos[binding.first],
-                                     .pBufferInfo = &lists_.buffer_infos[binding.first]});
+    for (const Binding& binding : pipeline_->bindings) {
+        if (!binding.used) continue;
+        if (binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.writable)
+            for (uint32_t i = 0; i < binding.count; ++i)
+                lists_.views[binding.first + i].image->written_in = frame.number();
+        lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                 .dstBinding = binding.number,
+                                 .descriptorCount = binding.count,
+                                 .descriptorType = binding.type,
+                                 .pImageInfo = &lists_.image_infos[binding.first],
+                                 .pBufferInfo = &lists_.buffer_infos[binding.first]});
+    }
     const VkDescriptorSet set = frame.descriptor_set(*pipeline_, lists_.writes);
     vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
     return true;

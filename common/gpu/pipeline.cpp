@@ -258,6 +258,11 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
 
     auto built = std::make_unique<BuiltPipeline>(device_);
     built->bindings = assign_bindings(stages, &built->local_size);
+    const VkPhysicalDeviceLimits& limits = device_.properties.limits;
+    const glm::uvec3& local = built->local_size;
+    if (const uint32_t most = limits.maxComputeWorkGroupInvocations; local.x * local.y * local.z > most)
+        throw ShaderError("shaders/{}: a local size of {}×{}×{} is {} threads; this device has at most {}",
+                          stages.names[0], local.x, local.y, local.z, local.x * local.y * local.z, most);
     std::vector<VkDescriptorSetLayoutBinding> entries;
     bool samples = false, writes = false;
     for (const Binding& binding : built->bindings) {

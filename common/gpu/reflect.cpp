@@ -242,7 +242,7 @@ void refuse_unset(spvc_compiler compiler, spvc_resources resources) {
         spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
         if (count == 0) continue;
         const std::string name = spvc_compiler_get_name(compiler, list[0].id);
-        throw Failure("'{}' {}", name.empty() ? list[0].name : name, what);
+        throw Failure("'{}' {}", name.empty() ? spvc_compiler_get_name(compiler, list[0].base_type_id) : name, what);
     }
 }
 

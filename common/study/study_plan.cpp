@@ -66,7 +66,8 @@ using nlohmann::json;
 class PlanReader {
   public:
     /// `method`: of another chapter than the study's, which has these knobs; null: it is the study's own.
-    explicit PlanReader(const KnobList& knobs, const KnobBase* method = nullptr) : knobs_(knobs), method_(method) {}
+    explicit PlanReader(const KnobList& knobs, const KnobBase* method = nullptr)
+        : knobs_(knobs), method_(method), module_(method ? &method->owner : nullptr) {}
 
     StudyPlan read_for_method(const JsonNode& study) {
         plan_.error_metric = study["error_metric"].text();
@@ -85,11 +86,16 @@ class PlanReader {
                            "generate",    "test_size", "test_scenes",  "candidates", "budgets", "crops",
                            "method_knob", "verdicts",  "unsteady"});
         plan_.title = study["title"].text();
-        if (study.has("method_knob")) method_ = &find(study["method_knob"], study["method_knob"].text());
-        if (study.has("module"))
-            study["module"].expect(
-                study["module"].text() == (method_ ? *method_ : find(study["module"], "method")).owner.kind(),
-                "the kind of the module that has the methods");
+        if (study.has("method_knob")) {
+            method_ = &find(study["method_knob"], study["method_knob"].text());
+            module_ = &method_->owner;
+        }
+        if (study.has("module")) {
+            const Module& owner = (method_ ? *method_ : find(study["module"], "method")).owner;
+            study["module"].expect(study["module"].text() == owner.kind(),
+                                   "the kind of the module that has the methods");
+            module_ = &owner;
+        }
         plan_.error_metric = study["error_metric"].text();
         plan_.stage = study["stage"].text();
         if (study.has("size")) plan_.size = read_size(study["size"]);
@@ -134,9 +140,8 @@ class PlanReader {
 
   private:
     KnobBase& find(const JsonNode& at, const std::string& name) const {
-        if (method_)
-            for (KnobBase* knob : knobs_)
-                if (&knob->owner == &method_->owner && knob->name == name) return *knob;
+        for (KnobBase* knob : knobs_)
+            if (&knob->owner == module_ && knob->name == name) return *knob;
         try {
             return find_knob(knobs_, name);
         } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
@@ -146,14 +151,16 @@ class PlanReader {
     std::string checked(const JsonNode& at, const std::string& name) const {
         if (at.value.is_structured() || at.value.is_null()) at.refuse("is " + at.value.dump() + ", expected one value");
         const std::string text = at.value.is_string() ? at.value.get<std::string>() : at.value.dump();
+        KnobBase& knob = find(at, name);
         try {
-            find(at, name).set(text);
+            knob.set(text);
         } catch (const InputError& e) { at.refuse(std::string(": ") + e.what()); }
         return text;
     }
 
     std::string named(const JsonNode& at, const std::string& name) const {
-        return method_ ? find(at, name).path() : name;
+        const KnobBase& knob = find(at, name);
+        return method_ || !has_short_name(knobs_, knob) ? knob.path() : name;
     }
 
     static std::vector<JsonNode> values_of(const JsonNode& node) {
@@ -302,6 +309,7 @@ class PlanReader {
 
     const KnobList& knobs_;
     const KnobBase* method_;
+    const Module* module_;  // its knobs' short names mean these
     StudyPlan plan_;
 };
 

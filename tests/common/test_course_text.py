@@ -72,7 +72,7 @@ class Text(Course):
         self.assertIn("docs/index.md:5: no knob or value is called gouraud", index(right.replace("phong", "gouraud")))
         self.assertIn("docs/index.md:5: there is no shot 02.cow", index(right.replace("bunny", "cow")))
         self.assertIn("docs/index.md:5: there is no exercise 02.two", index(right.replace("02.one", "02.two")))
-        self.assertIn("docs/index.md: it does not name 02.one", index(right.replace("[02.one]", "[one]")))
+        self.assertIn("docs/index.md: no row names the exercise 02.one; link it in the last column of its term", index(right.replace("[02.one]", "[one]")))
         self.assertIn("not in alphabetical order: 'matt'", index(right.replace("glossy surfaces", "surfaces"), "matt | | [02](02_lambert.md) | | |"))
 
     def test_the_index_has_the_words_of_older_courses(self):
@@ -157,8 +157,9 @@ class Text(Course):
         self.put("tests/01_obj/golden/distances.json", json.dumps({"car": known["car"], "cat": known["car"]}))
         self.assertIn("nobody measured how far drivers differ on bunny; ./course accept 01.bunny", self.wrong())
         self.assertIn("golden/distances.json: cat has no golden", self.wrong())
-        self.put("tests/02_lambert/shots.json", json.dumps({"shots": [SHOTS_02["shots"][0] | {"limits": {"max_diff": 99}}]}))
-        self.assertIn("tests/02_lambert/shots.json: bunny says its own limits", self.wrong())
+        self.put("tests/02_lambert/shots.json", json.dumps({"shots": [SHOTS_02["shots"][0] | {"limits": {}, "rejects": [{"sett": {}}]}]}))
+        self.assertIn("tests/02_lambert/shots.json: bunny: 'limits' is unknown here; known: name, caption, ", said := self.wrong())
+        self.assertIn("tests/02_lambert/shots.json: bunny: rejects: 'sett' is unknown here; known: chapter, set, use", said)
 
     def test_the_order_of_the_trees_parts(self):
         for name, text, words in (

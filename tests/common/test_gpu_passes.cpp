@@ -67,7 +67,9 @@ void main() {
         frame.compute("doubles", {.reads = std::move(reads), .writes = {number}},
                       [&](Compute& pass) { pass.use(doubles).set("twice", number).dispatch_threads(frame.size); });
     };
-    CHECK(failure_of([&] { record({}); }) == "pass 'doubles' binds 'twice' without stating it in its reads");
+    CHECK(failure_of([&] { record({}); }) ==
+          "pass 'doubles': 'twice' is not writeonly in the shader, and number is stated in writes alone; declare it "
+          "writeonly, or state it in reads, too");
     record({number});
     frame.end();
     CHECK(value(number) == 6);

@@ -22,6 +22,8 @@ const Pipeline samples =
     shader("samples.comp", into + "uniform sampler2D from;", "imageStore(into, at, texelFetch(from, at, 0));");
 const Pipeline loads = shader("loads.comp", into + "layout(r32f) readonly uniform image2D from;",
                               "imageStore(into, at, imageLoad(from, at));");
+const Pipeline in_place =
+    shader("in_place.comp", "layout(r32f) uniform image2D into;", "imageStore(into, at, 2.0 * imageLoad(into, at));");
 const Pipeline counts =
     shader("counts.comp", into + "uniform usampler2D from;", "imageStore(into, at, vec4(texelFetch(from, at, 0)));");
 const Pipeline packed = shader("packed.comp", "layout(r11f_g11f_b10f) writeonly uniform image2D into;", store);
@@ -68,10 +70,27 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     };
     const Image one = four("one", one_float), two = four("two", one_float),
                 halves = four("halves", VK_FORMAT_R16G16B16A16_SFLOAT);
+    Image uploaded = image({.name = "uploaded", .format = one_float});
+    gpu.upload(uploaded, std::as_bytes(std::span("abc")));
     const Image unwritten = image({.name = "unwritten", .format = one_float, .size = {4, 4}}), none;
     const Buffer nothing;
     Root root;
     const Tint tint{root, "tint"}, other{root, "other", "tint"};
+    const auto in_shader = [&](const std::string& condition) {
+        const Pipeline pipeline = shader("x.comp", "#" + condition + "\n#endif\n" + into, store);
+        return failure_at(
+            [&] { frame.compute("x", {.writes = {one}, .with = {tint}}, [&](Compute& pass) { pass.use(pipeline); }); });
+    };
+    const std::string says = "x.comp:2: ";
+    CHECK(in_shader("if TINT_METHD == TINT_METHOD_ONE") ==
+          says + "nobody defines TINT_METHD; did you mean TINT_METHOD?\n    #if TINT_METHD == TINT_METHOD_ONE");
+    for (const char* const test : {"ifdef TINT_METHD", "ifndef TINT_METHD", "if defined(TINT_METHD)"})
+        CHECK(in_shader(test) == says + "nobody defines TINT_METHD; did you mean TINT_METHOD?\n    #" + test);
+    CHECK(in_shader("if TINT_METHOD_TWO") ==
+          says +
+              "TINT_METHOD_TWO is an option's number; write TINT_METHOD == TINT_METHOD_TWO\n    #if TINT_METHOD_TWO");
+    CHECK(in_shader("ifdef TINT_METHOD_TWO").starts_with(says + "TINT_METHOD_TWO is an option's number"));
+    CHECK(in_shader("ifdef TINT_NOTHING_LIKE_IT").empty());
 
     refused("pass 'x' draws or dispatches before pass.use(pipeline)",
             [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.dispatch_threads(frame.size); }); });
@@ -124,14 +143,25 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
             });
         });
     refused(
-        "pass 'x': 'from' is a readonly image in the shader; a read allows only sampling: declare a sampler and use "
-        "texelFetch(), or state two in writes, too",
+        "pass 'x': 'from' is a readonly image in the shader; raster passes and uploaded images are only sampled: "
+        "declare "
+        "a sampler and use texelFetch(), or state uploaded in writes, too",
         [&] {
-            frame.compute("x", {.reads = {two}, .writes = {one}},
-                          [&](Compute& pass) { pass.use(loads).set("from", two); });
+            frame.compute("x", {.reads = {uploaded}, .writes = {one}},
+                          [&](Compute& pass) { pass.use(loads).set("from", uploaded); });
         });
+    refused(
+        "pass 'x': 'into' is not writeonly in the shader, and one is stated in writes alone; declare it writeonly, or "
+        "state it in reads, too",
+        [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(in_place).set("into", one); }); });
     refused("pass 'x' reads unwritten, which no pass of this frame wrote",
             [&] { frame.compute("x", {.reads = {unwritten}}, [](Compute&) {}); });
+    refused("pass 'x' reads unwritten, which no pass of this frame wrote", [&] {  // stated, but neither drawn nor set
+        frame.compute("fill", {.writes = {unwritten}}, [&](Compute& pass) { pass.use(writes).set("into", unwritten); });
+        frame.compute("x", {.reads = {unwritten}}, [](Compute&) {});
+    });
+    refused("a pass has no name, by which timers and messages call it",
+            [&] { frame.compute("", {}, [](Compute&) {}); });
     const std::string size = " without a size: a Target has one in Chapter::frame, an Image after fit()";
     refused("pass 'x' states an image" + size, [&] { frame.compute("x", {.writes = {none}}, [](Compute&) {}); });
     refused("pass 'x': 'into' gets an image" + size,
@@ -139,6 +169,22 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
             [&] { frame.raster("x", {.color = {clear(none)}}, [](Raster&) {}); });
     frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a readonly image is stated in reads, and may be sampled as well", "[refused]") {
+    const Image from = image({.name = "from", .format = one_float, .size = {4, 4}}),
+                copy = image({.name = "into", .format = one_float, .size = {4, 4}});
+    frame.raster("fill", {.color = {clear(from, glm::vec4(3))}}, [](Raster&) {});
+    frame.compute("load", {.reads = {from}, .writes = {copy}}, [&](Compute& pass) {
+        pass.use(samples).set("from", from).set("into", copy).dispatch({1, 1, 1});
+        pass.wait().use(loads).set("from", from).set("into", copy).dispatch({1, 1, 1});
+        pass.wait().use(samples).set("from", from).set("into", copy).dispatch({1, 1, 1});
+    });
+    frame.compute("sample", {.reads = {from}, .writes = {copy}}, [&](Compute& pass) {
+        pass.use(samples).set("from", from).set("into", copy).dispatch({1, 1, 1});
+    });
+    frame.end();
+    CHECK(value(copy) == 3);
 }
 
 TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its line", "[refused]") {
@@ -169,7 +215,13 @@ TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its lin
     CHECK(declared("struct Two { vec3 a; float b; vec2 c; };\nlayout(scalar) buffer Pairs { Two pairs[]; };").empty());
     CHECK(declared("uniform Same { vec4 a; float b; uint c; } same;").empty());  // equal by both rules
     CHECK(said(compute_pipeline("x.comp", into + "void main() { imageStore(into, ivec2(0), vec4(1.0)); }")) ==
-          "x.comp: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images");
+          "x.comp:2: no local size; layout(local_size_x = 8, local_size_y = 8) in; suits images");
+    const std::string most = std::to_string(gpu.device.properties.limits.maxComputeWorkGroupInvocations);
+    CHECK(said(compute_pipeline("x.comp", "layout(local_size_x = 64, local_size_y = 64) in;\nvoid main() {}")) ==
+          "shaders/x.comp: a local size of 64×64×1 is 4096 threads; this device has at most " + most);
+    CHECK(said(compute_pipeline("x.comp", "layout(local_size_x = 4) in;\nvoid mein() {}")) ==
+          "x.comp:2: no void main()");
+    CHECK(declared("#include <common/hash.glsl>") == "x.comp:2: a shader is included as \"common/hash.glsl\"");
     frame.end();
 }
 
@@ -192,6 +244,18 @@ TEST_CASE("a knob's default is one of its values", "[refused]") {
     Root root;
     refused("default of strength=5: expected a number from 0 to 1 m", [&] {
         const Knob<float> strength{root, "strength", 5.0f, {0, 1}, "how much", "m"};
+    });
+    const Knob<float> taken{root, "taken", 0.5f, {0, 1}, "how much"};
+    refused("knob 'taken' stands twice in one module; give one another name", [&] {
+        const Knob<float> twice{root, "taken", 0.5f, {0, 1}, "how much"};
+    });
+    const std::string word = "a name is a letter, then letters, digits and _: it becomes a macro";
+    refused("knob 'how much': " + word, [&] { const Knob<float> spaced{root, "how much", 0.5f, {0, 1}, "how much"}; });
+    refused("option 'two-way' of method: " + word, [&] {
+        const Choice method{root, "method", {"one", "two-way"}, "one", "which"};
+    });
+    refused("option 'one' of method stands twice", [&] {
+        const Choice method{root, "method", {"one", "one"}, "one", "which"};
     });
     refused("default of count=0: expected an integer from 1 to 8", [&] {
         const Knob<int> count{root, "count", 0, {1, 8}, "how many"};

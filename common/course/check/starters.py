@@ -4,11 +4,10 @@ A student's own commits do not matter to it, and a handout without git has it to
 because an editor may end lines or the file in its own way."""
 
 import functools
-import os
 import re
 from pathlib import Path
 
-from tree import MANIFEST, ROOT, chapters, exercises, git, is_source, relative, write_atomically
+from tree import MANIFEST, ROOT, chapters, exercises, is_source, relative, write_atomically
 
 LIST = MANIFEST
 EXERCISE = re.compile(r"(chapters|shaders)/\d\d_\w+/exercise/\w+\.(cpp|glsl)")
@@ -29,11 +28,12 @@ def listed(texts: dict[Path, bytes]) -> str:
 
 
 def as_they_stand() -> dict[Path, bytes]:
-    """Those of the list, and what git tracks beside them: a new exercise, before it is in the list."""
+    """Those of the list, and what has a solution beside them: a new exercise, before it is in the list."""
     names = {Path(relative(path)) for chapter in chapters() for path in exercises(chapter).values()}
-    if (ROOT / ".git").exists():
-        names |= {Path(name) for name in os.fsdecode(git("ls-files", "-z", "--cached")).split("\0") if EXERCISE.fullmatch(name)}
-    return {name: (ROOT / name).read_bytes() for name in names if name.parts[1] in chapters() and is_source(ROOT / name)}
+    for name in chapters():
+        for room in ("chapters", "shaders"):
+            names |= {Path(room, name, "exercise", path.name) for path in (ROOT / room / name / "solution").glob("*.*")}
+    return {name: (ROOT / name).read_bytes() for name in names if EXERCISE.fullmatch(name.as_posix()) and is_source(ROOT / name)}
 
 
 def untouched() -> set[str]:

@@ -25,6 +25,8 @@ from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, 
 # An environment variable where code reads it.
 VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']|\b(LIGHTWALK_[A-Z_]+)=")
 MOST_VARIABLES = 8
+SHOT_KEYS = ("name", "caption", "scene", "size", "time_s", "frames", "set", "exercises", "rejects")  # limits are measured, not stated
+REJECTED_KEYS = ("chapter", "set", "use")
 # Paths that mean something on one machine only.
 PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
 
@@ -200,10 +202,11 @@ def check_chapters() -> list[str]:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
         goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
         wrong += [f"tests/{chapter}/golden/{name}.png: no shot has this name" for name in goldens if name not in names]
-        # Limits are measured values only.
         measured = measured_distances(chapter)
-        wrong += [f"{file}: {shot['name']} says its own limits; ./course accept measures them" for shot in found
-                  if "limits" in shot]
+        entries = [(shot["name"], SHOT_KEYS, shot) for shot in found] + \
+            [(f"{shot['name']}: rejects", REJECTED_KEYS, entry) for shot in found for entry in shot.get("rejects", [])]
+        wrong += [f"{file}: {name}: '{key}' is unknown here; known: {', '.join(keys)}" for name, keys, entry in entries
+                  for key in entry if key not in keys]
         wrong += [f"{file}: nobody measured how far drivers differ on {name}; ./course accept {chapter[:2]}.{name}"
                   for name in goldens if name in names and not measured.get(name)]
         wrong += [f"tests/{chapter}/golden/distances.json: {name} has no golden" for name in measured
@@ -274,7 +277,7 @@ def check_index() -> list[str]:
         named |= found
     if terms != sorted(terms):
         wrong.append(f"{page}: its terms are not in alphabetical order: '{next(b for a, b in zip(terms, terms[1:]) if b < a)}'")
-    return wrong + [f"{page}: it does not name {exercise}" for exercise in sorted(known - named)]
+    return wrong + [f"{page}: no row names the exercise {exercise}; link it in the last column of its term" for exercise in sorted(known - named)]
 
 
 def check_figures() -> list[str]:
