@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "03_attenuation/exercises.h"
-#include "03_attenuation/light_buffer.h"
+#include "03_attenuation/lights.h"
 #include "03_attenuation/truth.h"
 #include "catch.h"
 #include "common/check/check.h"
