@@ -1,12 +1,9 @@
-#include "01_obj/assemble.h"
-
 #include <cstring>
 #include <ctime>
 #include <map>
 
 #include "01_obj/exercises.h"
 #include "01_obj/scan.h"
-#include "01_obj/threads.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
@@ -59,7 +56,6 @@ void copy_elements(std::span<const Piece> pieces, std::span<const Base> bases, u
     });
 }
 
-// [resolve]
 // False if the index is out of range. Makes a relative index absolute; `base` counts the elements before the piece.
 bool resolve(uint32_t& index, size_t base, size_t count) {
     if (index < count) return true;
@@ -67,7 +63,6 @@ bool resolve(uint32_t& index, size_t base, size_t count) {
     index += static_cast<uint32_t>(base) - relative_bias;
     return index < count;
 }
-// [/resolve]
 
 // A uv or a normal past the end is left out.
 bool resolve_optional(uint32_t& index, size_t base, size_t count, bool& absent) {
@@ -229,7 +224,6 @@ void CuttingTime::add(double seconds, size_t corners) {
 }
 
 bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string& name, ObjData& data, bool& absent) {
-    // [bases]
     std::vector<Base> bases(pieces.size() + 1);
     for (size_t i = 0; i < pieces.size(); ++i) {
         const Piece& p = pieces[i];
@@ -238,7 +232,6 @@ bool assemble(std::span<const Piece> pieces, unsigned threads, const std::string
                         bases[i].normals + (p.end.normals - p.begin.normals) / 3,
                         bases[i].triangles + triangle_count(p)};
     }
-    // [/bases]
     const Base& total = bases.back();
     if (std::max({total.positions, total.uvs, total.normals, total.triangles}) > static_cast<size_t>(largest_index))
         return false;

@@ -1,9 +1,12 @@
-// Number parser that reads eight characters at a time. Uncommon forms are left to float_parse.h.
+// Number parser that reads eight characters at a time. Uncommon forms are left to parse_float().
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace lightwalk {
 
@@ -22,7 +25,6 @@ inline constexpr std::array<uint32_t, 9> whole_powers = {1, 10, 100, 1000, 10000
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// [leading_digits]
 /// How many of the eight characters, from the first on, are decimal digits.
 inline unsigned leading_digits(uint64_t word) {
     // '0' to '9' become 0 to 9, everything else 10 or more; adding 0x76 sets its top bit. Only a non-digit carries
@@ -31,7 +33,6 @@ inline unsigned leading_digits(uint64_t word) {
     const uint64_t other = (value | (value + 0x7676767676767676ull)) & 0x8080808080808080ull;
     return static_cast<unsigned>(std::countr_zero(other)) / 8;
 }
-// [/leading_digits]
 
 /// The number that eight digit values (not characters) write, the first one in the lowest byte: neighbours are joined
 /// to pairs, fours and the whole, as in D. Lemire, "Quickly parsing eight digits" (2018).
@@ -44,7 +45,6 @@ inline uint32_t join_digits(uint64_t digits) {
 /// The first `count` of the characters, 1 to 8, as a number.
 inline uint32_t first_digits(uint64_t word, unsigned count) { return join_digits((word ^ zeros) << (64 - 8 * count)); }
 
-// [round_quotient]
 /// digits / 10^decimals, correctly rounded; false where that needs more care. `digits` is below 10^15, `decimals`
 /// below 16.
 inline bool round_quotient(uint64_t digits, unsigned decimals, bool negative, float& value) {
@@ -60,7 +60,6 @@ inline bool round_quotient(uint64_t digits, unsigned decimals, bool negative, fl
     value = std::bit_cast<float>(std::bit_cast<uint32_t>(static_cast<float>(rounded)) | uint32_t{negative} << 31);
     return true;
 }
-// [/round_quotient]
 
 /// `whole` digits, the point and `decimals` digits, eight digits at most: without the point they are one number.
 inline const char* fast_short_float(const char* at, unsigned whole, unsigned decimals, bool negative, float& value) {
@@ -144,6 +143,46 @@ inline const char* fast_float(const char* at, float& value) {
             at += count;
     }
     return value == 0 ? nullptr : at;
+}
+
+enum class FloatStatus { ok, not_a_number, too_large };
+
+/// True where a number that does not fit is so small rather than so large: the power of ten of its first digit.
+inline bool underflows(std::string_view number) {
+    const size_t e = number.find_first_of("eE");
+    const std::string_view digits = number.substr(0, e);
+    const size_t first = digits.find_first_of("123456789");
+    if (first == digits.npos) return true;
+    const size_t point = std::min(digits.find('.'), digits.size());
+    int64_t exponent = 0;
+    if (e != number.npos) {
+        const bool negative = number[e + 1] == '-';
+        const char* begin = number.data() + e + 1 + (number[e + 1] == '-' || number[e + 1] == '+');
+        if (std::from_chars(begin, number.data() + number.size(), exponent).ec != std::errc()) return negative;
+        if (negative) exponent = -exponent;
+    }
+    return exponent < (first < point ? -static_cast<int64_t>(point - first) : static_cast<int64_t>(first - point));
+}
+
+/// A whole word, [+-]digits[.digits][e[+-]digits], correctly rounded (to nearest, ties to even) as by strtof. Too small
+/// a number becomes a subnormal or a signed zero; one beyond the largest float is too_large; nan, inf, hexadecimal and
+/// a decimal comma are not_a_number.
+inline FloatStatus parse_float(std::string_view word, float& value) {
+    std::string_view digits = word;
+    if (!digits.empty() && (digits[0] == '-' || digits[0] == '+')) digits.remove_prefix(1);
+    // from_chars also reads "inf" and "nan", and a second sign.
+    if (digits.empty() || !(digits[0] == '.' || (digits[0] >= '0' && digits[0] <= '9')))
+        return FloatStatus::not_a_number;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    if (error == std::errc::invalid_argument || stop != end) return FloatStatus::not_a_number;
+    if (error == std::errc::result_out_of_range) {
+        if (!underflows(digits)) return FloatStatus::too_large;
+        value = 0.0f;
+    }
+    if (value > 3.402823466e38f) return FloatStatus::too_large;
+    if (word[0] == '-') value = -value;
+    return FloatStatus::ok;
 }
 
 }  // namespace lightwalk

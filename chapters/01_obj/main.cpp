@@ -1,6 +1,5 @@
 // Chapter 01: from a text file to a shaded mesh.
 #include "01_obj/load_bench.h"
-#include "01_obj/load_study.h"
 #include "01_obj/model_chapter.h"
 #include "common/app/options.h"
 #include "common/window/run.h"

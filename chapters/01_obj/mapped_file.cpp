@@ -21,7 +21,6 @@ size_t page_bytes() {
     return bytes;
 }
 
-// [gone]
 // The stretches of memory that are files, for the signal's handler, which may neither lock nor allocate.
 struct Mapped {
     std::atomic<uintptr_t> begin = 0, end = 0;
@@ -44,7 +43,6 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
     }
     std::signal(signal, SIG_DFL);  // not ours: it happens again, and ends the program
 }
-// [/gone]
 
 size_t remember(void* memory, size_t bytes) {
     static std::once_flag once;

@@ -1,7 +1,7 @@
 // Base of every chapter from here on: models read by this chapter's loaders, and the camera's matrix.
 #pragma once
+#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
-#include "01_obj/world_view.h"
 #include "common/app/chapter.h"
 #include "common/app/render.h"
 
@@ -36,7 +36,6 @@ class ModelChapter : public Chapter {
     /// Which loader reads .obj files.
     virtual Loader loader() const { return Loader::parallel; }
 
-    // [view]
     /// Places moving objects, and sets this frame's uniform block `view`, the camera's view.
     View set_view(Frame& frame) { return set_view(frame, camera); }
     View set_view(Frame& frame, const Camera& from) {
@@ -46,7 +45,6 @@ class ModelChapter : public Chapter {
         look_from(view, frame);
         return view;
     }
-    // [/view]
     View set_view(Frame& frame, World& world) { return look_at(world, frame, scene, camera); }
 };
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "01_obj/float_parse.h"
+#include "01_obj/fast_parse.h"
 #include "01_obj/lines.h"
 #include "common/base/files.h"
 #include "common/base/text.h"

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "01_obj/lines.h"
-#include "01_obj/loaders.h"
 #include "01_obj/mapped_file.h"
 #include "01_obj/mtl.h"
 #include "01_obj/scan.h"

@@ -20,7 +20,6 @@ std::vector<std::string_view> loader_names();
 /// Throws InputError and lists the names where there is no such loader.
 Loader loader_from_name(std::string_view name);
 
-// [corner]
 /// "The file gives none": no uv, no normal, no object, no material.
 inline constexpr uint32_t none = 0xffffffffu;
 
@@ -29,7 +28,6 @@ struct Corner {
     uint32_t position = none, uv = none, normal = none;
     bool operator==(const Corner&) const = default;
 };
-// [/corner]
 
 inline constexpr float no_fourth = -1;
 

@@ -4,9 +4,7 @@
 #include <thread>
 
 #include "01_obj/lines.h"
-#include "01_obj/loaders.h"
 #include "01_obj/scan.h"
-#include "01_obj/threads.h"
 #include "common/base/progress.h"
 
 namespace lightwalk {
@@ -18,7 +16,6 @@ bool joins_lines(std::string_view text, size_t at) {
     return at > 0 && text[at - 1] == '\\';
 }
 
-// [chunks]
 // Chunks of `bytes` and as much more as it takes not to end within a statement.
 std::vector<std::string_view> chunks_of(std::string_view text, size_t bytes) {
     std::vector<std::string_view> chunks;
@@ -30,7 +27,6 @@ std::vector<std::string_view> chunks_of(std::string_view text, size_t bytes) {
     }
     return chunks;
 }
-// [/chunks]
 
 // Maps the chunk's pages at once instead of one fault for every few of them. Not every kernel can; nothing is lost
 // then.
@@ -59,13 +55,11 @@ ObjData parse_parallel(std::string_view text, const std::string& name, ParseOpti
     try {
         Progress* const waited_for = progress();
         if (waited_for) waited_for->begin("reading", text.size());
-        // [threads]
         on_threads(threads, chunks.size(), [&](unsigned thread, size_t i) {
             if (waited_for) waited_for->step(chunks[i].size());
             populate(chunks[i]);
             pieces[i] = read_lines(chunks[i], collected[thread]);
         });
-        // [/threads]
     } catch (const Cancelled&) { throw; } catch (const InputError&) {
         throw_first_error(text, name);
     }

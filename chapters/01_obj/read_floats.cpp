@@ -1,7 +1,6 @@
 // Reads the numbers of a line. A file of its own: the reference of 01.parse_vertex_line calls it, and checks link that.
-#include "01_obj/float_parse.h"
+#include "01_obj/fast_parse.h"
 #include "01_obj/lines.h"
-#include "01_obj/plain_parse.h"
 #include "01_obj/scan.h"
 #include "common/base/text.h"
 
@@ -23,7 +22,6 @@ float float_or_throw(std::string_view word) {
 int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage) {
     int count = 0;
     for (;; ++count) {
-        if (count < most && take_plain_float(rest, values[count])) continue;
         const std::string_view word = next_value(rest);
         if (word.empty()) break;
         if (count == most) throw InputError("too many numbers, expected {}", usage);

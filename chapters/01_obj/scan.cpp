@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "01_obj/float_parse.h"
+#include "01_obj/fast_parse.h"
 #include "01_obj/lines.h"
-#include "01_obj/loaders.h"
-#include "01_obj/plain_parse.h"
 #include "common/base/text.h"
 
 namespace lightwalk {
@@ -50,10 +48,6 @@ void Scanner::face(std::string_view rest) {
     const Counts total = total_ ? *total_ : Counts();
     const size_t first = out_.corners.size();
     for (;;) {
-        if (Corner plain; !total_ && take_plain_corner(rest, plain)) {
-            out_.corners.push_back(plain);
-            continue;
-        }
         std::string_view word = next_value(rest);
         if (word.empty()) break;
         const std::string_view whole = word;
@@ -139,7 +133,6 @@ VertexLine read_vertex(std::string_view rest) {
     bool numbers[7] = {};
     int count = 0;
     for (;; ++count) {
-        if (count < 7 && (numbers[count] = take_plain_float(rest, values[count]))) continue;
         const std::string_view word = next_value(rest);
         if (word.empty()) break;
         if (count == 7) throw InputError("too many numbers, expected {}", usage);

@@ -7,13 +7,11 @@
 
 #include "01_obj/exercises.h"
 #include "01_obj/lines.h"
-#include "01_obj/loaders.h"
 #include "01_obj/scan.h"
 
 namespace lightwalk {
 namespace {
 
-// [number]
 std::istringstream words_of(const std::string& line) {
     std::istringstream words(line);
     words.imbue(std::locale::classic());  // a German locale takes the point for a thousands separator
@@ -27,7 +25,6 @@ float number(const std::string& word) {
         throw InputError("{} is not a number that a float can hold", shown(word));
     return value;
 }
-// [/number]
 
 std::vector<float> numbers(const std::string& line, size_t least, size_t most) {
     std::istringstream words = words_of(line);

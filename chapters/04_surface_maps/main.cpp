@@ -3,7 +3,7 @@
 
 #include "01_obj/model_chapter.h"
 #include "03_attenuation/lights.h"
-#include "04_surface_maps/surface_pipelines.h"
+#include "04_surface_maps/maps.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;

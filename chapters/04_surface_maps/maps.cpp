@@ -6,7 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <map>
 
-#include "04_surface_maps/cutout_levels.h"
+#include "04_surface_maps/levels.h"
 #include "04_surface_maps/tangents.h"
 #include "common/base/shared_lock.h"
 #include "common/image/image.h"

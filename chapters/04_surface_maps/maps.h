@@ -10,6 +10,21 @@
 
 namespace lightwalk {
 
+/// Pipelines of one fragment shader with this chapter's two vertex shaders.
+struct SurfacePipelines {
+    /// `desc`: fragment shader and common state.
+    explicit SurfacePipelines(const Pipeline::Graphics& desc)
+        : loaded(graphics(with_vertex(desc, "04_surface_maps/surface.vert"))),
+          displaced(graphics(with_vertex(desc, "04_surface_maps/displaced.vert"))) {}
+    Pipeline loaded, displaced;  ///< by Maps::mesh
+
+  private:
+    static Pipeline::Graphics with_vertex(Pipeline::Graphics desc, const char* vertex) {
+        desc.vertex = vertex;
+        return desc;
+    }
+};
+
 /// Reflection of finite lamps by microfacets.
 struct LampShapes : Module {
     using Module::Module;
@@ -63,14 +78,12 @@ struct Maps : Module {
     SurfaceModel surface;
     LampShapes lamps;
 
-    // [method]
     Choice method{*this,
                   "method",
                   {"flat", "normal", "offset", "offset_limited", "steep", "occlusion", "relief", "exact"},
                   "occlusion",
                   "Bump method: flat (none), normal (normal map only), then parallax: offset, offset_limited, steep, "
                   "occlusion, relief, and exact ray casting"};
-    // [/method]
     Knob<int> steps{*this, "steps", 32, {1, 4096}, "Number of depth layers searched by steep, occlusion and relief"};
     Knob<float> height_m{*this, "height_m", 0.05f, {0.0f, 1.0f}, "Depth of black in the height map below the mesh",
                          "m"};

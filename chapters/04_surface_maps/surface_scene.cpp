@@ -47,7 +47,6 @@ std::function<void(Raster&)> SurfaceScene::by(const SurfacePipelines& both, std:
     };
 }
 
-// [draw]
 void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<void()>& sort) {
     // 1. Light lists, if the method has cells; tiles need depth.
     if (lights.needs_depth())
@@ -61,9 +60,7 @@ void SurfaceScene::draw_lit(Frame& frame, Canvas& canvas, const std::function<vo
         {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .reads = shading.reads, .with = given()},
         by(opaque_pipelines()));
 }
-// [/draw]
 
-// [transparent]
 std::vector<TransparentSource::Transparent> SurfaceScene::transparent(const View& view) const {
     std::vector<Transparent> all;
     const DrawList list = scene_->transparent();
@@ -84,7 +81,6 @@ void SurfaceScene::draw_transparent(Raster& pass, std::span<const Transparent> i
     const SurfacePipelines& both = transparent_pipelines();
     maps.draw(pass, *scene_, one_by_one, both.loaded, both.displaced);
 }
-// [/transparent]
 
 std::vector<TransparentSource::TransparentTriangle> SurfaceScene::transparent_triangles(const View& view) const {
     std::vector<TransparentTriangle> all;

@@ -1,12 +1,30 @@
 // Drawing of a scene's objects: this chapter's surfaces under chapter 03's lights.
 #pragma once
 #include "03_attenuation/lights.h"
-#include "04_surface_maps/shading.h"
+#include "04_surface_maps/maps.h"
 #include "common/app/drawing.h"
+#include "common/app/world.h"
+#include "common/gpu/frame.h"
 
 namespace lightwalk {
 
-// [surface_scene]
+/// Pipelines by pass, and their bindings beside the drawing's modules. Null: the drawing's own pipelines.
+struct Shading {
+    const SurfacePipelines* opaque = nullptr;
+    const Pipeline* seen = nullptr;                 ///< opaque surfaces in compute, for chapter 05's visibility buffer
+    const SurfacePipelines* transparent = nullptr;  ///< blended surfaces; see see_through()
+    const SurfacePipelines* depth = nullptr;        ///< depth only, before lights are sorted into tiles
+    /// Chapter 06's G-buffer: `stored` writes it, `rest` adds light other than the lights', with emission and ambient
+    /// light.
+    const SurfacePipelines* stored = nullptr;
+    const SurfacePipelines* rest = nullptr;
+    std::vector<With> with{};
+    std::vector<Resource> reads{};
+};
+
+/// Pipelines for Shading::transparent: the fragment shader with TRANSPARENT, which writes alpha and cuts no holes.
+SurfacePipelines see_through(const char* fragment, Macros macros = {});
+
 /// Members have the owner's path: options and scene keys are maps.* and lights.*. lights.method defaults to
 /// every_light, since scenes of objects have few lights.
 struct SurfaceScene : Drawing, TransparentSource {
@@ -36,7 +54,6 @@ struct SurfaceScene : Drawing, TransparentSource {
     std::vector<TransparentTriangle> transparent_triangles(const View& view) const override;
     void draw_transparent_triangles(Raster& pass, uint32_t item, const Buffer& indices, uint32_t first,
                                     uint32_t count) const override;
-    // [/surface_scene]
 
     // Parts for drawings with passes of their own.
 
@@ -59,6 +76,14 @@ struct SurfaceScene : Drawing, TransparentSource {
     SurfacePipelines shade_;
     // Tiles hold the lights of opaque surfaces only.
     SurfacePipelines see_through_, see_through_tiles_;
+};
+
+struct Surfaces : World {
+    explicit Surfaces(Module& owner) : World(owner) { objects.maps.method.change_default("normal"); }
+    SurfaceScene objects{*this, "objects"};
+
+    Drawings drawings() override { return {objects}; }
+    std::vector<std::pair<std::string, std::string>> look() const override { return {{"post.tone", "off"}}; }
 };
 
 }  // namespace lightwalk

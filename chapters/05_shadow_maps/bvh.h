@@ -7,16 +7,14 @@
 
 namespace lightwalk {
 
-// [bvh]
 /// Top-down build: smallest surface-area cost among the borders of 16 bins along each axis (I. Wald, "On fast
 /// Construction of SAH-based Bounding Volume Hierarchies", RT 2007). If no border helps, or the branch would exceed
-/// BVH_STACK, the triangles are halved, so depth is bounded for any input. Threads split large parts together and small
-/// ones alone.
+/// BVH_STACK, the triangles are halved, so depth is bounded for any input.
 class Bvh {
   public:
     /// `triangles` may be empty; degenerate ones are never hit. Throws InputError for a corner that is not finite or
-    /// farther than `farthest_m` from the origin. The result does not depend on `threads` (0: one per core).
-    explicit Bvh(const std::vector<RayTriangle>& triangles = {}, unsigned threads = 0);
+    /// farther than `farthest_m` from the origin.
+    explicit Bvh(const std::vector<RayTriangle>& triangles = {});
 
     /// Refits boxes to moved triangles, in the constructor's order; tree and cut-outs stay. Large motions make rays
     /// slower, never wrong. Throws InputError as the constructor does, with nothing changed.
@@ -40,6 +38,5 @@ class Bvh {
     std::vector<uint32_t> order_;  ///< constructor's index of each of triangles_
     uint32_t depth_ = 0;
 };
-// [/bvh]
 
 }  // namespace lightwalk

@@ -1,5 +1,7 @@
 #include "05_shadow_maps/casting.h"
 
+#include <algorithm>
+
 namespace lightwalk {
 
 Casting::Casting(const Drawings& drawings) {
@@ -21,6 +23,12 @@ void Casting::add_to(Shadow::Casters& casters) const {
         for (const Caster* caster : casting)
             if (!caster->bounds().empty()) caster->cast(pass, light);
     };
+}
+
+uint64_t holes_cut(const Maps& maps, const Scene& scene, float time_s) {
+    const auto is_cut = [&](const DrawItem& item) { return item.transparent || maps.has_holes(item); };
+    const bool moves = maps.animated() && std::any_of(scene.items.begin(), scene.items.end(), is_cut);
+    return hash_of(maps.epoch(), moves ? time_s : 0.0f);
 }
 
 }  // namespace lightwalk

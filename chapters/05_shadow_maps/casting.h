@@ -6,7 +6,9 @@
 
 namespace lightwalk {
 
-// [casting]
+/// Hash of the holes that textures cut, which animated textures move.
+uint64_t holes_cut(const Maps& maps, const Scene& scene, float time_s);
+
 /// Shadow caster that is not an item of the scene, such as a city. Owners of shadow maps find it among the drawings.
 struct Caster {
     virtual ~Caster() = default;
@@ -38,6 +40,5 @@ class Casting {
     std::vector<const Caster*> others_;
     const Maps* maps_ = nullptr;
 };
-// [/casting]
 
 }  // namespace lightwalk

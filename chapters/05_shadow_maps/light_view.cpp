@@ -15,7 +15,6 @@ glm::vec3 any_across(glm::vec3 direction) {
 // World to light space, looking along -z.
 glm::mat4 look_along(glm::vec3 eye, glm::vec3 direction, glm::vec3 up) { return glm::lookAt(eye, eye + direction, up); }
 
-// [projections]
 // Perspective projection with depth 1 at `near`, 0 at `far`; y down.
 glm::mat4 perspective(float tan_half, float near, float far) {
     glm::mat4 m(0.0f);
@@ -35,7 +34,6 @@ glm::mat4 parallel(float half_width, float near, float far) {
     m[3][2] = far / (far - near);
     return m;
 }
-// [/projections]
 
 LightView finish(LightView v) {
     v.data.to_clip = v.view.view_projection;
@@ -147,7 +145,6 @@ float farthest_corner(const Bounds& box, glm::vec3 from) {
     return glm::length(glm::max(glm::abs(from - box.lower), glm::abs(from - box.upper)));
 }
 
-// [holds_shadow_of]
 // A directional light's shadow is as wide as its caster. Points whose filters reach the coarser map's shadow lie in the
 // part of this map that view_of() of 05_shadow_maps/shadow.glsl selects.
 bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel) {
@@ -159,7 +156,6 @@ bool holds_shadow_of(const LightView& cascade, const Bounds& box, float texel) {
     const float reach = 2.0f * MAP_MARGIN * texel / cascade.data.texel;  // clip space is 2 wide
     return glm::all(glm::lessThanEqual(glm::abs(middle) + half, glm::vec2(1.0f - 2.0f * MAP_MARGIN - reach)));
 }
-// [/holds_shadow_of]
 
 std::vector<LightView> light_views(const Light& light, float reach_m, const Bounds& scene, const Camera& camera,
                                    const LightViewOptions& options) {

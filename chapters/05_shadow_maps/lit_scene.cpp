@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "05_shadow_maps/holes.h"
+#include "05_shadow_maps/casting.h"
 
 namespace lightwalk {
 
@@ -21,7 +21,6 @@ std::vector<const Module*> LitScene::dependencies() const {
 }
 
 // Shadings from outside may lack a compute pipeline.
-// [visibility]
 bool LitScene::shades_in_compute(const Canvas& canvas) const {
     return shaded_ && shaded_->is("visibility") && (!shading.opaque || shading.seen) &&
            VisibilityBuffer::suits(maps, canvas);
@@ -50,7 +49,6 @@ void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<vo
     visible.shade(frame, surfaces.scene(), maps, surfaces.opaque_batches(), canvas, compute_pipeline(),
                   surfaces.given(), shading.reads);
 }
-// [/visibility]
 
 // [casters]
 // Solid casters need no maps; casters with holes are drawn with theirs.

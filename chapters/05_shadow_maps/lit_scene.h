@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [lit_scene]
 /// SurfaceScene with shadows. Adds shadow.* to the owner's options, and the choice between raster and compute shading
 /// unless a fixed shading has only fragment shaders.
 struct LitScene : Drawing, ItemCaster {
@@ -35,7 +34,6 @@ struct LitScene : Drawing, ItemCaster {
     }
     /// Objects that cast shadows, with the pipelines that draw them into a map.
     Shadow::Casters casters(const Frame& frame) const;
-    // [/lit_scene]
 
     /// Whether draw_visible() shades opaque surfaces, in compute over a visibility buffer. `sort`: records light lists,
     /// once the canvas has depth.

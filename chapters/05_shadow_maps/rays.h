@@ -7,7 +7,6 @@
 
 namespace lightwalk {
 
-// [rays]
 /// GLSL: any_hit() and closest_hit() of 05_shadow_maps/bvh.glsl. record() in each frame with rays, which builds the
 /// hierarchy for a new scene; then passes with the module in `.with`. Opaque surfaces stop rays from both sides, except
 /// in their cut-outs.
@@ -31,7 +30,6 @@ struct SceneRays : Module {
     const Bvh& bvh() const { return bvh_; }
     /// Offset of ray origins from the surface, metres; nearer objects cast no shadow on it.
     float offset_m() const { return state_.offset_m; }
-    // [/rays]
 
     /// Offset as a fraction of the scene's farthest coordinate: the rasteriser interpolates positions between vertices
     /// that may be as far. Four times the need measured by test_ray_offset.cpp.

@@ -18,7 +18,6 @@ void Shadow::prepare(Gpu&, Scene&) {
     for (auto& [id, of_view] : by_view_) of_view.found_made.forget();
 }
 
-// [find_views]
 // Views of all lights that cast shadows.
 void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                         const Casters& casters) {
@@ -74,9 +73,7 @@ uint64_t Shadow::hash_of(const MapView& map, const Scene& scene, const Casters& 
     return lightwalk::hash_of(hash.value, map.view.view.view_projection, casters.others_placed, epoch(),
                               deforms || map.passed.size() > 0 ? scene.epoch : 0);
 }
-// [/find_views]
 
-// [layers]
 void Shadow::take_layers(Frame& frame, const View& view) {
     const uint32_t most = frame.gpu.device.properties.limits.maxImageArrayLayers;
     if (layer_of_.size() + now_->maps.size() > most) {  // layers of removed lights included
@@ -125,9 +122,7 @@ void Shadow::reserve(Frame& frame) {
                                   format.is("fp16") ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
     if (is_new) held_.assign(held_.size(), 0);
 }
-// [/layers]
 
-// [draw_map]
 void Shadow::draw_map(Frame& frame, const MapView& map, const Casters& casters) {
     const ViewScope scope(frame, map.view.view);
     frame.raster("shadow_map", {.depth = clear(depth_of(map), 0.0f), .with = casters.with}, [&](Raster& pass) {
@@ -138,9 +133,7 @@ void Shadow::draw_map(Frame& frame, const MapView& map, const Casters& casters) 
         if (map.others) casters.draw_others(pass, map.view.view);
     });
 }
-// [/draw_map]
 
-// [draw_passed]
 // Transmittance of transparent casters: the first one's, and the product of all. Points between the first and the last
 // use the first one's, which is exact for two.
 void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& casters) {
@@ -157,7 +150,6 @@ void Shadow::draw_passed(Frame& frame, const MapView& map, const Casters& caster
          {clear(passed_.layer(layer), glm::vec4(1.0f)), clear(last_depth_.layer(layer), glm::vec4(1.0f))},
          read_only(map_.layer(layer)), casters.draw_passed);
 }
-// [/draw_passed]
 
 // [record]
 void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
@@ -267,6 +259,60 @@ void Shadow::bind(Pass& pass) const {
 std::vector<std::string> Shadow::status() const {
     if (views == 0) return {};
     return {fmt::format("{} shadow maps, {} drawn", views, drawn_views)};
+}
+
+Blur blur_of(int radius, float exponent, float exponent_negative) {
+    Blur blur{.radius = radius, .exponent = exponent, .exponent_negative = exponent_negative};
+    float sum = 0;
+    for (int i = 0; i <= radius; ++i) {
+        const float t = 2.5f * static_cast<float>(i) / (static_cast<float>(radius) + 0.5f);
+        blur.weights[i] = std::exp(-0.5f * t * t);
+        sum += (i > 0 ? 2.0f : 1.0f) * blur.weights[i];
+    }
+    blur.weights[0] = 1;
+    for (int i = 1; i <= radius; ++i) {
+        blur.weights[i] /= sum;
+        blur.weights[0] -=
+            2.0f * blur.weights[i];  // remainder, so that weights sum to exactly 1: moments amplify any error
+    }
+    return blur;
+}
+
+bool MomentMaps::ensure(Gpu& gpu, const Image& map, VkFormat format) {
+    const Image::Desc wanted{.name = map.desc.name + " moments",
+                             .format = format,
+                             .size = map.desc.size,
+                             .mips = full_mip_count(map.desc.size),
+                             .layers = map.desc.layers,
+                             .kept = true};
+    if (!moments.ensure(gpu.device, wanted)) return false;
+    between_ = Image(gpu.device, {.name = wanted.name + " between", .format = format, .size = wanted.size});
+    return true;
+}
+
+// Blur along u, then along v, then mips; each step waits for the previous one.
+void MomentMaps::record(Frame& frame, const ImageView& layer, const Buffer& views, uint32_t view, Blur blur,
+                        const Macros& macros) {
+    const ImageView into = ImageView(moments).layer(layer.first_layer);
+    blur.view = view;
+    const uint32_t size = moments.desc.size.x;
+    const glm::uvec3 groups((size + 63) / 64, (size + 3) / 4, 1);
+    frame.compute("blur", {.reads = {layer, views, between_}, .writes = {between_, into.mip(0)}}, [&](Compute& pass) {
+        pass.use(first_, macros).set("blur", blur).set("shadow_views", views);
+        pass.set("source", layer, nearest_clamp).set("result", between_).dispatch(groups).wait();
+        pass.use(second_, macros)
+            .set("blur", blur)
+            .set("shadow_views", views)
+            .set("source", between_, nearest_clamp)
+            .set("result", into.mip(0))
+            .dispatch(groups);
+    });
+    frame.compute("moment_mips", {.reads = {into}, .writes = {into}}, [&](Compute& pass) {
+        for (uint32_t mip = 1; mip < moments.desc.mips; ++mip) {
+            pass.use(halve_).set("source", into.mip(mip - 1), nearest_clamp).set("result", into.mip(mip));
+            pass.dispatch_threads(glm::uvec2(std::max(size >> mip, 1u))).wait();
+        }
+    });
 }
 
 }  // namespace lightwalk

@@ -5,15 +5,38 @@
 #include <span>
 
 #include "03_attenuation/lights.h"
+#include "05_shadow_maps/blur.h"
 #include "05_shadow_maps/light_view.h"
-#include "05_shadow_maps/moments.h"
 #include "common/app/target.h"
 #include "common/base/epoch.h"
+#include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
-// [shadow]
+/// Gaussian blur with `radius` texels to each side (0 to 16), cut off at 2.5 standard deviations.
+Blur blur_of(int radius, float exponent, float exponent_negative);
+
+/// Blurred moments of a depth map's layers, with mips.
+class MomentMaps {
+  public:
+    /// Images for all layers of `map`; true if they were recreated.
+    bool ensure(Gpu& gpu, const Image& map, VkFormat format);
+
+    /// Moments of one layer, seen by entry `view` of `views`. `macros`: the module Shadow's, which select moments,
+    /// format and blur.
+    void record(Frame& frame, const ImageView& layer, const Buffer& views, uint32_t view, Blur blur,
+                const Macros& macros);
+
+    Image moments;
+
+  private:
+    Image between_;  ///< after the blur along u
+    Pipeline first_ = compute({.shader = "05_shadow_maps/blur.comp", .macros = {{"PASS", "0"}}});
+    Pipeline second_ = compute({.shader = "05_shadow_maps/blur.comp", .macros = {{"PASS", "1"}}});
+    Pipeline halve_ = compute({.shader = "05_shadow_maps/halve_moments.comp"});
+};
+
 /// GLSL: light_visibility() of 05_shadow_maps/shadow.glsl, included instead of 03_attenuation/unshadowed.glsl. Lights
 /// with "shadow": true in the scene cast shadows. Per view, after Lights::update(): record(); then passes of this view
 /// with the module in `.with`, beside the lights.
@@ -107,7 +130,6 @@ struct Shadow : Module {
         0.0f,
         {0.0f, 0.9f},
         "Light-bleeding reduction: visibility up to this value becomes 0, the rest is rescaled to 0 to 1"};
-    // [/shadow]
 
     /// Draws of casters into a map, in a pass with these modules and the light's `view`. Default: all are solid.
     struct Casters {

@@ -30,7 +30,6 @@ void VisibilityBuffer::record(Frame& frame, const Scene& scene, const Maps& maps
 }
 // [/record]
 
-// [shade]
 void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps, const std::vector<Batch>& batches,
                              Canvas& canvas, const Pipeline& pipeline, const std::vector<With>& with,
                              const std::vector<Resource>& reads) const {
@@ -57,6 +56,21 @@ void VisibilityBuffer::shade(Frame& frame, const Scene& scene, const Maps& maps,
         }
     });
 }
-// [/shade]
+
+std::vector<const Module*> VisibleSurfaces::dependencies() const {
+    std::vector<const Module*> all = surfaces.dependencies();
+    all.push_back(this);
+    return all;
+}
+
+void VisibleSurfaces::draw(Frame& frame, const View& view, Canvas& canvas) {
+    if (!shaded.is("visibility") || surfaces.shading.opaque || !VisibilityBuffer::suits(surfaces.maps, canvas))
+        return surfaces.draw(frame, view, canvas);
+    const Scene& scene = surfaces.scene();
+    const std::vector<Batch> batches = surfaces.opaque_batches();
+    seen_.record(frame, scene, surfaces.maps, batches, canvas);
+    surfaces.lights.record(frame, scene, view, canvas.single_depth());
+    seen_.shade(frame, scene, surfaces.maps, batches, canvas, shade_seen_, surfaces.given(), surfaces.shading.reads);
+}
 
 }  // namespace lightwalk

@@ -3,9 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
+#include "06_deferred/culling_data.h"
+
 namespace lightwalk {
+
 namespace {
 
 void reserve(Device& device, Buffer& buffer, const char* name, size_t bytes) {
@@ -74,7 +78,6 @@ void Culling::group(Frame& frame, const std::vector<Batch>& batches) {
     frame.upload("draw groups", group_data_, groups_);
 }
 
-// [host]
 // CPU culling; adjacent visible objects stay one draw call.
 void Culling::find() {
     const bool by_box = bounds.is("box");
@@ -99,7 +102,6 @@ void Culling::find() {
         }
     }
 }
-// [/host]
 
 // [passes]
 void Culling::passes(Frame& frame, const ImageView& depth, const std::function<void()>& record) {
@@ -211,6 +213,28 @@ size_t Culling::drawn() const {
 std::vector<std::string> Culling::status() const {
     if (!culls()) return {};
     return {fmt::format("{} of {} objects drawn", drawn(), objects_.size())};
+}
+
+void DepthPyramid::record(Frame& frame, const ImageView& depth) {
+    pixels_ = depth.size();
+    const glm::uvec2 half = glm::max(pixels_ / 2u, 1u);
+    const auto levels = static_cast<uint32_t>(std::bit_width(std::max(half.x, half.y)));
+    image_.ensure(frame.gpu.device,
+                  {.name = name_, .format = VK_FORMAT_R32_SFLOAT, .size = half, .mips = levels, .kept = true});
+    const ImageView all(image_);
+    frame.compute("depth pyramid", {.reads = {depth, all}, .writes = {all}}, [&](Compute& pass) {
+        pass.use(five_levels_);
+        for (uint32_t first = 0; first < levels; first += PYRAMID_STEP) {
+            if (first > 0) pass.wait();  // for the previous level
+            const ImageView source = first > 0 ? all.mip(first - 1) : depth;
+            std::vector<ImageView> made;
+            for (uint32_t m = first; m < std::min(levels, first + PYRAMID_STEP); ++m) made.push_back(all.mip(m));
+            pass.set("source", source, nearest_clamp).set("level", std::span<const ImageView>(made));
+            pass.set("pyramid_step", static_cast<int>(made.size()));
+            const glm::uvec2 groups = glm::max(glm::uvec2(source.size()) >> PYRAMID_STEP, 1u);
+            pass.dispatch({groups, 1});
+        }
+    });
 }
 
 }  // namespace lightwalk

@@ -4,20 +4,40 @@
 #include <map>
 
 #include "06_deferred/culling_data.h"
-#include "06_deferred/depth_pyramid.h"
 #include "common/app/module.h"
 #include "common/base/epoch.h"
+#include "common/gpu/frame.h"
 #include "common/scene/scene.h"
 #include "common/scene/view.h"
 
 namespace lightwalk {
+
+/// Texels of mip m hold the farthest (smallest) depth of 2^(m+1) pixels in each direction; the last ones also cover odd
+/// remainders. Five levels take one dispatch.
+class DepthPyramid {
+  public:
+    explicit DepthPyramid(std::string name) : name_(std::move(name)) {}
+
+    /// `depth`: reversed, any size. The result is valid in later frames.
+    void record(Frame& frame, const ImageView& depth);
+
+    const Image& image() const { return image_; }  ///< R32F; its first mip has half of the depth's size
+    /// Size of the depth image in pixels; 0 before the first record().
+    glm::uvec2 pixels() const { return pixels_; }
+    int levels() const { return image_ ? static_cast<int>(image_.desc.mips) : 0; }
+
+  private:
+    std::string name_;
+    Image image_;
+    glm::uvec2 pixels_{0};
+    Pipeline five_levels_ = compute({.shader = "06_deferred/depth_pyramid.comp"});
+};
 
 /// The six planes of a view's volume: xyz of unit length points inwards, and dot(xyz, p) + w >= 0 for a point p inside.
 /// They are moved outwards by `margin_m`. A far plane at infinity holds for every point. (G. Gribb and K. Hartmann,
 /// 2001.)
 std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float margin_m);
 
-// [culling]
 /// Per view: begin(), then passes() for each pass over its objects, which has the module in `.with` and draws batches
 /// by draw(). Culling changes no picture.
 struct Culling : Module {
@@ -57,7 +77,6 @@ struct Culling : Module {
     size_t tested() const { return objects_.size(); }
     /// CPU time of the last view's lists, milliseconds.
     double host_ms() const { return host_ms_; }
-    // [/culling]
 
   private:
     /// Result of a dispatch: ranks, compacted instances, a draw command per group.

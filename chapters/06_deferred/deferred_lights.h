@@ -1,10 +1,33 @@
 // Lighting of a G-buffer: each light where it may reach.
 #pragma once
+#include "03_attenuation/lights.h"
+#include "06_deferred/exercises.h"
 #include "06_deferred/gbuffer.h"
-#include "06_deferred/light_volumes.h"
+#include "06_deferred/light_volume_data.h"
 #include "common/app/drawing.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
+
+/// Triangle corners, counter-clockwise from outside; the mesh encloses the unit shape.
+std::vector<glm::vec3> volume_mesh(LightVolume::Shape shape);
+
+class LightVolumes {
+  public:
+    /// Uploads volumes if the lights, their reach or the exercise's toggle have changed.
+    void update(Frame& frame, const Lights& lights);
+
+    /// Draws each light's volume; the current pipeline reads `corners` and `volumes`.
+    void draw(Raster& pass) const;
+
+    Buffer without;  ///< number of lights without a volume, then their indices, ascending
+    size_t count() const { return spheres_ + cones_; }
+
+  private:
+    Buffer sphere_, cone_, volumes_;  ///< spheres first, then cones
+    uint32_t sphere_corners_ = 0, cone_corners_ = 0, spheres_ = 0, cones_ = 0;
+    Fingerprint made_;
+};
 
 class DeferredLights {
   public:

@@ -46,7 +46,6 @@ std::vector<Batch> DeferredScene::batches_by_stored(bool stored) const {
     return kept;
 }
 
-// [draw]
 void DeferredScene::draw(Frame& frame, const View& view, Canvas& canvas) {
     const bool overwrites = !gbuffer.is_forward() && canvas.has_color();
     if (!canvas.has_depth() && !overwrites) return draw_alone(frame, view, canvas);
@@ -111,7 +110,6 @@ void DeferredScene::draw_forward(Frame& frame, const View& view, Canvas& canvas,
                      by(loss ? lost_ : surfaces.opaque_pipelines(), batches));
     });
 }
-// [/draw]
 
 // Before the lights, which are added: two surfaces at one depth must not add their emission twice.
 bool DeferredScene::write_emission(Frame& frame, Canvas& canvas, const SurfacePipelines& emission) {

@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [deferred_scene]
 /// LitScene through a G-buffer, or forward if gbuffer.method says so. Transparent surfaces, and those the G-buffer
 /// cannot hold (unlit ones, and microfacets unless all are), are shaded forward.
 struct DeferredScene : Drawing, ItemCaster {
@@ -36,7 +35,6 @@ struct DeferredScene : Drawing, ItemCaster {
         return gbuffer.show.is("picture") ? &surfaces : nullptr;
     }
     const Maps& cut_by() const override { return maps; }
-    // [/deferred_scene]
 
     // Parts for chapters that record the passes themselves.
 

@@ -5,14 +5,12 @@
 
 namespace lightwalk {
 
-// [light_volume]
 /// Of a unit sphere around the origin, or of a unit cone: its apex at the origin, its base of radius 1 at z = 1.
 struct LightVolume {
     enum class Shape { sphere, cone };
     Shape shape = Shape::sphere;
     glm::mat4 to_world{1.0f};
 };
-// [/light_volume]
 
 /// Specification: exercise/light_volume_bounds.cpp.
 EXERCISE("06.light_volume_bounds", LightVolume, light_volume_bounds, const Light& light, float radius_m);

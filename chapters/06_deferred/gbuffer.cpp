@@ -11,7 +11,6 @@ glm::mat4 clip_to_offset(const glm::mat4& view_projection, glm::vec3 eye) {
     return glm::mat4(glm::inverse(glm::translate(glm::dmat4(view_projection), glm::dvec3(eye))));
 }
 
-// [textures]
 std::vector<GBuffer::Texture> GBuffer::textures() const {
     constexpr VkFormat halves = VK_FORMAT_R16G16B16A16_SFLOAT, word = VK_FORMAT_R32_UINT;
     if (is_forward()) return {};
@@ -20,7 +19,6 @@ std::vector<GBuffer::Texture> GBuffer::textures() const {
     if (method.is("fat")) all.push_back({"position", VK_FORMAT_R32G32B32A32_SFLOAT});
     return all;
 }
-// [/textures]
 
 void GBuffer::begin(Frame& frame, const View& view, const ImageView& depth) {
     written_ = false;

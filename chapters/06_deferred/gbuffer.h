@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [gbuffer]
 /// GLSL: read_pixel() of 06_deferred/read_gbuffer.glsl. Per view: begin(), a pass into targets() with the module in
 /// `.with`, written(); then passes that read it with the module in `.with` and the view's depth in `.reads`.
 struct GBuffer : Module {
@@ -27,7 +26,6 @@ struct GBuffer : Module {
                        "Bits for each of the two components of a packed normal; the mesh normal gets the rest of 32"};
     Knob<bool> volumes{*this, "volumes", true,
                        "Light volumes: each light drawn as a sphere or cone; off: every light for every pixel"};
-    // [/gbuffer]
     Choice show{*this,
                 "show",
                 {"picture", "normal", "facing", "diffuse", "specular", "gloss", "occlusion", "position", "depth",

@@ -1,8 +1,7 @@
-#include "07_mipmaps/levelled_maps.h"
-
 #include <map>
 
 #include "07_mipmaps/exercises.h"
+#include "07_mipmaps/level_view.h"
 #include "common/image/mip_levels.h"
 
 namespace lightwalk {
@@ -16,7 +15,6 @@ bool has_holes(VkFormat format, const std::vector<std::byte>& texels) {
     return false;
 }
 
-// [content]
 Content content_of_slot(MapSlot slot, bool holes) {
     switch (slot) {
         case MapSlot::diffuse:
@@ -32,7 +30,6 @@ Content content_of_slot(MapSlot slot, bool holes) {
             return Content::linear;
     }
 }
-// [/content]
 
 }  // namespace
 

@@ -70,7 +70,6 @@ void Bloom::show(Frame& frame, size_t image, float gain) const {
                 .gate = static_cast<uint32_t>(3 * plan_.steps.size() + 1)});
 }
 
-// [record]
 void Bloom::record(Frame& frame, const Image& hdr) {
     frame.need_light(path(), hdr);
     if (method.is("none")) return;
@@ -99,7 +98,6 @@ void Bloom::record(Frame& frame, const Image& hdr) {
                       pass.set("hdr", hdr).dispatch_threads(hdr.desc.size);
                   });
 }
-// [/record]
 
 const Pipeline& Bloom::pipeline_of(const Step& step) const {
     switch (step.kind) {
@@ -125,7 +123,6 @@ const Pipeline& Bloom::pipeline_of(const Step& step) const {
     return copy_;
 }
 
-// [blur]
 void Bloom::record_blur(Frame& frame) {
     ComputeAccess access{.reads = {dispatch_}, .with = {*this}};
     for (const Image& image : images_) {
@@ -154,6 +151,5 @@ void Bloom::record_blur(Frame& frame) {
         }
     });
 }
-// [/blur]
 
 }  // namespace lightwalk

@@ -7,13 +7,11 @@
 
 namespace lightwalk {
 
-// [bloom]
 /// Call before tone mapping: bloom.record(frame, frame.hdr); adds the blurred light of the bright parts to the RGBA16F
 /// image, of any size. NaN becomes 0, infinity 65504. Alpha stays. A picture without bright parts dispatches no blur.
 /// Once per frame and module.
 struct Bloom : Module {
     Bloom(Module& owner, std::string name) : Module(owner, std::move(name), "bloom") {}
-    // [/bloom]
 
     Choice method{*this,
                   "method",

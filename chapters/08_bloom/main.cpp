@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "04_surface_maps/surfaces.h"
-#include "05_shadow_maps/visible_surfaces.h"
+#include "04_surface_maps/surface_scene.h"
+#include "05_shadow_maps/visibility_buffer.h"
 #include "08_bloom/bloom.h"
 #include "08_bloom/point_spread.h"
 #include "common/window/run.h"

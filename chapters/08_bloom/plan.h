@@ -17,7 +17,6 @@ struct BlurWish {
     bool operator==(const BlurWish&) const = default;
 };
 
-// [step]
 /// One dispatch. Image numbers: 0 is the bright pass, 1 the result.
 struct Step {
     enum class Kind { line, level_line, shared, window, down, up, kawase_down, kawase_up, copy };
@@ -30,7 +29,6 @@ struct Step {
     float weight = 1, keep = 0;        ///< image = weight * result + keep * image
     bool karis = false;
 };
-// [/step]
 
 struct Plan {
     std::vector<Step> steps;

@@ -58,7 +58,6 @@ View from_place(const View& view, glm::vec2 place, float focus_m) {
 
 }  // namespace
 
-// [lens]
 void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     Image& mean = image(frame, "mean", VK_FORMAT_R32G32B32A32_SFLOAT, view.size);
     const float focus = std::max(focus_m.value, nearest_focus * focal_m(view.camera)), radius = radius_m(view.camera);
@@ -74,7 +73,6 @@ void DepthOfField::sample_lens(Frame& frame, const View& view, Canvas& canvas, c
     }
     show_image(frame, mean, color, {.pass = "dof take"});
 }
-// [/lens]
 
 Image& DepthOfField::image(Frame& frame, const char* name, VkFormat format, glm::uvec2 size) {
     Image& found = images_[name];
@@ -100,7 +98,6 @@ void DepthOfField::set_up(const View& view) {
             .reach = std::ceil(0.5f * most_px / 16.0f) + 1.0f};
 }
 
-// [record]
 void DepthOfField::record(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
     if (method.is("lens")) return sample_lens(frame, view, canvas, drawings);
     draw(frame, view, canvas, drawings);
@@ -125,9 +122,7 @@ void DepthOfField::record(Frame& frame, const View& view, Canvas& canvas, const 
         pass.dispatch_threads(view.size);
     });
 }
-// [/record]
 
-// [gather]
 void DepthOfField::gather(Frame& frame) {
     const Image& small = images_["half"];
     const glm::uvec2 size = small.desc.size, tiles = (size + 7u) / 8u;
@@ -157,7 +152,6 @@ void DepthOfField::gather(Frame& frame) {
             pass.set("far_result", far_field).set("near_result", near_field).dispatch_threads(size);
         });
 }
-// [/gather]
 
 // As it was first taught: one Gaussian for the whole picture, with chapter 08's lines. A disc of diameter d has the
 // standard deviation d / 4.

@@ -1,12 +1,13 @@
 // Depth-of-field module.
 #pragma once
+#include "06_deferred/deferred_scene.h"
 #include "09_post_effects/dof_now.h"
 #include "common/app/drawing.h"
+#include "common/app/world.h"
 #include "common/base/epoch.h"
 
 namespace lightwalk {
 
-// [dof]
 /// In a frame, instead of draw():
 ///
 ///     dof.record(frame, view, canvas, {objects});
@@ -31,7 +32,6 @@ struct DepthOfField : Module {
     Knob<int> taps{*this, "taps", 64, {8, 1024}, "Number of reads per disc (method gather)"};
     Knob<int> views{
         *this, "views", 64, {1, 65536}, "Number of sample points on the lens, one picture each (method lens)"};
-    // [/dof]
 
     void record(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
@@ -60,6 +60,21 @@ struct DepthOfField : Module {
     Pipeline compose_ = compute({.shader = "09_post_effects/dof_compose.comp"});
     Pipeline add_ = compute({.shader = "common/accumulate.comp"});
     Pipeline line_ = compute({.shader = "08_bloom/line.comp"});
+};
+
+struct ThroughLens : World {
+    explicit ThroughLens(Module& owner) : World(owner) { objects.maps.method.change_default("normal"); }
+    DepthOfField dof{*this, "dof"};
+    DeferredScene objects{*this, "objects"};
+
+    Drawings drawings() override { return {objects}; }
+    glm::vec4 background() const override { return {glm::vec3(World::background()), 0.0f}; }
+    std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
+
+  protected:
+    void draw_view(Frame& frame, const View& view, Canvas& canvas) override {
+        dof.record(frame, view, canvas, drawings());
+    }
 };
 
 }  // namespace lightwalk

@@ -3,8 +3,8 @@
 
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
+#include "09_post_effects/depth_of_field.h"
 #include "09_post_effects/post.h"
-#include "09_post_effects/through_lens.h"
 #include "common/app/knob_scope.h"
 #include "common/window/run.h"
 
@@ -73,7 +73,7 @@ struct PostEffects : ModelChapter {
         const std::list<KnobScope> kept = knobs_for_frame(post, reference, effects);
         const View view = set_view(frame, world);
 
-        // 1. A picture in linear light: chapter 06's objects, with depth of field (through_lens.h).
+        // 1. A picture in linear light: chapter 06's objects, with depth of field (depth_of_field.h).
         Canvas canvas(frame.hdr, frame.depth, world.background());
         if (source.is("chart"))
             draw_chart(frame);

@@ -1,7 +1,7 @@
-#include "09_post_effects/noise_tiles.h"
-
 #include <cmath>
 #include <cstdint>
+
+#include "09_post_effects/post.h"
 
 namespace lightwalk {
 namespace {
@@ -51,7 +51,6 @@ struct Numbers {
 
 }  // namespace
 
-// [blue_noise]
 std::vector<float> blue_noise(int side) {
     // A tenth of the places at random; then the tightest point moves to the largest void until that is where it came
     // from.
@@ -86,7 +85,6 @@ std::vector<float> blue_noise(int side) {
     }
     return ranks;
 }
-// [/blue_noise]
 
 std::vector<float> film_clumps(int side) {
     Numbers random{2};

@@ -2,10 +2,11 @@
 
 #include <cmath>
 
-#include "09_post_effects/noise_tiles.h"
-#include "09_post_effects/white_point.h"
+#include "09_post_effects/adapt_now.h"
+#include "common/app/render.h"
 
 namespace lightwalk {
+
 namespace {
 
 constexpr size_t reading_around = 3;  // the first of effects()
@@ -29,7 +30,6 @@ std::vector<KnobBase*> Post::effects() {
             &scanlines,   &fade,       &gamma,      &grain,     &dither};
 }
 
-// [steps]
 // One pass for each effect that reads other pixels, since it needs the finished result before it. The others share a
 // pass or have one each. The last pass writes in place, so it reads its own pixel only.
 std::vector<Post::Step> Post::steps() {
@@ -48,7 +48,6 @@ std::vector<Post::Step> Post::steps() {
     if (!shared.empty() || last_gathers || method.is("copy")) all.push_back(shared);
     return all;
 }
-// [/steps]
 
 PostNow Post::now(const Frame& frame) const {
     const double time_s = static_cast<double>(frame.time_s);
@@ -88,7 +87,6 @@ void Post::bind(Pass& pass) const {
     if (grain_tile_) pass.set_if_present("grain_tile", grain_tile_, nearest_clamp);
 }
 
-// [run]
 void Post::run(Frame& frame, const Step& step, const Image& from, const Image& into) {
     const std::vector<KnobBase*> order = effects();
     const bool gathers = !step.empty() && std::count(order.begin(), order.begin() + reading_around, step[0]) > 0;
@@ -112,9 +110,7 @@ void Post::run(Frame& frame, const Step& step, const Image& from, const Image& i
         pass.dispatch_threads(into.desc.size);
     });
 }
-// [/run]
 
-// [record]
 void Post::record(Frame& frame, const Image& picture) {
     const std::vector<Step> all = steps();
     if (!tone.is("off") && !method.is("copy")) frame.apply_tones(path(), picture);
@@ -127,6 +123,34 @@ void Post::record(Frame& frame, const Image& picture) {
         from = &into;
     }
 }
-// [/record]
+
+void AutoExposure::record(Frame& frame, const Image& hdr) {
+    if (!bins_) bins_ = Buffer(frame.gpu.device, {.name = path() + " bins", .bytes = 256 * sizeof(uint32_t)});
+    const float passed_s = frame.time_s - std::exchange(last_s_, frame.time_s);
+    const bool follows = stops_.valid() && passed_s > 0.0f && adapt_s > 0.0f;
+    const Image &before = stops_.before(), &now = stops_.now();
+    frame.compute(
+        "histogram", {.reads = {hdr, bins_, before}, .writes = {bins_, now}, .with = {*this}}, [&](Compute& pass) {
+            pass.use(clear_).set("words", bins_).dispatch_threads({256u, 1u}).wait();
+            pass.use(count_).set("picture_bins", bins_).set("hdr", hdr, nearest_clamp);
+            pass.dispatch_threads(hdr.desc.size).wait();
+            pass.use(adapt_).set("picture_bins", bins_).set("before", before, nearest_clamp);
+            pass.set("adapt_now",
+                     AdaptNow{.share = follows ? 1.0f - std::exp(-passed_s / adapt_s) : 1.0f, .valid = stops_.valid()});
+            pass.set("now", now).dispatch({1, 1, 1});
+        });
+    shown_ = &now;
+}
+
+static const Pipeline film = compute({.shader = "09_post_effects/film.comp"});
+
+void encode_film(Frame& frame) {
+    frame.apply_tones("encode_film", frame.hdr);
+    accumulate(frame);
+    frame.compute("film", {.reads = {frame.linear()}, .writes = {frame.output}}, [&](Compute& pass) {
+        pass.use(film).set("hdr", frame.linear(), nearest_clamp).set("result", frame.output);
+        pass.dispatch_threads(frame.size);
+    });
+}
 
 }  // namespace lightwalk

@@ -1,13 +1,66 @@
 // Post-effect module: from linear light to the screen.
 #pragma once
+#include <glm/glm.hpp>
 #include <map>
+#include <string>
+#include <vector>
 
-#include "09_post_effects/auto_exposure.h"
 #include "09_post_effects/post_now.h"
+#include "common/app/target.h"
+#include "common/gpu/frame.h"
+#include "common/gpu/gpu.h"
 
 namespace lightwalk {
 
-// [post]
+/// From linear Rec. 709 to linear Rec. 709 so that daylight of that correlated colour temperature, 4000 to 25000 K,
+/// becomes white: Bradford's adaptation from it to daylight of 6504 K, for which it is the identity.
+glm::mat3 white_balance_matrix(double kelvin);
+
+/// Scale factor of light before the tone curve, so that 0.18 has the reference's luminance.
+double matching_gain(const std::string& tone);
+
+/// side × side thresholds (0.5 + rank) / side², each once and evenly spread at every level: R. A. Ulichney, "The void-
+/// and-cluster method for dither array generation", 1993. side is 4 to 128. The same on every machine.
+std::vector<float> blue_noise(int side);
+
+/// side × side numbers of mean 0 and variance 1/3, as white grain has, in clumps of about three pixels, as silver has.
+std::vector<float> film_clumps(int side);
+
+/// As a square image of single floats.
+Image upload_tile(Gpu& gpu, const std::string& name, const std::vector<float>& tile);
+
+/// Instead of encode_srgb(): encodes 1 - exp(-x) of linear light x in frame.output.
+void encode_film(Frame& frame);
+
+/// Automatic exposure. Call record() before stops(): a 1×1 image of four floats with the exposure in stops, its target,
+/// and the number of pixels that are not black. Each frame moves the exposure by the share 1 - e^(-dt / adapt_s) of the
+/// difference; the first frame, or one without passing time, by all of it.
+struct AutoExposure : Module {
+    AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
+
+    Knob<float> key{
+        *this, "key", 0.18f, {0.01f, 1.0f}, "Target of the mean log luminance after exposure, in linear light"};
+    Knob<float> darkest{*this, "darkest", 0.4f, {0.0f, 1.0f}, "Fraction of pixels discarded as too dark"};
+    Knob<float> brightest{*this, "brightest", 0.05f, {0.0f, 1.0f}, "Fraction of pixels discarded as too bright"};
+    Knob<float> adapt_s{
+        *this, "adapt_s", 0.5f, {0.0f, 60.0f}, "Adaptation time: 63% of a change is followed after this time", "s"};
+    Knob<float> least_stops{*this, "least_stops", -8.0f, {-16.0f, 16.0f}, "Lower limit of the exposure", "stops"};
+    Knob<float> most_stops{*this, "most_stops", 8.0f, {-16.0f, 16.0f}, "Upper limit of the exposure", "stops"};
+
+    void record(Frame& frame, const Image& hdr);
+    const Image& stops() const { return *shown_; }
+    const Buffer& bins() const { return bins_; }
+
+  private:
+    History stops_{*this, {.name = "stops", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = {1, 1}}};
+    const Image* shown_ = nullptr;
+    float last_s_ = 0;
+    Buffer bins_;
+    Pipeline clear_ = compute({.shader = "07_mipmaps/clear_words.comp"});
+    Pipeline count_ = compute({.shader = "09_post_effects/histogram.comp"});
+    Pipeline adapt_ = compute({.shader = "09_post_effects/adapt.comp"});
+};
+
 /// Post effects on a finished frame in linear light: post.record(frame, frame.hdr) maps an RGBA16F image of any size to
 /// 0 to 1, still linear. Effects run in the order below; disabled ones are not compiled. Alpha becomes 1. Once per
 /// frame and module.
@@ -20,7 +73,6 @@ struct Post : Module {
         {"copy", "fused", "pass_each"},
         "fused",
         "Passes: a copy without effects; one pass for all effects that need only their own pixel; one pass per effect"};
-    // [/post]
     Choice store{*this, "store", {"float", "half"}, "float", "Storage of a channel between passes: 32 bits or 16 bits"};
 
     // Effects that read other pixels, a pass each.

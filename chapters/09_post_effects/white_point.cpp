@@ -1,8 +1,7 @@
-#include "09_post_effects/white_point.h"
-
 #include <map>
 
 #include "09_post_effects/aces_truth.h"
+#include "09_post_effects/post.h"
 #include "09_post_effects/tone_truth.h"
 
 namespace lightwalk {

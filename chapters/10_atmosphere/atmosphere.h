@@ -1,5 +1,7 @@
 // Atmosphere module: in-scattering and transmittance of a planet's air.
 #pragma once
+#include <vector>
+
 #include "10_atmosphere/air_data.h"
 #include "10_atmosphere/path_part.h"
 #include "10_atmosphere/skylight.h"
@@ -9,7 +11,17 @@
 
 namespace lightwalk {
 
-// [atmosphere]
+/// The work on each path.
+struct PathWork {
+    int places = 1;        ///< for light scattered once, 1 or more
+    int light_places = 1;  ///< from each of them towards the sun
+    int walks = 0;         ///< random ones, for light scattered more often
+};
+
+/// In order, one part if possible. llvmpipe ends all loops of an invocation after 65,535 iterations together, and
+/// returns their intermediate results. Throws InputError if a single random walk may take longer.
+std::vector<PathPart> path_parts(const PathWork& work, const Air& air);
+
 /// A drawing that comes after all solid objects, in linear light without air:
 ///
 ///     draw(frame, view, canvas, {mountains, planet, atmosphere});
@@ -19,7 +31,6 @@ namespace lightwalk {
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
 struct Atmosphere : Drawing {
     Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
-    // [/atmosphere]
 
     Choice method{*this,
                   "method",

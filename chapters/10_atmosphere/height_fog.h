@@ -5,7 +5,6 @@
 
 namespace lightwalk {
 
-// [height_fog]
 /// A drawing that comes after all solid objects, under the scene's sun; or in a shader of a pass that states it in `.with`,
 /// with 10_atmosphere/height_fog_inputs.glsl:
 ///
@@ -45,7 +44,6 @@ struct HeightFog : Drawing {
     /// Adds fog to the canvas, by the canvas's depth. One pass, none with method none. Alpha stays.
     Phase draw_phase() const override { return Phase::fog; }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
-    // [/height_fog]
 
   private:
     const Scene* scene_ = nullptr;

@@ -1,6 +1,6 @@
 // Chapter 10: the atmosphere of a planet, from the ground to orbit.
 #include "01_obj/model_chapter.h"
-#include "09_post_effects/encode_film.h"
+#include "09_post_effects/post.h"
 #include "10_atmosphere/islands.h"
 #include "common/app/show_image.h"
 #include "common/window/run.h"

@@ -4,7 +4,6 @@
 
 namespace lightwalk {
 
-// [preetham]
 /// A pass that states it in `.with` includes 10_atmosphere/preetham_inputs.glsl and calls
 ///
 ///     vec3 sky_light(vec3 direction, vec3 to_sun)   // linear light of the sky, much as the horizon's below it
@@ -19,6 +18,5 @@ struct Preetham : Module {
     Knob<float> exposure{*this, "exposure", 0.1f, {0.0f, 1e3f}, "Exposure: scale factor for luminance in kcd/m²"};
     Knob<float> sun{*this, "sun", 128.0f, {0.0f, 1e4f}, "Illuminance of the sun outside of the air", "klx"};
 };
-// [/preetham]
 
 }  // namespace lightwalk

@@ -67,7 +67,6 @@ inline double fog_depth(double density, double falloff, double y, double slope, 
     return density * std::exp(-falloff * y) * distance * mean;
 }
 
-// [single]
 /// Single scattering by brute force: `steps` points on the path, `light_steps` from each towards the sun. `phase` is
 /// the dust's. The sun's disc sets behind the ground's edge as in the shaders.
 template <class Phase>
@@ -107,6 +106,5 @@ glm::dvec3 in_scatter(const Air& air, const Path& path, const Phase& phase, int 
     if (transmittance) *transmittance = glm::exp(-depth);
     return light * glm::dvec3(air.sun);
 }
-// [/single]
 
 }  // namespace lightwalk::truth

@@ -18,7 +18,6 @@ struct JuliaSet : World {
     }
 };
 
-// [fractal]
 struct Fractal : World {
     explicit Fractal(Module& owner) : World(owner) {
         set.julia.in_use = [this] { return subject.is("julia"); };
@@ -37,6 +36,5 @@ struct Fractal : World {
     glm::vec4 background() const override { return {0.0f, 0.0f, 0.0f, 1.0f}; }
     std::vector<std::pair<std::string, std::string>> look() const override { return set.look(); }
 };
-// [/fractal]
 
 }  // namespace lightwalk

@@ -49,7 +49,6 @@ void Julia::march(Frame& frame, const View& view) {
     }
 }
 
-// [draw]
 void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
     const glm::vec4 c = constant_at(double(frame.time_s));
     const Sun sun = scene_->sun();
@@ -88,6 +87,5 @@ void Julia::draw(Frame& frame, const View& view, Canvas& canvas) {
                          pass.set("color_map", own_color_, nearest_clamp).draw(3);
                      });
 }
-// [/draw]
 
 }  // namespace lightwalk

@@ -32,7 +32,6 @@ struct JuliaLook : Module {
         *this, "background_level", 0.0f, {0.0f, 8.0f}, "Blur of the environment behind the set, as a mip level"};
 };
 
-// [julia]
 /// A drawing under the scene's sun and environment: each pixel's hit, then its light. The background is the environment
 /// or earlier drawings.
 struct Julia : Drawing {
@@ -45,7 +44,6 @@ struct Julia : Drawing {
                   "cone",
                   "Ray marching: fixed steps; sphere tracing; relaxed sphere tracing; cones, down to a pixel's "
                   "footprint; small steps (reference)"};
-    // [/julia]
     Choice normal{*this,
                   "normal",
                   {"analytic", "difference"},

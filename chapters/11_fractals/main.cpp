@@ -2,10 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "09_post_effects/encode_film.h"
-#include "11_fractals/depth_error.h"
+#include "09_post_effects/post.h"
+#include "11_fractals/errors.h"
 #include "11_fractals/fractal.h"
-#include "11_fractals/normal_error.h"
 #include "common/app/knob_scope.h"
 #include "common/window/run.h"
 

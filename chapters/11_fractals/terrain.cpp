@@ -29,7 +29,6 @@ World::Eye Terrain::eye(const Camera& camera, float time_s) const {
     return {camera, glm::dvec3(flight.x, ground, flight.y)};
 }
 
-// [place]
 // The grid stays below the camera; its origin in the noise moves by whole cells, so that no vertex slides over the
 // ground. The camera itself moves the remainder.
 void Terrain::place(const Frame& frame, const View& view) {
@@ -53,7 +52,6 @@ void Terrain::place(const Frame& frame, const View& view) {
             .spacing_m = spacing_m,
             .rings = rings};
 }
-// [/place]
 
 void Terrain::bind(Pass& pass) const {
     pass.set_if_present("terrain_now", now_);
@@ -83,7 +81,6 @@ void Terrain::draw_ground(Frame& frame, Canvas& canvas) {
                  });
 }
 
-// [visible]
 // Which triangle a pixel shows is drawn, and shaded afterwards: each pixel once, and no fragment does more than write
 // two numbers.
 void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
@@ -109,9 +106,7 @@ void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
         pass.dispatch_threads(view.size);
     });
 }
-// [/visible]
 
-// [draw]
 void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     place(frame, view);
     grid_.ensure(frame.gpu, static_cast<uint32_t>(now_.cells));
@@ -132,6 +127,5 @@ void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     });
     fog.draw(frame, from_, canvas);
 }
-// [/draw]
 
 }  // namespace lightwalk

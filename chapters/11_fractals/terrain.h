@@ -31,7 +31,6 @@ struct TerrainLook : Module {
         *this, "ends_slope", 1.6f, {0.0f, 8.0f}, "Dependence of the full cover of snow on the y of the normal"};
 };
 
-// [terrain]
 /// A drawing under the scene's sun: the ground, a sky of its own where nothing else is drawn, and fog over both. The
 /// view's x and z count from where the flight has come to, and its y from the ground there, as four octaves have it.
 struct Terrain : Drawing {
@@ -59,7 +58,6 @@ struct Terrain : Drawing {
         "raster",
         "Shading of the ground: as it is drawn, by the fragment shader (raster), or in compute, once for each "
         "pixel of a visibility buffer"};
-    // [/terrain]
     Choice show{*this,
                 "show",
                 {"picture", "normals", "octaves"},

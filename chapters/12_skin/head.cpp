@@ -2,7 +2,6 @@
 
 namespace lightwalk {
 
-// [draw]
 void Head::update(Frame& frame) {
     objects_.update_once(frame);
     rays.record(frame, *scene_);
@@ -27,6 +26,5 @@ void Head::draw(Frame& frame, const View& view, Canvas& canvas) {
     skin.draw(frame, *scene_, canvas, lit, shown);
     skin.finish(frame, view, canvas);
 }
-// [/draw]
 
 }  // namespace lightwalk

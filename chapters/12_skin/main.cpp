@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
-#include "12_skin/portrait.h"
+#include "12_skin/head.h"
 #include "common/app/show_image.h"
 #include "common/window/run.h"
 

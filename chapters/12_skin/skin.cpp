@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "12_skin/sums.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
+
 namespace {
 
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -86,7 +88,6 @@ void Skin::make_tables(Frame& frame) {
     });
 }
 
-// [record]
 void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit& lit) {
     const DrawItem *skin = skin_of(scene), *eye = part(scene, Role::eye);
     spread_out_ = false;
@@ -107,7 +108,6 @@ void Skin::record(Frame& frame, const Scene& scene, const View& view, const Lit&
     spread_.record(frame, {irradiance_, fine_.stretch, fine_.position}, sum_count());
     spread_out_ = true;
 }
-// [/record]
 
 void Skin::light_map(Frame& frame, const Lit& lit) {
     const uint32_t size = fine_.position.desc.size.x;
@@ -124,7 +124,6 @@ void Skin::light_map(Frame& frame, const Lit& lit) {
         });
 }
 
-// [draw_visible]
 // Which triangle each pixel shows, then a dispatch for each of skin, eyes and cloth.
 void Skin::draw_visible(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit,
                         const std::vector<With>& with) {
@@ -145,9 +144,7 @@ void Skin::draw_visible(Frame& frame, const Scene& scene, Canvas& canvas, const 
     visibility_.shade(frame, scene, lit.maps, of_eyes, canvas, eye_seen_, with);
     visibility_.shade(frame, scene, lit.maps, of_skin, canvas, look, with);
 }
-// [/draw_visible]
 
-// [draw]
 void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit, Shown shown) {
     if (empty_) return;
     const bool on_screen = method.is("separable") && shown == Shown::all;
@@ -193,7 +190,6 @@ void Skin::draw(Frame& frame, const Scene& scene, Canvas& canvas, const Lit& lit
     frame.raster("cornea", {.color = {canvas.color_target()}, .depth = canvas.depth_target(), .with = with},
                  [&](Raster& pass) { draw(pass, is_cornea, cornea_); });
 }
-// [/draw]
 
 void Skin::finish(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("separable") && !empty_) screen_.record(frame, view, canvas);
@@ -217,6 +213,85 @@ void Skin::bind(Pass& pass) const {
     pass.set_if_present("skin_stretch", coarse_.stretch, linear_clamp);
     pass.set_if_present("skin_position", coarse_.position, nearest_clamp);
     pass.set_if_present("skin_diffused", spread_out_ ? diffused() : coarse_.occlusion, linear_clamp);
+}
+
+void PictureBlur::ensure(Device& device, glm::uvec2 size) {
+    for (const auto& [image, name] : {std::pair{&light, "skin light"}, {&after, "skin after"}, {&half_, "skin half"}})
+        image->ensure(device, {.name = name, .size = size});
+}
+
+void PictureBlur::record(Frame& frame, const View& view, Canvas& canvas) {
+    constexpr int side = 8;
+    if (!kernel_) kernel_ = frame.gpu.upload("skin line", line_kernel(side));
+    ScreenBlur blur{
+        .direction = {1, 0}, .taps = 2 * side + 1, .pixels_at_1m = 1.0f / view.pixel_rad(), .edge_mm = 5.0f};
+    const ImageView hdr = canvas.color(frame);
+    frame.compute("skin separable", {.reads = {light, half_, after, hdr}, .writes = {light, half_, hdr}},
+                  [&](Compute& pass) {
+                      pass.use(line_).set("from", light, linear_clamp).set("into", half_).set("blur", blur);
+                      pass.set("kernel", kernel_).dispatch_threads(view.size).wait();
+                      blur.direction = {0, 1};
+                      pass.use(line_).set("from", half_, linear_clamp).set("into", light).set("blur", blur);
+                      pass.set("kernel", kernel_).dispatch_threads(view.size).wait();
+                      pass.use(add_).set("light", light, nearest_clamp).set("after", after, nearest_clamp);
+                      pass.set("hdr", hdr).dispatch_threads(view.size);
+                  });
+}
+
+namespace {
+
+void make(Frame& frame, Image& image, const char* name, glm::uvec2 size, VkFormat format) {
+    const Image::Desc desc{.name = name, .format = format, .size = size};
+    image.ensure(frame.gpu.device, desc);
+}
+
+}  // namespace
+
+void Spread::record(Frame& frame, const Maps& maps, int gaussians) {
+    exactly_ = gaussians == 0;
+    if (exactly_) return record_exactly(frame, maps);
+    constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
+    const glm::uvec2 size = maps.irradiance.desc.size;
+    const std::vector<Gaussian> sum = gaussians_of(gaussians);
+    make(frame, between_, "skin between", size, half4);
+    make(frame, sum_, "skin sum", size, half4);
+    levels_.resize(sum.size());
+    std::vector<const Image*> levels;
+    for (Image& level : levels_) {
+        make(frame, level, "skin level", size, half4);
+        levels.push_back(&level);
+    }
+
+    // 1. Each Gaussian from the one before it. Levels that an answer leaves out are black.
+    if (!Exercises::uses_solution("12.blur_irradiance"))
+        for (const Image& level : levels_) frame.fill("skin no level", level, glm::vec4(0));
+    blur_irradiance(frame, {.line = sum.size() == 1 ? line_per_channel_ : line_,
+                            .irradiance = maps.irradiance,
+                            .stretch = maps.stretch,
+                            .between = between_,
+                            .levels = levels,
+                            .sum = sum});
+
+    // 2. Their sum, for each channel with its own weights.
+    SkinSum parts{.weight = {}, .count = static_cast<uint32_t>(sum.size())};
+    for (size_t i = 0; i < sum.size(); ++i) parts.weight[i] = sum[i].weight;
+    ComputeAccess access{.reads = {}, .writes = {sum_}};
+    for (const Image& level : levels_) access.reads.push_back(level);
+    frame.compute("skin sum", access, [&](Compute& pass) {
+        const std::vector<ImageView> views(levels_.begin(), levels_.end());
+        pass.use(add_up_).set("levels", views, nearest_clamp).set("sum_of", parts).set("result", sum_);
+        pass.dispatch_threads(size);
+    });
+}
+
+void Spread::record_exactly(Frame& frame, const Maps& maps) {
+    make(frame, exact_, "skin exact", maps.irradiance.desc.size, VK_FORMAT_R32G32B32A32_SFLOAT);
+    frame.compute("skin exact", {.reads = {maps.irradiance, maps.stretch, maps.position}, .writes = {exact_}},
+                  [&](Compute& pass) {
+                      pass.use(every_texel_).set("from", maps.irradiance, nearest_clamp).set("result", exact_);
+                      pass.set("stretch", maps.stretch, nearest_clamp);
+                      pass.set("skin_position", maps.position, nearest_clamp).dispatch_threads(exact_.desc.size);
+                  });
 }
 
 }  // namespace lightwalk

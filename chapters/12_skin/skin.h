@@ -1,14 +1,106 @@
 // Skin module: subsurface scattering.
 #pragma once
+#include <string>
+
+#include "04_surface_maps/maps.h"
+#include "05_shadow_maps/rays.h"
 #include "05_shadow_maps/visibility_buffer.h"
-#include "12_skin/picture_blur.h"
-#include "12_skin/spread.h"
-#include "12_skin/unwrapped.h"
+#include "12_skin/exercises.h"
+#include "12_skin/screen_kernel.h"
 #include "common/app/drawing.h"
+#include "common/base/epoch.h"
 
 namespace lightwalk {
 
-// [skin]
+/// Position and contents of each texel of a square map over one item of a scene. Charts, the connected pieces of the
+/// layout, are numbered and grow by two texels. Unused texels have a position with w = 0.
+class Unwrapped {
+  public:
+    Image position;   ///< metres, world space; w: the chart, from 1
+    Image normal;     ///< unit length, world space; w: roughness
+    Image albedo;     ///< linear; w: scale of the specular reflection
+    Image stretch;    ///< texels per mm along u and v, mm² of the texel, curvature in 1/mm
+    Image occlusion;  ///< x: share of the sky that is seen, 0 to 1; none before trace_sky()
+
+    /// Records it where size (texels of a side), item or placement have changed; true if so.
+    bool record(Frame& frame, const Scene& scene, const Maps& maps, const DrawItem& item, uint32_t size);
+
+    /// Ambient occlusion by rays from each texel; slow, and to be done once.
+    void trace_sky(Frame& frame, const SceneRays& rays, uint32_t rays_per_texel);
+
+    void forget() { made_.forget(); }
+
+  private:
+    Fingerprint made_;
+    Image raw_position_, raw_normal_, raw_albedo_, raw_stretch_, noisy_;
+    Pipeline unwrap_ = graphics({.vertex = "12_skin/unwrap.vert",
+                                 .fragment = "12_skin/unwrap.frag",
+                                 .cull = VK_CULL_MODE_NONE,
+                                 .depth_test = false,
+                                 .depth_write = false});
+    Pipeline dilate_ = compute({.shader = "12_skin/dilate.comp"});
+    Pipeline stretch_ = compute({.shader = "12_skin/stretch.comp"});
+    Pipeline occlusion_ = compute({.shader = "12_skin/occlusion.comp"});
+    Pipeline smooth_ = compute({.shader = "12_skin/smooth_occlusion.comp"});
+};
+
+/// For each vertex of a mesh the number of its chart, from 0: vertices that triangles connect have one.
+std::vector<uint32_t> charts_of(const Mesh& mesh);
+
+/// How many mm of the item's surface a unit of its texture coordinates is: the root of the areas' ratio; 0 for none.
+double mm_per_uv(const DrawItem& item);
+
+/// Gives every model of the scene its charts, as the vertex attribute `charts`. After Maps::prepare().
+void add_charts(Gpu& gpu, const Scene& scene);
+
+class Spread {
+  public:
+    /// Maps of one size: the light that enters, with the number of its chart in alpha (0: none); texels per mm along u
+    /// and v and a texel's mm²; where it lies in metres, with the chart again.
+    struct Maps {
+        const Image &irradiance, &stretch, &position;
+    };
+
+    /// Records the light that leaves, as a sum of 1, 2, 3, 4 or 6 Gaussians; 0: every texel from every texel, in 32
+    /// bits.
+    void record(Frame& frame, const Maps& maps, int gaussians);
+
+    /// Of the last record(): none before it. Levels are a sum's Gaussians, narrow ones first.
+    const Image& result() const { return exactly_ ? exact_ : sum_; }
+    const Image& level(size_t i) const { return levels_.at(std::min(i, levels_.size() - 1)); }
+
+  private:
+    void record_exactly(Frame& frame, const Maps& maps);
+    bool exactly_ = false;
+    Image between_, sum_, exact_;
+    std::vector<Image> levels_;
+    Pipeline line_ = compute({.shader = "12_skin/blur.comp", .macros = {{"PER_CHANNEL", "0"}}});
+    Pipeline line_per_channel_ = compute({.shader = "12_skin/blur.comp", .macros = {{"PER_CHANNEL", "1"}}});
+    Pipeline add_up_ = compute({.shader = "12_skin/sum.comp"});
+    Pipeline every_texel_ = compute({.shader = "12_skin/exact.comp"});
+};
+
+/// J. Jimenez et al., "Separable Subsurface Scattering", Computer Graphics Forum 34(6), 2015, with the profile's own
+/// weights along a line: an edge that runs along the picture's rows or columns on a surface that faces the eye comes
+/// out exactly.
+class PictureBlur {
+  public:
+    Image light;  ///< image to blur; a: distance in metres, 0 for none
+    Image after;  ///< factor applied afterwards
+
+    /// Before something is drawn into the two.
+    void ensure(Device& device, glm::uvec2 size);
+
+    /// Blurs `light` along both directions, and adds it to the picture.
+    void record(Frame& frame, const View& view, Canvas& canvas);
+
+  private:
+    Image half_;
+    Buffer kernel_;
+    Pipeline line_ = compute({.shader = "12_skin/separable.comp"});
+    Pipeline add_ = compute({.shader = "12_skin/add_screen.comp"});
+};
+
 /// Draws the items of a scene: those with the role of skin, an eye or a cornea as such, others as matt.
 /// In each frame record(), then draw() into a canvas, then finish(). Without any skin the first item is it.
 struct Skin : Module {
@@ -30,7 +122,6 @@ struct Skin : Module {
         "raster",
         "Shading of what is opaque: as it is drawn, by fragment shaders (raster, and always for separable), or "
         "in compute, once for each pixel of a visibility buffer"};
-    // [/skin]
     Knob<float> before{
         *this, "before", 0.5f, {0.0f, 1.0f}, "Share of the albedo that is applied before the blur, as an exponent"};
     Knob<float> roughness{*this, "roughness", 1.0f, {0.01f, 4.0f}, "Scale factor for the roughness of the map"};

@@ -11,12 +11,10 @@ struct Gaussian {
     glm::vec3 weight, variance;
 };
 
-// [gaussians_of]
 /// The best sums of 1, 2, 3, 4 or 6 of the profile's Gaussians. One matches each channel's variance; larger sums keep
 /// the Gaussians with the smallest error at a step edge (test_profile.cpp tries all), and each omitted one adds its
 /// weight to the one nearest in the logarithm of the variance. Throws Failure for another number.
 std::vector<Gaussian> gaussians_of(int count);
-// [/gaussians_of]
 
 /// The same six, some of them, with the weights of the rest given to the nearest.
 std::vector<Gaussian> merged(const std::vector<size_t>& kept);

@@ -1,9 +1,8 @@
-#include "12_skin/unwrapped.h"
-
 #include <cmath>
 #include <numeric>
 #include <set>
 
+#include "12_skin/skin.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {

@@ -4,7 +4,6 @@
 
 #include "01_obj/model_chapter.h"
 #include "13_mlaa/edge_error.h"
-#include "13_mlaa/flicker.h"
 #include "13_mlaa/four_samples.h"
 #include "13_mlaa/mlaa.h"
 #include "13_mlaa/outlines.h"

@@ -135,7 +135,6 @@ void Mlaa::record(Frame& frame, Image& picture, const Seen& seen) {
     method.is("taa") ? taa.record(frame, picture, seen) : record(frame, picture);
 }
 
-// [record]
 void Mlaa::record(Frame& frame, Image& picture) {
     if (method.is("taa"))
         throw Failure("'{}': taa follows surfaces, and this picture comes without depth and view", method.path());
@@ -181,7 +180,6 @@ void Mlaa::follow_edges(Frame& frame, const Image& picture) {
         pass.dispatch_indirect(work_);
     });
 }
-// [/record]
 
 // A whole picture, with which the given one changes places: other pixels are read while some are mixed.
 void Mlaa::search_by_luma(Frame& frame, Image& picture) {

@@ -27,7 +27,6 @@ DrawList Moving::moved_items(const Scene& scene) const {
     });
 }
 
-// [record]
 bool Moving::record(Frame& frame, const Scene& scene, const View& now, const View& before, const ImageView& depth,
                     const Drawings& drawings) {
     const DrawList moved = moved_items(scene);
@@ -53,7 +52,6 @@ bool Moving::record(Frame& frame, const Scene& scene, const View& now, const Vie
     for (const MovingSurface* surface : surfaces) surface->draw_motion(frame, all);
     return true;
 }
-// [/record]
 
 void Moving::keep(Frame& frame, const Scene& scene) {
     if (placed_ == scene.epoch) return;

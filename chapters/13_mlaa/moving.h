@@ -7,7 +7,6 @@
 
 namespace lightwalk {
 
-// [moving_surface]
 /// A pass over motion vectors: the image, and what 13_mlaa/put_motion.glsl needs.
 struct MotionPass {
     ImageView into, depth;
@@ -24,9 +23,7 @@ struct MovingSurface {
     /// Draws over the image.
     virtual void draw_motion(Frame& frame, const MotionPass& pass) const = 0;
 };
-// [/moving_surface]
 
-// [moving]
 /// By how many pixels the surface in a pixel has moved since the frame before, for items of a scene that were placed
 /// elsewhere or deformed, and for moving surfaces; nothing for all others, which the camera's motion is enough for.
 class Moving {
@@ -42,7 +39,6 @@ class Moving {
     /// RGBA16F: pixels to where it was (x, y), its distance along that view in metres, and the share of its light
     /// that stays from frame to frame: 1, of water less, and 0 where there is no vector.
     const Image& image() const { return image_; }
-    // [/moving]
 
   private:
     DrawList moved_items(const Scene& scene) const;

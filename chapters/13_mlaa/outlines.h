@@ -3,12 +3,25 @@
 #include "11_fractals/julia.h"
 #include "11_fractals/terrain.h"
 #include "12_skin/head.h"
-#include "13_mlaa/half_plane.h"
+#include "common/app/drawing.h"
 #include "common/app/world.h"
 
 namespace lightwalk {
 
-// [outlines]
+struct HalfPlane : Drawing {
+    HalfPlane(Module& owner, std::string name) : Drawing(owner, std::move(name), "half_plane") {}
+    Knob<float> angle_deg{
+        *this, "angle_deg", 8.0f, {-360.0f, 360.0f}, "Angle of the line, counter-clockwise from the right", "deg"};
+    Knob<float> offset{
+        *this, "offset", 0.0f, {-4096.0f, 4096.0f}, "Distance of the line from the middle of the picture", "px"};
+
+    /// Every pixel, with one sample.
+    void draw(Frame& frame, const View& view, Canvas& canvas) override;
+
+  private:
+    Pipeline fill_ = compute({.shader = "13_mlaa/half_plane.comp"});
+};
+
 struct Outlines : World {
     explicit Outlines(Module& owner);
 
@@ -44,7 +57,6 @@ struct Outlines : World {
     std::vector<std::pair<std::string, std::string>> look() const override {
         return {{"bloom.method", "none"}, {"post.tone", "off"}};
     }
-    // [/outlines]
 
   protected:
     void draw_view(Frame& frame, const View& view, Canvas& canvas) override;

@@ -1,6 +1,6 @@
-#include "13_mlaa/taa.h"
-
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "13_mlaa/mlaa.h"
 
 namespace lightwalk {
 namespace {
@@ -26,14 +26,12 @@ float halton(int index, int base) {
 
 glm::vec2 shift_of_frame(int frame) { return {halton(frame % 4096 + 1, 2), halton(frame % 4096 + 1, 3)}; }
 
-// [to_before]
 // In double precision: a float inverse cannot separate two pixels far from the origin.
 glm::dmat4 to_before(const View& now, const View& before) {
     const glm::dvec3 moved = now.exact_eye && before.exact_eye ? *now.exact_eye - *before.exact_eye : glm::dvec3(0.0);
     return glm::dmat4(without_shift(before)) * glm::translate(glm::dmat4(1.0), moved) *
            glm::inverse(glm::dmat4(without_shift(now)));
 }
-// [/to_before]
 
 }  // namespace
 
@@ -58,7 +56,6 @@ bool Taa::set_up(Frame& frame, glm::uvec2 size, const Seen& seen) {
     return remembered_.valid && same && !is_new;
 }
 
-// [rests]
 // Whether camera, scene, lights and drawings are as in the frame before: then each frame is one more sample of the same
 // picture.
 bool Taa::is_unchanged(const Frame& frame, const Seen& seen) {
@@ -80,9 +77,7 @@ bool Taa::is_unchanged(const Frame& frame, const Seen& seen) {
                               seen.scene ? seen.scene->epoch : 0, drawn.value, animated ? frame.time_s : 0.0f);
     return same && same_lights && !moved && !seen.drawings.empty();
 }
-// [/rests]
 
-// [record]
 void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
     const bool valid = set_up(frame, picture.desc.size, seen);
     const View& now = seen.view;
@@ -123,6 +118,5 @@ void Taa::record(Frame& frame, const Image& picture, const Seen& seen) {
     if (seen.scene) moving_.keep(frame, *seen.scene);
     before_ = now;
 }
-// [/record]
 
 }  // namespace lightwalk

@@ -66,7 +66,6 @@ void ImageLight::record_table(Frame& frame) {
     });
 }
 
-// [record]
 void ImageLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     now_ = &sky;
@@ -115,7 +114,6 @@ void ImageLight::filter(Frame& frame, LightCubes& cubes) {
     });
     if (!table_made_.is_current(Exercises::epoch())) record_table(frame);
 }
-// [/record]
 
 void ImageLight::bind(Pass& pass) const {
     const LightCubes& cubes = *now_;

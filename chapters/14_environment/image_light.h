@@ -43,7 +43,6 @@ struct LightCubes : Module {
     Buffer sh;  ///< nine coefficients of radiance, windowed, as vec4
 };
 
-// [image_light]
 /// Gives shaders diffuse_light() and reflected_from_around() of 14_environment/image_light.glsl. In each frame, before the
 /// first pass that states it in `.with`:
 ///
@@ -69,7 +68,6 @@ struct ImageLight : Module {
                   "Glossy reflection: none; the sharp cube; its box-filtered levels; levels filtered with GGX, looked "
                   "up along the mirror direction or the dominant one; with multiple scattering; sampled for each "
                   "pixel; or summed over all texels"};
-    // [/image_light]
     Choice sh_window{*this,
                      "sh_window",
                      {"none", "hann", "sinc4"},

@@ -1,10 +1,20 @@
 // Music as four levels that are functions of time alone.
 #pragma once
+#include <filesystem>
+
 #include "common/app/module.h"
 #include "common/base/sound.h"
 #include "common/scene/scene_file.h"
 
 namespace lightwalk {
+
+inline constexpr int slowest_rate_hz = 8000, fastest_rate_hz = 192000;
+inline constexpr double longest_sound_s = 600;
+
+/// Decodes the file with libvorbisfile. Averages the channels; keeps the sample rate. Throws InputError "file:
+/// reason" if the file cannot be read, is not Ogg Vorbis, ends in the middle, is damaged, changes its rate, lasts
+/// longer than longest_sound_s, or has a rate outside of the limits above.
+Sound read_sound(const std::filesystem::path& path);
 
 /// Low, middle and high band, and loudness.
 using Levels = glm::vec4;
@@ -35,7 +45,7 @@ struct Music : Module {
     Knob<float> release_ms{*this, "release_ms", 150.0f, {0.0f, 5000.0f}, "Time constant of falling levels", "ms"};
     Knob<bool> plays{*this, "plays", true, "Music on; off, all levels are 0 and the window is silent"};
 
-    /// Throws InputError where the file is no music (sound_file.h).
+    /// Throws InputError where the file is no music.
     void prepare(Gpu& gpu, Scene& scene) override;
     bool animated() const override { return plays && !measured_.entries.empty(); }
     std::vector<std::string> load_exercises() const override { return {"14.spectrum_bands"}; }

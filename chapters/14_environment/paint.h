@@ -4,10 +4,10 @@
 #include "common/app/target.h"
 #include "common/base/epoch.h"
 #include "common/gpu/frame.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 
-// [paint]
 /// Gives shaders paint_brdf(), paint_albedo() and flake_light() of 14_environment/paint.glsl, for surfaces with a
 /// material called "paint". record() before the first pass that states it in `.with`.
 struct CarPaint : Module {
@@ -27,7 +27,6 @@ struct CarPaint : Module {
         *this, "flake_roughness", 0.45f, {0.1f, 1.0f}, "Spread of the flakes' normals, as a roughness"};
     Knob<float> coat_roughness{*this, "coat_roughness", 0.05f, {0.0f, 1.0f}, "Roughness of the clear coat"};
     Knob<float> flake_mm{*this, "flake_mm", 1.0f, {0.05f, 50.0f}, "Distance from one flake to the next", "mm"};
-    // [/paint]
 
     /// Makes the table where a knob has changed.
     void record(Frame& frame);
@@ -40,6 +39,21 @@ struct CarPaint : Module {
   private:
     Fingerprint made_;
     Pipeline fill_ = compute({.shader = "14_environment/paint_table.comp"});
+};
+
+/// Gives shaders the buffer `substances` of 14_environment/substance_data.h, an entry for each of the scene's items.
+struct Substances : Module {
+    Substances(Module& owner, std::string name) : Module(owner, std::move(name), "substance") {}
+
+    Knob<float> roughness{
+        *this, "roughness", -1.0f, {-1.0f, 1.0f}, "Roughness of all surfaces; below 0 each has its own"};
+
+    void prepare(Gpu& gpu, Scene& scene) override;
+    std::vector<Resource> reads() const override { return {substances_}; }
+    void bind(Pass& pass) const override { pass.set_if_present("substances", substances_); }
+
+  private:
+    Buffer substances_;
 };
 
 }  // namespace lightwalk

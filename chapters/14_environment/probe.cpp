@@ -50,7 +50,6 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light, Wor
            [&](const View& view, Canvas& canvas) { world.draw_light(frame, view, canvas); });
 }
 
-// [record]
 void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light,
                         const std::vector<const Module*>& dependencies, const Draw& draw) {
     drawn_faces = 0;
@@ -81,6 +80,5 @@ void SceneProbe::record(Frame& frame, const Scene& scene, ImageLight& light,
     light.record_drawn(
         frame, {.box_lower = lower, .has_box = box && !distant ? 1u : 0u, .box_upper = upper, .box_center = center});
 }
-// [/record]
 
 }  // namespace lightwalk

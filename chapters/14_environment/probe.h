@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [probe]
 /// Draws six views of a list of drawings into light.drawn, filters it in the same frame, and binds it for shaders.
 /// In a frame, after light.record():
 ///
@@ -30,7 +29,6 @@ struct SceneProbe : Module {
         *this, "lower", glm::vec3(-5, 0, -5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Lower corner of that box", "m"};
     Knob<glm::vec3> upper{*this, "upper", glm::vec3(5), {glm::vec3(-1e4f), glm::vec3(1e4f)}, "Upper corner of that box",
                           "m"};
-    // [/probe]
     bool distant = false;  ///< only the sky is drawn, infinitely far away, so there is no box
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-4f, 100.0f}, "Near plane of the six views", "m"};
 

@@ -46,7 +46,6 @@ void add_house(std::vector<CityBox>& boxes, Dice& dice, glm::vec2 middle, glm::v
 
 }  // namespace
 
-// [plan]
 std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& boxes) {
     std::vector<CityBlock> blocks;
     boxes.clear();
@@ -88,7 +87,6 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
         }
     return blocks;
 }
-// [/plan]
 
 void City::update(Frame& frame) {
     const CityPlan plan{.middle_m = 1000.0f * glm::vec2(x_km.value, z_km.value),
@@ -128,12 +126,10 @@ Bounds City::bounds() const {
 
 std::vector<With> City::shadow_modules() const { return {ground_}; }
 
-// [cast]
 void City::cast(Raster& pass, const View& light) const {
     pass.use(cast_).set("city_boxes", buffer_).set("city_light", glm::vec2(0.0f));
     draw_visible(pass, light);
 }
-// [/cast]
 
 void City::bind(Pass& pass) const {
     if (boxes_.empty()) return;

@@ -30,7 +30,6 @@ struct CityBlock {
 /// the higher the nearer to the middle, and every street its lamps. Ends with the block at which there are most_boxes.
 std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& boxes);
 
-// [city]
 /// Comes after the ground. Buildings in water, below a height of 1 m, are omitted.
 struct City : Drawing, Caster, SunReceiver {
     City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
@@ -44,7 +43,6 @@ struct City : Drawing, Caster, SunReceiver {
     Knob<int> plan_seed{*this, "plan_seed", 1, {0, 1000000}, "Seed of streets and houses"};
     Knob<float> lit{*this, "lit", 0.4f, {0.0f, 1.0f}, "Share of the windows that are lit, when their light is on"};
     Knob<float> lamps{*this, "lamps", 0.0f, {0.0f, 100.0f}, "Luminance of lit windows; 0: day", "kcd/m²"};
-    // [/city]
 
     void update(Frame& frame) override;
     const Drawing* sun_source() const override { return &atmosphere_; }

@@ -1,15 +1,17 @@
 // Ground module: a height map on the device, with its slopes, bounds and errors by level.
 #pragma once
+#include <optional>
+
 #include "15_terrain_water/height_map.h"
 #include "15_terrain_water/land_data.h"
 #include "common/app/module.h"
 #include "common/base/epoch.h"
 #include "common/gpu/frame.h"
+#include "common/scene/pick.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
 
-// [ground]
 /// Made from the scene's object with a height map as model. A pass that states it in `.with` includes
 /// 15_terrain_water/ground.glsl and queries heights and normals. Level 0 is sea level or a lake's level: datum_m.
 struct Ground : Module {
@@ -63,7 +65,6 @@ struct Ground : Module {
 
     void bind(Pass& pass) const override;
     std::vector<Resource> reads() const override;
-    // [/ground]
 
     const Image& heights() const { return heights_; }  ///< R32F, metres
     const Image& slopes() const { return slopes_; }    ///< RGBA16F with all levels: along x, along z, mean height
@@ -92,5 +93,22 @@ struct Ground : Module {
 inline Macros shadowed_by_houses() {
     return Macros().replace_file("15_terrain_water/no_sun_shadow.glsl", "15_terrain_water/sun_shadow.glsl");
 }
+
+struct GroundHeights {
+    LandMap map{};
+    std::vector<float> heights_m{};  ///< row by row; none: there is no ground
+
+    /// Height at world x and z, linear between samples; nothing beside the map.
+    std::optional<float> height_at(const glm::dvec2& place) const;
+    struct Met {
+        float distance_m;
+        glm::vec3 normal;
+    };
+    /// Where the ray enters the ground from above, within `most_m`: found in steps of half a sample, then by bisection.
+    std::optional<Met> met_by(const PickRay& ray, float most_m) const;
+};
+
+/// The heights as the device has made them. Waits: not within a frame.
+GroundHeights read_heights(Gpu& gpu, const Ground& ground);
 
 }  // namespace lightwalk

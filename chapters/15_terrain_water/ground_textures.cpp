@@ -1,8 +1,7 @@
-#include "15_terrain_water/ground_textures.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "15_terrain_water/land.h"
 #include "common/base/shared_lock.h"
 #include "common/image/image.h"
 #include "common/image/luminance.h"

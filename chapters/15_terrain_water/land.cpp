@@ -1,11 +1,15 @@
 #include "15_terrain_water/land.h"
 
+#include <algorithm>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
-#include "15_terrain_water/ground_textures.h"
+#include "01_obj/camera_view.h"
 #include "15_terrain_water/sun_shadow.h"
+#include "common/app/render.h"
 
 namespace lightwalk {
+
 namespace {
 
 constexpr uint32_t chunk_triangles = 2u * CHUNK_CELLS * CHUNK_CELLS;
@@ -40,7 +44,6 @@ uint64_t Land::triangles() const {
     return uint64_t(chunks) * chunk_triangles;
 }
 
-// [draw]
 void Land::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!ground_.exists()) return;
     PerView& kept = views_[view.id];
@@ -61,10 +64,10 @@ void Land::cull(Frame& frame, const View& view, PerView& kept) {
     const VkDeviceSize bytes = sizeof(Chunk) * chunks_in_all(ground_.map());
     if (!kept.list || kept.list.bytes != bytes)
         kept.list = Buffer(frame.gpu.device, {.name = "chunk list", .bytes = bytes});
-    constexpr uint32_t none[] = {3 * chunk_triangles, 0, 0, 0, 0};
-    if (!kept.draws) kept.draws = Buffer(frame.gpu.device, {.name = "chunk draws", .bytes = sizeof none});
+    constexpr uint32_t no_chunks[] = {3 * chunk_triangles, 0, 0, 0, 0};
+    if (!kept.draws) kept.draws = Buffer(frame.gpu.device, {.name = "chunk draws", .bytes = sizeof no_chunks});
     frame.transfer("chunk draws", {.reads = {}, .writes = {kept.draws}}, [&](VkCommandBuffer commands) {
-        vkCmdUpdateBuffer(commands, kept.draws.handle, 0, sizeof none, none);
+        vkCmdUpdateBuffer(commands, kept.draws.handle, 0, sizeof no_chunks, no_chunks);
     });
     frame.compute(
         "chunk levels", {.reads = {kept.list, kept.draws}, .writes = {kept.list, kept.draws}, .with = {ground_}},
@@ -75,7 +78,6 @@ void Land::cull(Frame& frame, const View& view, PerView& kept) {
         });
     if (count) frame.read_back(kept.draws, counted_);
 }
-// [/draw]
 
 void Land::draw_chunks(Frame& frame, const View& view, Canvas& canvas, PerView& kept) {
     const bool grid = method.is("grid");
@@ -141,6 +143,59 @@ void Land::shade(Frame& frame, const View& view, Canvas& canvas, const PerView& 
             pass.set("chunk_view", ChunkView{view.view_projection, view.eye, error_px * view.pixel_rad(), -1});
         pass.dispatch_threads(view.size);
     });
+}
+
+namespace {
+
+std::vector<float> found_by(Chapter& chapter, const Land& land, Gpu& gpu, glm::uvec2 size) {
+    Frame own(gpu);
+    render(chapter, own, {.size = size});
+    render(chapter, own, {.size = size});  // the number of chunks arrives a frame later
+    const auto bytes = gpu.read_back(land.found());
+    std::vector<float> found(bytes.size() / sizeof(float));
+    std::memcpy(found.data(), bytes.data(), bytes.size());
+    return found;
+}
+
+}  // namespace
+
+void measure_land(Chapter& chapter, Land& land, Gpu& gpu, glm::uvec2 size, nlohmann::json& error) {
+    chapter.samples.value = 1;
+    land.count = true;
+    const std::vector<float> found = found_by(chapter, land, gpu, size);
+    error["triangles"] = land.triangles();
+    land.count = false;
+    land.method.set("rays");
+    const std::vector<float> truth = found_by(chapter, land, gpu, size);
+    if (found.size() != truth.size() || found.size() != size_t(size.x) * size.y) return;
+
+    const View view = view_of(chapter.camera, size);
+    const ViewRays rays = view_rays(view);
+    const auto point = [&](uint32_t x, uint32_t y) {
+        return truth[size_t(y) * size.x + x] * ray_through(rays, glm::vec2(x, y) + 0.5f);
+    };
+    std::vector<double> off;
+    size_t misjudged = 0;
+    for (uint32_t y = 0; y + 1 < size.y; ++y)
+        for (uint32_t x = 0; x + 1 < size.x; ++x) {
+            const size_t i = size_t(y) * size.x + x;
+            if ((found[i] > 0) != (truth[i] > 0)) ++misjudged;
+            if (found[i] <= 0 || truth[i] <= 0 || truth[i + 1] <= 0 || truth[i + size.x] <= 0) continue;
+            const glm::vec3 here = point(x, y);
+            const glm::vec3 normal = glm::cross(point(x + 1, y) - here, point(x, y + 1) - here);
+            if (glm::length(normal) <= 0) continue;
+            const glm::vec3 moved = (found[i] - truth[i]) * ray_through(rays, glm::vec2(x, y) + 0.5f);
+            off.push_back(double(std::fabs(glm::dot(moved, glm::normalize(normal)))) /
+                          double(glm::length(here) * view.pixel_rad()));
+        }
+    error["misjudged"] = double(misjudged) / double(found.size());
+    if (off.empty()) return;
+    double sum = 0;
+    for (const double value : off) sum += value;
+    error["screen_error_px"] = sum / double(off.size());
+    const auto rank = off.begin() + static_cast<std::ptrdiff_t>(0.99 * double(off.size() - 1));
+    std::nth_element(off.begin(), rank, off.end());
+    error["screen_error_p99_px"] = *rank;
 }
 
 }  // namespace lightwalk

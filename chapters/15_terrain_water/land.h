@@ -1,16 +1,23 @@
 // Terrain drawing: the ground of a height map, with textures, shadows and the light of an atmosphere.
 #pragma once
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 
 #include "10_atmosphere/atmosphere.h"
 #include "11_fractals/ring_grid.h"
 #include "15_terrain_water/ground.h"
 #include "15_terrain_water/sun_shadow.h"
+#include "common/app/chapter.h"
 #include "common/app/drawing.h"
+#include "common/gpu/gpu.h"
 
 namespace lightwalk {
 
-// [land]
+/// Arrays of four layers (grass, forest, rock, snow) that tile, RGBA8 with all levels. `materials`: the square root of the
+/// albedo, and the height of the surface (0 to 1). `bumps`: slopes along u and v in r and g, 0.5 is level, 1 a height of 1
+/// in 1/32 of the tile. Rock is the photograph of a bark, turned; the others are noise.
+void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps);
+
 /// Drawn before objects on it or behind it. All methods find the same result, the distance to the ground in each
 /// pixel; one pass shades it.
 struct Land : Drawing, SunReceiver {
@@ -23,7 +30,6 @@ struct Land : Drawing, SunReceiver {
                   "chunks",
                   "Geometry of the ground: one grid; rings around the camera; chunks whose level follows the error on "
                   "the screen; rays through every pixel (the reference)"};
-    // [/land]
     Knob<int> grid_level{*this, "grid_level", 2, {0, 7}, "Cells of the grid: 2^grid_level samples (method grid)"};
     Knob<int> ring_cells{
         *this, "ring_cells", 128, {8, 1024}, "Cells along a side of a ring; rounded to a multiple of 4"};
@@ -118,5 +124,10 @@ struct Land : Drawing, SunReceiver {
     Pipeline shade_ = compute({.shader = "15_terrain_water/land_shade.comp"});
     Pipeline shade_shadowed_ = compute({.shader = "15_terrain_water/land_shade.comp", .macros = shadowed_by_houses()});
 };
+
+/// Renders the chapter as it is set and by rays, and adds to `error`: screen_error_px, how far the surface lies from the
+/// rays' along its normal, in pixels, on average over pixels in which both find ground; screen_error_p99_px, its 99th
+/// percentile; misjudged, the share of pixels in which one of the two finds ground; and triangles.
+void measure_land(Chapter& chapter, Land& land, Gpu& gpu, glm::uvec2 size, nlohmann::json& error);
 
 }  // namespace lightwalk

@@ -4,8 +4,8 @@
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
-#include "15_terrain_water/ground_heights.h"
-#include "15_terrain_water/land_error.h"
+#include "15_terrain_water/ground.h"
+#include "15_terrain_water/land.h"
 #include "15_terrain_water/shore.h"
 #include "common/window/run.h"
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "15_terrain_water/exercises.h"
-#include "15_terrain_water/spectrum.h"
 
 namespace lightwalk {
+
 namespace {
 
 constexpr int texels = static_cast<int>(OCEAN_TEXELS);
@@ -118,7 +118,6 @@ OceanTravel Ocean::travel(int part, double seconds) const {
     return {one.squares, s * one.turned, s * s * one.changed};
 }
 
-// [ocean_record]
 void Ocean::record(Frame& frame) {
     std::swap(moved_[0], moved_[1]);
     make(frame);
@@ -138,6 +137,14 @@ void Ocean::record(Frame& frame) {
             pass.dispatch({OCEAN_TEXELS / 4, layers, 1});
         });
 }
-// [/ocean_record]
+
+double jonswap(double omega, double wind_m_s, double fetch_m) {
+    if (omega <= 0) return 0;
+    const double alpha = 0.076 * std::pow(wind_m_s * wind_m_s / (fetch_m * gravity), 0.22);
+    const double peak = 22 * std::cbrt(gravity * gravity / (wind_m_s * fetch_m));
+    const double width = omega <= peak ? 0.07 : 0.09, off = (omega - peak) / (width * peak);
+    return alpha * gravity * gravity / std::pow(omega, 5) * std::exp(-1.25 * std::pow(peak / omega, 4)) *
+           std::pow(3.3, std::exp(-0.5 * off * off));
+}
 
 }  // namespace lightwalk

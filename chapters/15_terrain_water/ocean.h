@@ -8,7 +8,13 @@
 
 namespace lightwalk {
 
-// [ocean]
+inline constexpr double gravity = 9.81;  // m/s²
+
+/// JONSWAP: the spectral density of the height over the angular frequency, in m² s. K. Hasselmann et al., "Measurements of
+/// wind-wave growth and swell decay during the Joint North Sea Wave Project", 1973; as C. Horvath has it, "Empirical
+/// directional wave spectra for computer graphics", DigiPro 2015. `omega` in rad/s, `fetch_m` in metres.
+double jonswap(double omega, double wind_m_s, double fetch_m);
+
 /// record() in each frame; then water_surface.glsl reads moved() and sloped(): three layers, each of a part of the
 /// spectrum, on a tile of tile_m() metres that repeats. All repeats after `repeat_s`.
 struct Ocean : Module {
@@ -22,7 +28,6 @@ struct Ocean : Module {
     Knob<float> chop{
         *this, "chop", 1.0f, {0.0f, 2.0f}, "Scale factor of the horizontal displacement: 0 leaves crests round"};
     Knob<int> shape{*this, "shape", 1, {0, 1 << 30}, "Seed of the waves' random amplitudes"};
-    // [/ocean]
 
     static constexpr double repeat_s = 1000;
 

@@ -5,7 +5,6 @@ namespace lightwalk {
 SunShadow::SunShadow(Module& owner, std::string name, const Atmosphere& atmosphere)
     : Module(owner, std::move(name), "sun_shadow"), atmosphere_(atmosphere) {}
 
-// [sun_shadow_record]
 void SunShadow::record(Frame& frame, const View& view, const Scene& scene, const Drawings& drawings) {
     for (Drawing& drawing : drawings) {
         if (auto* receiver = dynamic_cast<SunReceiver*>(&drawing)) receiver->shadowed_by = this;
@@ -21,7 +20,6 @@ void SunShadow::record(Frame& frame, const View& view, const Scene& scene, const
     const Light sun{.direction = -to_sun, .shadow = true, .size_rad = glm::radians(atmosphere_.sun_deg.value)};
     maps.record(frame, scene, std::vector<Light>{sun}, view, casters);
 }
-// [/sun_shadow_record]
 
 bool add_shadow(const SunShadow* shadow, std::vector<With>& with) {
     const bool has_maps = shadow && shadow->exists();

@@ -7,7 +7,6 @@ namespace lightwalk {
 
 struct SunShadow;
 
-// [sun_shadow]
 /// A drawing that is shaded by houses and by the scene's objects.
 struct SunReceiver {
     const SunShadow* shadowed_by = nullptr;  ///< set by SunShadow::record(); null: nothing casts
@@ -28,7 +27,6 @@ struct SunShadow : Module {
     const Atmosphere& atmosphere_;
     bool exists_ = false;
 };
-// [/sun_shadow]
 
 /// Adds the shadow's maps to a pass. False: there are none, and its shaders include no_sun_shadow.glsl.
 bool add_shadow(const SunShadow* shadow, std::vector<With>& with);

@@ -51,7 +51,6 @@ std::vector<TransparentSurface> grouped(std::vector<TransparentSurface> surfaces
     return surfaces;
 }
 
-// [sorted]
 std::vector<TransparentSurface> back_to_front(const std::vector<TransparentSurface>& surfaces, glm::vec3 eye) {
     std::vector<glm::vec3> middles;
     for (const TransparentSurface& surface : surfaces) middles.push_back(surface.what.middle);
@@ -60,7 +59,6 @@ std::vector<TransparentSurface> back_to_front(const std::vector<TransparentSurfa
         if (i < surfaces.size()) sorted.push_back(surfaces[i]);
     return sorted;
 }
-// [/sorted]
 
 void make_buffer(Frame& frame, Buffer& buffer, const char* name, VkDeviceSize bytes) {
     if (buffer.bytes != bytes) buffer = Buffer(frame.gpu.device, {.name = name, .bytes = bytes});
@@ -95,7 +93,6 @@ void Transparency::draw_stage(Frame& frame, const char* pass, RasterTargets targ
     draw_surfaces(frame, pass, std::move(targets), surfaces);
 }
 
-// [triangles]
 void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas,
                                   const std::vector<TransparentSurface>& surfaces, Targets& t) {
     struct One {
@@ -132,9 +129,7 @@ void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas
                      });
     }
 }
-// [/triangles]
 
-// [weighted]
 void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                                 Targets& t) {
     const glm::uvec2 size = canvas.size();
@@ -152,9 +147,7 @@ void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<
         pass.set("picture", color).dispatch_threads(size);
     });
 }
-// [/weighted]
 
-// [moments]
 void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                                   Targets& t) {
     const glm::uvec2 size = canvas.size();
@@ -182,9 +175,7 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
         pass.set("picture", color).dispatch_threads(size);
     });
 }
-// [/moments]
 
-// [lists]
 void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                              Targets& t) {
     const glm::uvec2 size = canvas.size();
@@ -209,9 +200,7 @@ void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<Tra
         pass.dispatch_threads(size);
     });
 }
-// [/lists]
 
-// [peeling]
 void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t) {
     const glm::uvec2 size = canvas.size();
     t.layer.ensure(frame.gpu.device, {.name = path() + " layer", .size = size});
@@ -241,6 +230,5 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<Transpar
         pass.use(mix_peeled_).set("peeled", t.peeled, nearest_clamp).set("picture", color).dispatch_threads(size);
     });
 }
-// [/peeling]
 
 }  // namespace lightwalk

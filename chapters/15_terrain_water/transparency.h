@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [transparency]
 /// In a frame, before anything is drawn:
 ///
 ///     canvas.blended_by(&transparency);
@@ -51,7 +50,6 @@ struct Transparency : Module, TransparencyMethod {
     Knob<int> list_fragments{
         *this, "list_fragments", 8, {1, 64}, "Room for fragments in the lists: mean number per pixel"};
     Knob<int> peels{*this, "peels", 16, {1, 128}, "Number of layers that are peeled off, nearest first"};
-    // [/transparency]
 
     void record(Frame& frame, const View& view, Canvas& canvas,
                 const std::vector<TransparentSurface>& surfaces) override;

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "15_terrain_water/spectrum.h"
+#include "01_obj/camera_view.h"
+#include "15_terrain_water/exercises.h"
+#include "15_terrain_water/ocean.h"
 #include "common/base/error.h"
 
 namespace lightwalk {
+
 namespace {
 
 // The sector of the rings that a view shows, as an angle and a width; all of it where the view looks down or up steeply.
@@ -56,7 +60,6 @@ double height_at(const std::vector<WaveData>& waves, glm::dvec2 place, int round
     return moved_by(waves, rest).y;
 }
 
-// [waves]
 std::vector<WaveData> Water::waves_at(double time_s) const {
     std::vector<WaveData> all;
     for (int i = 0; i < waves; ++i) {
@@ -79,7 +82,6 @@ std::vector<WaveData> Water::waves_at(double time_s) const {
     }
     return all;
 }
-// [/waves]
 
 float Water::height_above(glm::vec2 place, double time_s) const {
     if (!method.is("sines") && !method.is("gerstner")) return level_m;
@@ -181,7 +183,6 @@ Macros Water::around_objects() const {
     return variant;
 }
 
-// [follow_rays]
 // The surface is drawn once more before its own pass, as the rays that leave it: that is compute's work.
 void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
     const auto fit = [&](Image& image, const char* name, VkFormat format) {
@@ -197,9 +198,7 @@ void Water::follow_rays(Frame& frame, const View& view, Canvas& canvas) {
     });
     tracer->record(frame, view, rays_, met_);
 }
-// [/follow_rays]
 
-// [draw]
 void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("none")) return;
     now_ = now(frame, view);
@@ -243,6 +242,86 @@ void Water::draw(Frame& frame, const View& view, Canvas& canvas) {
         pass.set("picture", seen).dispatch_threads(canvas.size());
     });
 }
-// [/draw]
+
+Camera mirrored_camera(const Camera& camera, float level_m) {
+    Camera mirrored = camera;
+    mirrored.position.y = 2.0f * level_m - camera.position.y;
+    mirrored.target.y = 2.0f * level_m - camera.target.y;
+    mirrored.up.y = -camera.up.y;
+    return mirrored;
+}
+
+void Mirror::record(Frame& frame, const View& view, float level_m, const Drawings& drawings) {
+    const Drawings solid = of_phases({Phase::backdrop, Phase::opaque}, drawings);
+    const Drawings air = of_phases({Phase::sky, Phase::air, Phase::fog}, drawings);
+    const glm::uvec2 size = glm::max(glm::uvec2(glm::vec2(view.size) * scale.value), 1u);
+    const auto fit = [&](Image& image, const char* name, VkFormat format) {
+        image.ensure(frame.gpu.device, {.name = path() + name, .format = format, .size = size});
+    };
+    fit(color_, " color", VK_FORMAT_R16G16B16A16_SFLOAT);
+    fit(oblique_, " oblique depth", VK_FORMAT_D32_SFLOAT);
+    fit(depth_, " depth", VK_FORMAT_D32_SFLOAT);
+
+    // 1. Seen from below: the same part of the picture, counted from the other edge.
+    const glm::vec2 shrunk = glm::vec2(size) / glm::vec2(view.size);
+    Crop crop = view.crop;
+    crop.whole = glm::max(glm::uvec2(glm::vec2(crop.whole) * shrunk), 1u);
+    crop.origin.x = view.crop.whole.x - view.crop.origin.x - view.size.x;
+    crop.origin = glm::uvec2(glm::vec2(crop.origin) * shrunk);
+    crop.shift = glm::vec2(-crop.shift.x, crop.shift.y) * shrunk;
+    View plain = view_of(mirrored_camera(view.camera, level_m), size, crop);
+    plain.id = views_.of(view.id);
+    plain.sun_disc = false;  // water adds the sun's glitter
+    View clipped = plain;
+    clipped.view_projection = mirror_view(view.view_projection, level_m);
+
+    // 2. Opaque surfaces, clipped at the water. Their light comes through the air, which is drawn later.
+    update(frame, in_order(drawings));
+    Canvas below(color_, oblique_);
+    draw_opaque(frame, clipped, below, solid);
+    below.depth(frame);
+
+    // 3. Its depth as the air wants it. The third row of the matrix is the fourth less `scale` times the water's plane.
+    const glm::mat4 rows = glm::transpose(clipped.view_projection);
+    const struct { float level_m, scale; } oblique{level_m, rows[3].y - rows[2].y};
+    frame.raster("plain depth", {.depth = clear(depth_, 0.0f), .reads = {oblique_}}, [&](Raster& pass) {
+        pass.use(plain_depth_).set("oblique_depth", oblique_, nearest_clamp).set("oblique", oblique);
+        pass.set("mirror_rays", view_rays(plain)).draw(3);
+    });
+
+    // 4. The sky behind it and the air in front; then transparent surfaces, always back to front by object.
+    Canvas canvas(color_, depth_);
+    canvas.color_overwritten();
+    canvas.depth_overwritten();
+    if (!air.empty()) draw_opaque(frame, plain, canvas, air);
+    draw_transparent(frame, clipped, below, solid);
+}
+
+void Water::Kept::begin_frame(Gpu&, glm::uvec2) { before = std::exchange(now, State()); }
+
+bool Water::has_moved() const {
+    const Kept::State &now = kept_.now, &before = kept_.before;
+    if (now.method == Kept::none || now.method != before.method) return false;
+    const bool has_waves = !method.is("flat") || (now.has_rings && before.has_rings);
+    return (has_waves && now.time_s != before.time_s) || now.water.level_m != before.water.level_m;
+}
+
+void Water::draw_motion(Frame& frame, const MotionPass& given) const {
+    const WaterNow& water = kept_.before.water;
+    WaterBefore before{.level_m = water.level_m, .waves = water.waves, .ring_phase = kept_.before.ring_phase};
+    std::copy(std::begin(water.wave), std::end(water.wave), before.wave);
+    for (int part = 0; part < 3; ++part)
+        before.ocean[part] = ocean.travel(part, kept_.now.time_s - kept_.before.time_s);
+    const bool fft = method.is("fft");
+    const ImageView ocean_before = fft ? ImageView(ocean.moved_before()) : ImageView(black_).as_array();
+    std::vector<Resource> reads{given.depth, black_};
+    if (fft) reads.insert(reads.end(), {ocean.moved(), ocean.moved_before(), ocean.sloped()});
+    frame.raster("motion of water", {.color = {keep(given.into)}, .reads = reads, .with = {*this}}, [&](Raster& pass) {
+        pass.use(moved_, around_objects()).set("water_now", kept_.now.water).set("water_before", before);
+        pass.set("depth", given.depth, nearest_clamp).set("from_to", given.from_to);
+        pass.set_if_present("ocean_moved_before", ocean_before);
+        pass.draw_indexed(rings_, 0, 6 * SPOKES * (RINGS - 1));
+    });
+}
 
 }  // namespace lightwalk

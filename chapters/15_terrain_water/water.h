@@ -2,12 +2,87 @@
 #pragma once
 #include "13_mlaa/moving.h"
 #include "14_environment/image_light.h"
-#include "15_terrain_water/mirror.h"
 #include "15_terrain_water/ocean.h"
-#include "15_terrain_water/waterline.h"
+#include "15_terrain_water/waterline_data.h"
+#include "common/app/module.h"
+#include "common/app/world.h"
+#include "common/base/epoch.h"
+#include "common/gpu/frame.h"
 #include "common/scene/scene.h"
+#include "common/scene/view.h"
 
 namespace lightwalk {
+
+/// record() in each frame; then shaders with 15_terrain_water/waterline.glsl know the distance to the nearest object that
+/// crosses the water. A point of the water's plane is inside of an object where the ray upwards leaves it once more often
+/// than it enters. That holds for closed surfaces alone.
+struct Waterline : Module {
+    Waterline(Module& owner, std::string name) : Module(owner, std::move(name), "waterline") {}
+
+    Choice method{*this,
+                  "method",
+                  {"none", "rings"},
+                  "none",
+                  "Water around objects that stand in it: undisturbed, or with rings of small waves and foam (rings)"};
+    Knob<float> length_m{*this, "length_m", 0.14f, {0.005f, 100.0f}, "Length of the longest ring wave", "m"};
+    Knob<float> slope{*this, "slope", 0.16f, {0.0f, 1.0f}, "Steepness of the rings at the waterline"};
+    Knob<float> reach_m{
+        *this, "reach_m", 0.5f, {0.01f, 100.0f}, "Distance over which the longest ring wave falls to 37%", "m"};
+    Knob<float> foam_m{*this, "foam_m", 0.05f, {0.0f, 10.0f}, "Width of the foam around an object", "m"};
+    Knob<int> texels{*this, "texels", 512, {16, 4096}, "Width and height of the map of distances"};
+
+    /// Draws the map again where objects, the level or a knob have changed. `level_m`: of the water at rest; waves come from
+    /// the direction `from_wind` (x and z, unit length).
+    void record(Frame& frame, const Scene& scene, float level_m, glm::vec2 from_wind);
+    /// Whether an object crosses the level; only then is there a map to read.
+    bool exists() const { return exists_; }
+    const Image& distances() const { return distances_; }  ///< R32F, metres
+    const WaterlineMap& map() const { return map_; }
+
+    void bind(Pass& pass) const override;
+    std::vector<Resource> reads() const override;
+
+  private:
+    void draw(Frame& frame, const DrawList& crossing, float level_m, float top_m);
+    void spread(Frame& frame);
+    Image windings_, along_rows_, distances_;
+    WaterlineMap map_{};
+    bool exists_ = false;
+    Fingerprint made_;
+    Pipeline wind_ = graphics({.vertex = "05_shadow_maps/caster.vert",
+                               .fragment = "15_terrain_water/winding.frag",
+                               .cull = VK_CULL_MODE_NONE,
+                               .blend = Blend::add});
+    Pipeline rows_ = compute({.shader = "15_terrain_water/waterline_distance.comp", .macros = {{"VERTICAL", "0"}}});
+    Pipeline columns_ = compute({.shader = "15_terrain_water/waterline_distance.comp", .macros = {{"VERTICAL", "1"}}});
+};
+
+/// record() before the water is drawn; then image() holds the reflection of the level water at each pixel, counted
+/// from the opposite edge. Water among the drawings is omitted: a mirror does not see itself.
+struct Mirror : Module {
+    Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
+
+    Knob<float> scale{*this, "scale", 0.5f, {0.1f, 1.0f}, "Width of the mirror image, as a share of the picture's"};
+
+    /// Opaque drawings are drawn with the water as their near plane, then sky, air and fog behind and before them.
+    void record(Frame& frame, const View& view, float level_m, const Drawings& drawings);
+    void record(Frame& frame, const View& view, float level_m, World& world) {
+        record(frame, view, level_m, world.prepare_view(frame, view));
+    }
+    const Image& image() const { return color_; }
+    const Image& depth() const { return depth_; }  ///< as the mirrored camera's own near and far planes give it
+
+  private:
+    DerivedViews views_;
+    Image color_, oblique_, depth_;
+    Pipeline plain_depth_ = graphics({.vertex = "06_deferred/whole.vert",
+                                      .fragment = "15_terrain_water/plain_depth.frag",
+                                      .cull = VK_CULL_MODE_NONE,
+                                      .depth_compare = Compare::always});
+};
+
+/// The camera below the water that sees the mirrored view, flipped left to right.
+Camera mirrored_camera(const Camera& camera, float level_m);
 
 /// Follows reflected rays, for Water: `rays` has in each pixel a direction and the metres along the view to the ray's
 /// origin (0: no ray). Writes into `met` (RGBA16F, same size) the light of the hit, and the share of background light
@@ -18,7 +93,6 @@ struct WaterRays {
     virtual void record(Frame& frame, const View& view, const Image& rays, const Image& met) = 0;
 };
 
-// [water]
 /// In a frame, with everything that is drawn:
 ///
 ///     water.reflect(frame, view, drawings);
@@ -53,7 +127,6 @@ struct Water : Drawing, MovingSurface {
                           "Sum over all waves of steepness, wave number and amplitude; above 1 the surface loops"};
     Knob<float> wind_deg{
         *this, "wind_deg", 25.0f, {-360.0f, 360.0f}, "Mean direction of the waves, from +x towards +z", "degrees"};
-    // [/water]
     Knob<float> spread_deg{*this, "spread_deg", 50.0f, {0.0f, 180.0f}, "Largest angle of a wave to that", "degrees"};
     Knob<glm::vec3> absorption{*this,
                                "absorption",

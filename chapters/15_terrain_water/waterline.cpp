@@ -1,9 +1,8 @@
-#include "15_terrain_water/waterline.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "15_terrain_water/spectrum.h"
+#include "15_terrain_water/ocean.h"
+#include "15_terrain_water/water.h"
 
 namespace lightwalk {
 namespace {
@@ -18,7 +17,6 @@ double phase_at(double time_s, double length_m) {
 
 }  // namespace
 
-// [waterline_record]
 void Waterline::record(Frame& frame, const Scene& scene, float level_m, glm::vec2 from_wind) {
     exists_ = false;
     if (method.is("none")) return;
@@ -82,7 +80,6 @@ void Waterline::spread(Frame& frame) {
                       pass.set("line", line).dispatch_threads(distances_.desc.size);
                   });
 }
-// [/waterline_record]
 
 void Waterline::bind(Pass& pass) const {
     if (!exists_) return;

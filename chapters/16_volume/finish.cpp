@@ -115,7 +115,6 @@ std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& 
     });
 }
 
-// [bake]
 // A ray begins at each texel's place on the mesh. Some rows at a time: no dispatch takes long, and a person sees how far
 // it is.
 std::vector<std::byte> Finish::bake(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
@@ -158,6 +157,5 @@ std::vector<std::byte> Finish::bake(Gpu& gpu, const std::filesystem::path& file,
     }
     return seen;
 }
-// [/bake]
 
 }  // namespace lightwalk

@@ -1,11 +1,10 @@
-#include "16_volume/lathe.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "16_volume/finish.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 

@@ -1,6 +1,9 @@
 // A volume as a drawing: emission and absorption along each pixel's ray.
 #pragma once
+#include <glm/glm.hpp>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "16_volume/field.h"
 #include "common/app/drawing.h"
@@ -8,7 +11,20 @@
 
 namespace lightwalk {
 
-// [volume]
+/// TRANSFER_TEXELS entries over densities from 0 to 1: linear colour, and the opacity of REFERENCE_M metres. `name` is one
+/// of transfer_names(); throws std::out_of_range otherwise. `density` (0 or more) multiplies the optical depth.
+std::vector<glm::vec4> transfer_function(const std::string& name, float density);
+
+const std::vector<std::string>& transfer_names();
+
+/// The table of chapter 16's pre-integration: `texels` squared entries, row by row the density behind, in a row the one in
+/// front, for steps of `ratio` reference lengths: light that is weighted by opacity already, and opacity.
+std::vector<glm::vec4> preintegrated_table(const std::vector<glm::vec4>& transfer, int texels, float ratio);
+
+/// The thinnest layer that the transfer function shows, as a share of the range of densities: the shortest run of entries
+/// above half of a peak of opacity. 1 where there is none.
+float thinnest_layer(const std::vector<glm::vec4>& transfer);
+
 /// Drawn after all solid objects; their depth ends its rays. Transparent: it writes no depth. The box of its field
 /// stands around the world's origin, its longest edge 2 m long.
 struct Volume : Drawing {
@@ -22,7 +38,6 @@ struct Volume : Drawing {
                   "(trapezium), its middle (midpoint), a random place in it, averaged over pictures (jittered), the "
                   "middle, without empty blocks (skipping), a table over both ends (preintegrated), or the reference "
                   "(exact)"};
-    // [/volume]
     Knob<int> steps{*this, "steps", 256, {1, 4096}, "Number of samples along the box's longest edge"};
     Knob<int> truth_samples{*this, "truth_samples", 16, {1, 192}, "Reference: samples per voxel"};
     Choice transfer{*this,

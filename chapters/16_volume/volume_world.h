@@ -1,6 +1,6 @@
 // Volume world: a volume, and solid objects seen through a lens.
 #pragma once
-#include "05_shadow_maps/visible_surfaces.h"
+#include "05_shadow_maps/visibility_buffer.h"
 #include "09_post_effects/depth_of_field.h"
 #include "16_volume/finish.h"
 #include "16_volume/volume.h"

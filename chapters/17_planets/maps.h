@@ -1,12 +1,77 @@
 // The images of bodies: maps, slopes made of them, tables of rings.
 #pragma once
+#include <array>
+#include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
-#include "17_planets/bodies.h"
+#include "10_atmosphere/air_data.h"
+#include "17_planets/body_data.h"
 #include "common/scene/image_pool.h"
 
 namespace lightwalk {
+
+/// In the order of their distance from the Sun, as the knob `at` names them.
+enum class BodyId { sun, mercury, venus, earth, moon, mars, jupiter, saturn, uranus, neptune, pluto };
+constexpr size_t body_count = 11;
+const std::vector<std::string>& body_names();
+
+constexpr double astronomical_unit_m = 1.495978707e11;
+constexpr double sun_radius_m = 6.957e8;
+
+/// A body's place and axes. World: metres from the Sun, +y towards the north pole of the Earth's orbit, +z towards the
+/// vernal equinox of J2000.
+struct Placement {
+    glm::dvec3 position{0.0};
+    glm::dmat3 axes{1.0};  ///< columns: the body's +x (90° east), +y (its north pole) and +z (its prime meridian)
+    glm::dmat4 matrix() const;
+};
+
+/// At a moment in days since J2000 (1 January 2000, 12:00). Planets by E. M. Standish, "Keplerian elements for
+/// approximate positions of the major planets", JPL, table 1: the elements of J2000 and the rate of the mean
+/// longitude alone. Without the other rates a position is some arc minutes off in the decades around 2000, a quarter
+/// of a degree in 1800. The Moon by the largest term of each coordinate (J. Meeus, Astronomical Algorithms, 1991,
+/// chapter 45; a degree off), poles and rotations by B. A. Archinal et al., Celestial Mechanics and Dynamical
+/// Astronomy 130, 2018, without their periodic terms (Mars: 109, 2011, without such terms).
+Placement place_body(BodyId body, double days);
+
+/// From equatorial coordinates of J2000, in degrees, to a unit vector of the world.
+glm::dvec3 direction_of(double right_ascension_deg, double declination_deg);
+
+/// From the world's axes to a star map's in galactic coordinates: its centre +z, its north pole +y.
+glm::dmat3 world_to_galaxy();
+
+/// How a body's pass is compiled.
+enum class BodyKind { rock, clouded, earth, flowing, ringed, star };
+
+struct BodyTraits {
+    const char* map;    ///< file below assets/planets_2k/ or assets/; null: made here, or none
+    double radius_m;    ///< at its equator
+    double flattening;  ///< (equator - pole) / equator
+    BodyKind kind;
+    SurfaceLaw surface;
+    int octaves;  ///< of the slopes that overlay_normals() finds in the map; 0: none
+    float slope;  ///< of those
+};
+
+/// Radii: B. A. Archinal et al., Celestial Mechanics and Dynamical Astronomy 130, 2018. Laws: the lesson says which and why.
+const BodyTraits& traits(BodyId body);
+
+/// The air of a body, lit by `sunlight` (irradiance of a facing surface). Zero scale heights if it has no visible
+/// air.
+Air air_of(BodyId body, glm::vec3 sunlight, float sun_rad);
+
+/// The rings' radii in metres; outer 0: none.
+Rings rings_of(BodyId body);
+
+/// One ring or a part of one: between two radii its optical depth, and the single-scattering albedo of its particles.
+struct RingPart {
+    double inner_m, outer_m, depth, albedo;
+};
+std::span<const RingPart> ring_parts(BodyId body);
 
 struct BodyMaps {
     std::shared_ptr<Image> color, normals;

@@ -87,7 +87,6 @@ Planets::Outlook Planets::outlook(const Frame& frame, const View& view) const {
     return look;
 }
 
-// [shown]
 std::vector<Planets::Shown> Planets::shown(const Outlook& look) const {
     const auto placed = [&](BodyId body, glm::dvec3 offset) {
         Placement place = place_body(body, look.days);
@@ -122,7 +121,6 @@ std::vector<Planets::Shown> Planets::shown(const Outlook& look) const {
     });
     return all;
 }
-// [/shown]
 
 BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, const View& view) const {
     const BodyTraits& of = traits(one.body);

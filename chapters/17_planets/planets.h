@@ -19,7 +19,6 @@ struct BodyAir : Module {
                  "Phase function of dust: isotropic, Henyey-Greenstein, or Cornette-Shanks"};
 };
 
-// [planets]
 /// Draws over the background (the stars), where no depth was drawn. Scenes place the camera in metres from the centre
 /// of the body `at`; +z points from it to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
 struct Planets : Drawing {
@@ -46,7 +45,6 @@ struct Planets : Drawing {
         {"frozen", "scrolled", "two_frames", "advected"},
         "two_frames",
         "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
-    // [/planets]
     Knob<int> walks{*this, "walks", 128, {1, 1024}, "Random walks per pixel of rings, for their reference"};
     Choice shadow{
         *this,
@@ -105,7 +103,7 @@ struct Planets : Drawing {
     bool animated() const override { return days_per_s != 0.0f || at.is("sun"); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;
 
-    /// Where the view looks from and how its axes stand in the world of orbits.h. The view says the first itself where it has
+    /// Where the view looks from and how its axes stand in the world of the orbits. The view says the first itself where it has
     /// View::exact_eye; its axes are then the world's.
     struct Outlook {
         double days = 0;

@@ -24,7 +24,6 @@ inline double limb_fade(double opacity, double mu, double width) {
     return mu <= 0 ? 0 : (1 - std::pow(1 - opacity, 1 / mu)) * smooth(mu / width);
 }
 
-// [laws]
 // Radiance over that of a white Lambertian surface that faces the sun; the shaders divide by the value where both are overhead.
 inline double lommel_seeliger(double mu0, double mu) { return mu0 > 0 ? 2 * mu0 / (mu0 + mu) : 0; }
 inline double minnaert(double mu0, double mu, double k) {
@@ -38,7 +37,6 @@ inline double hapke(double mu0, double mu, double cos_phase) {
     const auto H = [&](double x) { return (1 + 2 * x) / (1 + 2 * x * std::sqrt(1 - w)); };
     return 0.25 * w * mu0 / (mu0 + mu) * ((1 + surge) * once + H(mu0) * H(mu) - 1);
 }
-// [/laws]
 
 /// Light of a ball at a phase angle, over that at phase 0: `law(cosine, mu, cos_phase)` over its visible half.
 template <class Law>

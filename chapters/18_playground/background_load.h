@@ -1,10 +1,11 @@
-// A model that is read on a thread beside the picture.
+// A model that is read on a thread beside the picture, and uploaded in slices.
 #pragma once
 #include <future>
 #include <memory>
 #include <optional>
 
 #include "common/base/progress.h"
+#include "common/gpu/slices.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -23,7 +24,30 @@ struct LoadedModel {
     std::vector<LoadedTexture> textures;
 };
 
-// [background_load]
+/// Uploads a model read by a thread, a few milliseconds per frame, and gives it to a scene's pools, where loading
+/// then finds it complete.
+class Arrival {
+  public:
+    Arrival(Gpu& gpu, std::filesystem::path file, LoadedModel read);
+    Arrival(const Arrival&) = delete;  // the slices know where everything is
+
+    bool step(double budget_ms) { return slices_.step(gpu_, budget_ms); }  ///< true: all of it is there
+    float share() const { return slices_.share(); }
+    void give(Scene& scene) const;
+    const Model& model() const { return model_->model; }
+
+  private:
+    Gpu& gpu_;
+    std::filesystem::path file_;
+    LoadedModel read_;
+    std::shared_ptr<GpuModel> model_ = std::make_shared<GpuModel>();
+    struct Texture {
+        std::shared_ptr<Image> image, normals;
+    };
+    std::vector<Texture> textures_;  ///< of read_.textures
+    Slices slices_;
+};
+
 /// One model at a time. Reading, joining vertices, tangents and decoding textures are work for the processor, and run
 /// on threads that give way to the window's; only that one speaks to the device.
 class BackgroundLoad {
@@ -45,7 +69,6 @@ class BackgroundLoad {
 
     float share() const;        ///< of the stage that words() names, 0 to 1
     std::string words() const;  ///< "dragon.obj: reading 43%"
-                                // [/background_load]
 
   private:
     struct Now {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "03_attenuation/scattered_lights.h"
 #include "18_playground/tree.h"
-#include "18_playground/utf8.h"
 
 namespace lightwalk {
 
@@ -185,7 +185,6 @@ std::vector<EntryId> duplicate(Document& document, const std::vector<EntryId>& i
     return copies;
 }
 
-// [reparent]
 namespace {
 
 // Within a step that is open.
@@ -244,7 +243,6 @@ Said reparent(Document& document, const std::vector<EntryId>& ids, EntryId paren
     document.commit();
     return said;
 }
-// [/reparent]
 
 EntryId group(Document& document, const std::vector<EntryId>& ids, const std::string& name, const Bounds& around) {
     std::vector<EntryId> objects;
@@ -332,6 +330,78 @@ void set_knobs(Document& document, const std::map<std::string, std::string>& kno
     document.begin("set " + changed, gesture);
     for (const auto& [name, value] : knobs) document.edit(root_entry).settings()->knobs[name] = value;
     document.commit();
+}
+
+size_t utf8_length(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return 1;
+    const size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : byte(0) >= 0xc2 ? 2 : 0;
+    if (length == 0 || byte(0) > 0xf4 || text.size() < length) return 0;
+    uint32_t code = byte(0) & (0xffu >> (length + 1));
+    for (size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+        code = code << 6 | (byte(i) & 0x3f);
+    }
+    const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool surrogate = code >= 0xd800 && code < 0xe000;
+    return code < least[length] || surrogate || code > 0x10ffff ? 0 : length;
+}
+
+std::string clean_name(const std::string& name) {
+    std::string clean;
+    for (size_t i = 0; i < name.size();) {
+        const size_t length = utf8_length(std::string_view(name).substr(i));
+        if (length == 0)
+            clean += "\xef\xbf\xbd";
+        else if (length == 1 && (static_cast<unsigned char>(name[i]) < 32 || name[i] == 127))
+            clean += ' ';
+        else
+            clean.append(name, i, length);
+        i += length == 0 ? 1 : length;
+    }
+    return clean;
+}
+
+EntryId terrain_of(const Document& document) {
+    for (const EntryId id : with_children(document, root_entry))
+        if (is_terrain(document.at(id))) return id;
+    return no_entry;
+}
+
+void set_terrain(Document& document, const std::filesystem::path& file, float reach_m, uint64_t gesture) {
+    const EntryId now = terrain_of(document);
+    if (now == no_entry && file.empty()) return;
+    document.begin("terrain", gesture);
+    if (file.empty()) {
+        document.remove({now});
+    } else if (now != no_entry) {
+        document.edit(now).object()->model = file;
+    } else {
+        SceneObject object;
+        object.name = free_name(document, "ground");
+        object.model = file;
+        document.add(root_entry, {.what = std::move(object)});
+    }
+    if (!file.empty() && document.settings().camera.far_m < reach_m)
+        document.edit(root_entry).settings()->camera.far_m = reach_m;
+    document.commit();
+}
+
+float side_m(const HeightMap& map) {
+    const glm::vec2 size_m = map.sample_m * glm::vec2(map.width - 1, map.height - 1);
+    return std::min(size_m.x, size_m.y);
+}
+
+std::map<std::string, std::string> terrain_knobs(const HeightMap& map, const Bounds& scene) {
+    const size_t middle = size_t(map.height / 2) * size_t(map.width) + size_t(map.width / 2);
+    const float size_m = scene.empty() ? 1.0f : glm::length(scene.extent());
+    const float floor_m = (scene.empty() ? 0.0f : scene.lower.y) - 0.002f * size_m;  // nothing flickers with it
+    const float away_m = scene.empty() ? 0.0f : glm::length(glm::vec2(scene.center().x, scene.center().z)) + size_m;
+    const float level_m = std::max(0.01f * side_m(map), 1.5f * away_m);
+    return {{"air", "sky"},
+            {"ground.datum_m", fmt::format("{:.0f}", map.elevation_m[middle] - floor_m)},
+            {"ground.plain_km", fmt::format("0,0,{:.3f}", 1e-3f * level_m)},
+            {"ground.plain_m", fmt::format("{:.4f}", floor_m)}};
 }
 
 }  // namespace lightwalk

@@ -1,11 +1,32 @@
 // Commands on the document: each function is a step that undo() reverts.
 #pragma once
 #include <set>
+#include <string>
 
+#include "15_terrain_water/height_map.h"
 #include "18_playground/placement.h"
 #include "common/scene/mesh.h"
 
 namespace lightwalk {
+
+/// An object that a module draws as ground: it has no place of its own.
+inline bool is_terrain(const Entry& entry) { return entry.object() && is_height_map_file(entry.object()->model); }
+
+/// The first one; no_entry: the scene has none.
+EntryId terrain_of(const Document& document);
+
+/// Another height map, or a first one; an empty `file`: none. The camera then sees as far as `reach_m`.
+void set_terrain(Document& document, const std::filesystem::path& file, float reach_m, uint64_t gesture);
+
+/// Side of the map, in metres, unless a knob says another.
+float side_m(const HeightMap& map);
+
+/// Knobs, by path, for a sky over it, and for ground that is level around the scene and just below it.
+std::map<std::string, std::string> terrain_knobs(const HeightMap& map, const Bounds& scene);
+
+/// Bytes that the character at the beginning of `text` takes in UTF-8; 0 where it is none: cut off, overlong, a
+/// surrogate, beyond U+10FFFF.
+size_t utf8_length(std::string_view text);
 
 /// Entries that are selected, in the order in which they were clicked; the last is the active one.
 struct Selection {
@@ -43,7 +64,6 @@ bool is_hidden(const Document& document, EntryId id);
 /// The existing, unlocked ones of `ids` without a selected ancestor, in tree order.
 std::vector<EntryId> movable(const Document& document, const std::vector<EntryId>& ids);
 
-// [commands]
 EntryId add_object(Document& document, SceneObject object, EntryId parent = root_entry);
 EntryId add_light(Document& document, const Light& light);
 std::vector<EntryId> add_lights(Document& document, const std::string& step, const std::vector<Light>& lights);
@@ -65,6 +85,5 @@ Said cannot_be_placed(const Placement& placement);
 Said place(Document& document, EntryId id, const Placement& placement, uint64_t gesture = 0);
 /// Knobs of the chapter that have another value than the document says.
 void set_knobs(Document& document, const std::map<std::string, std::string>& knobs, uint64_t gesture);
-// [/commands]
 
 }  // namespace lightwalk

@@ -13,11 +13,9 @@ Document::Document() : Document(SceneFile{}) {}
 
 Document::Document(const SceneFile& scene) {
     slots_.resize(2);
-    put(root_entry,
-        std::make_shared<Entry>(
-            Entry{.what = SceneSettings{scene.camera, scene.ambient, scene.background, scene.environment, scene.music,
-                                        scene.knobs, scene.bare, scene.emission}}),
-        ++versions_);
+    put(root_entry, std::make_shared<Entry>(
+                        Entry{.what = SceneSettings{scene.camera, scene.ambient, scene.background, scene.environment,
+                                                    scene.music, scene.knobs, scene.bare, scene.emission}}));
     count_ = 0;
     std::unordered_map<std::string, EntryId> by_name;
     const auto append = [&](EntryId parent, Entry entry) {
@@ -25,7 +23,7 @@ Document::Document(const SceneFile& scene) {
         slots_.emplace_back();
         entry.parent = parent;
         slots_[parent].entry->children.push_back(id);
-        put(id, std::make_shared<Entry>(std::move(entry)), ++versions_);
+        put(id, std::make_shared<Entry>(std::move(entry)));
         return id;
     };
     for (const SceneObject& object : scene.objects) {
@@ -75,7 +73,7 @@ void Document::note_structure() {
     structure_ = next_structure();
 }
 
-void Document::put(EntryId id, std::shared_ptr<Entry> entry, uint32_t version) {
+void Document::put(EntryId id, std::shared_ptr<Entry> entry) {
     Slot& slot = slots_[id];
     if (slot.entry) count_name(*slot.entry, -1);
     if (!slot.entry != !entry) {
@@ -87,7 +85,6 @@ void Document::put(EntryId id, std::shared_ptr<Entry> entry, uint32_t version) {
         (slot.entry->parent != entry->parent || slot.entry->children != entry->children))
         note_structure();
     slot.entry = std::move(entry);
-    slot.version = version;
     if (slot.entry) count_name(*slot.entry, 1);
     note(id);
 }
@@ -118,9 +115,8 @@ Document::Slot& Document::touch(EntryId id) {
     Slot& slot = slots_[id];
     note(id);
     if (std::exchange(slot.touched, true)) return slot;
-    open_->kept.push_back({id, slot.entry, nullptr, slot.version, 0});
+    open_->kept.push_back({id, slot.entry, nullptr});
     if (slot.entry) slot.entry = std::make_shared<Entry>(*slot.entry);
-    slot.version = ++versions_;
     return slot;
 }
 
@@ -131,7 +127,6 @@ bool Document::commit() {
         Slot& slot = slots_[kept.id];
         slot.touched = false;
         kept.after = slot.entry;
-        kept.after_version = slot.entry ? slot.version : 0;
         for (const auto& entry : {kept.before, kept.after})
             if (entry) step.size.bytes += bytes_of(*entry);
     }
@@ -156,29 +151,30 @@ bool Document::commit() {
 }
 // [/steps]
 
+// Entries have numbers for the exercise; an unchanged entry has that of the one it equals.
 Document::Step Document::joined(Step first, Step then) const {
     std::unordered_map<uint32_t, std::shared_ptr<Entry>> versions;
-    std::unordered_map<EntryId, const Kept*> found;
-    for (const Kept& kept : first.kept) found[kept.id] = &kept;
-    for (Kept& kept : then.kept) {  // unchanged entries are that version again
-        const auto before = found.find(kept.id);
-        if (before == found.end() || !kept.after || !before->second->before) continue;
-        if (same_entry(*kept.after, *before->second->before)) kept.after_version = before->second->before_version;
-    }
-    const auto replaced = [](const Step& step) {
-        std::vector<Replaced> all;
-        for (const Kept& kept : step.kept) all.push_back({kept.id, kept.before_version, kept.after_version});
-        return all;
+    std::unordered_map<const Entry*, uint32_t> numbers{{nullptr, 0}};
+    const auto number = [&](const std::shared_ptr<Entry>& entry) {
+        const auto [at, is_new] = numbers.try_emplace(entry.get(), static_cast<uint32_t>(numbers.size()));
+        if (is_new) versions[at->second] = entry;
+        return at->second;
     };
-    for (const Step* step : {&first, &then})
-        for (const Kept& kept : step->kept) {
-            versions[kept.before_version] = kept.before;
-            versions[kept.after_version] = kept.after;
-        }
-    versions[0] = nullptr;
+    std::unordered_map<EntryId, const Kept*> found;
+    std::vector<Replaced> earlier, later;
+    for (const Kept& kept : first.kept) {
+        found[kept.id] = &kept;
+        earlier.push_back({kept.id, number(kept.before), number(kept.after)});
+    }
+    for (const Kept& kept : then.kept) {
+        const auto before = found.find(kept.id);
+        const bool is_back = before != found.end() && kept.after && before->second->before &&
+                             same_entry(*kept.after, *before->second->before);
+        later.push_back({kept.id, number(kept.before), number(is_back ? before->second->before : kept.after)});
+    }
     Step both{then.name, {then.size.group, 0}, {}, first.state_before, then.state_after};
-    for (const Replaced& one : join_steps(replaced(first), replaced(then))) {
-        both.kept.push_back({one.entry, versions[one.before], versions[one.after], one.before, one.after});
+    for (const Replaced& one : join_steps(earlier, later)) {
+        both.kept.push_back({one.entry, versions[one.before], versions[one.after]});
         for (const auto& entry : {both.kept.back().before, both.kept.back().after})
             if (entry) both.size.bytes += bytes_of(*entry);
     }
@@ -189,7 +185,7 @@ void Document::cancel() {
     if (!open_) return;
     const Step step = *std::exchange(open_, std::nullopt);
     for (auto kept = step.kept.rbegin(); kept != step.kept.rend(); ++kept) {
-        put(kept->id, kept->before, kept->before_version);
+        put(kept->id, kept->before);
         slots_[kept->id].touched = false;
     }
 }
@@ -198,7 +194,7 @@ void Document::cancel() {
 bool Document::undo() {
     cancel();
     if (done_.empty()) return false;
-    for (const Kept& kept : done_.back().kept) put(kept.id, kept.before, kept.before_version);
+    for (const Kept& kept : done_.back().kept) put(kept.id, kept.before);
     state_ = done_.back().state_before;
     undone_.push_back(std::move(done_.back()));
     done_.pop_back();
@@ -208,7 +204,7 @@ bool Document::undo() {
 bool Document::redo() {
     cancel();
     if (undone_.empty()) return false;
-    for (const Kept& kept : undone_.back().kept) put(kept.id, kept.after, kept.after_version);
+    for (const Kept& kept : undone_.back().kept) put(kept.id, kept.after);
     state_ = undone_.back().state_after;
     done_.push_back(std::move(undone_.back()));
     undone_.pop_back();
@@ -261,7 +257,7 @@ EntryId Document::add(EntryId parent, Entry entry, size_t place) {
     slots_.emplace_back();
     touch(id);
     entry.parent = parent;
-    put(id, std::make_shared<Entry>(std::move(entry)), ++versions_);
+    put(id, std::make_shared<Entry>(std::move(entry)));
     put_in({id}, parent, place);
     return id;
 }
@@ -290,7 +286,7 @@ void Document::remove(const std::vector<EntryId>& ids) {
     for (const EntryId id : ids)
         for (const EntryId one : with_children(*this, id)) {
             touch(one);
-            put(one, nullptr, 0);
+            put(one, nullptr);
         }
 }
 
@@ -305,6 +301,60 @@ void Document::order_children(EntryId parent, std::vector<EntryId> order) {
     children_passed_ += order.size();
     edit(parent).children = std::move(order);
     note_structure();
+}
+
+const std::string& Entry::name() const {
+    static const std::string scene = "scene";
+    if (object()) return object()->name;
+    return light() ? light()->name : scene;
+}
+
+uint64_t bytes_of(const Entry& entry) {
+    uint64_t bytes = sizeof(Entry) + entry.children.capacity() * sizeof(EntryId) + entry.name().capacity();
+    if (const SceneObject* object = entry.object()) {
+        bytes += object->model.native().capacity() + object->motion.path.capacity() * sizeof(Keyframe);
+        for (const auto& [slot, file] : object->material.maps) bytes += 96 + slot.capacity() + file.native().capacity();
+    } else if (const SceneSettings* settings = entry.settings()) {
+        for (const auto& [name, value] : settings->knobs) bytes += 96 + name.capacity() + value.capacity();
+    }
+    return bytes;
+}
+
+bool same_but_placed_and_painted(const SceneObject& a, const SceneObject& b) {
+    return a.name == b.name && a.model == b.model && a.ground == b.ground && a.shows == b.shows &&
+           a.role.object == b.role.object && a.role.materials == b.role.materials;
+}
+
+bool same_but_placed(const SceneObject& a, const SceneObject& b) {
+    return same_but_placed_and_painted(a, b) && a.material == b.material;
+}
+
+bool same_entry(const Entry& a, const Entry& b) {
+    if (a.parent != b.parent || a.children != b.children || a.hidden != b.hidden || a.locked != b.locked ||
+        a.included != b.included || a.what.index() != b.what.index())
+        return false;
+    if (a.light()) return *a.light() == *b.light();
+    if (const SceneObject* one = a.object(), *other = b.object(); one)
+        return same_but_placed(*one, *other) && one->position == other->position &&
+               one->rotation_deg == other->rotation_deg && one->scale == other->scale;
+    const SceneSettings &s = *a.settings(), &t = *b.settings();
+    return s.knobs == t.knobs && s.ambient == t.ambient && s.background == t.background &&
+           s.environment.image == t.environment.image && s.environment.intensity == t.environment.intensity &&
+           s.environment.rotation_deg == t.environment.rotation_deg && s.music.file == t.music.file &&
+           s.camera.position == t.camera.position && s.camera.target == t.camera.target && s.camera.up == t.camera.up &&
+           s.camera.fov_y_rad == t.camera.fov_y_rad && s.camera.near_m == t.camera.near_m &&
+           s.camera.far_m == t.camera.far_m && s.bare == t.bare && s.emission == t.emission;
+}
+
+std::vector<EntryId> with_children(const Document& document, EntryId id) {
+    std::vector<EntryId> all, stack{id};
+    while (!stack.empty()) {
+        all.push_back(stack.back());
+        const Entry& entry = document.at(stack.back());
+        stack.pop_back();
+        stack.insert(stack.end(), entry.children.rbegin(), entry.children.rend());
+    }
+    return all;
 }
 
 }  // namespace lightwalk

@@ -47,7 +47,6 @@ struct Entry {
 /// It has a direction and no place.
 inline bool is_sun(const Entry& entry) { return entry.light() && entry.light()->kind == Light::Kind::directional; }
 
-// [document]
 /// Entries by id, the root among them, and the steps that led here. Changes are made between begin() and commit():
 ///
 ///     document.begin("move");
@@ -80,7 +79,6 @@ class Document {
     bool commit();                                                    ///< false where nothing has changed
     void cancel();                                                    ///< everything as it was at begin()
     bool in_step() const { return open_.has_value(); }
-    // [/document]
 
     bool undo();
     bool redo();
@@ -123,14 +121,12 @@ class Document {
   private:
     struct Slot {
         std::shared_ptr<Entry> entry;
-        uint32_t version = 0;
         bool touched = false;  ///< by the step that is being made
         bool listed = false;   ///< in changes_
     };
     struct Kept {
         EntryId id;
         std::shared_ptr<Entry> before, after;
-        uint32_t before_version, after_version;
     };
     struct Step {
         std::string name;
@@ -138,7 +134,7 @@ class Document {
         std::vector<Kept> kept;
         uint64_t state_before, state_after;
     };
-    void put(EntryId id, std::shared_ptr<Entry> entry, uint32_t version);
+    void put(EntryId id, std::shared_ptr<Entry> entry);
     Slot& touch(EntryId id);
     void note(EntryId id);
     void count_name(const Entry& entry, int by);
@@ -151,7 +147,6 @@ class Document {
     std::optional<Step> open_;
     std::deque<Step> done_;
     std::vector<Step> undone_;  ///< the last one undone is the last
-    uint32_t versions_ = 0;
     uint64_t state_ = 1, states_ = 1, structure_ = 0, children_passed_ = 0;
     void note_structure();
     Changes changes_;

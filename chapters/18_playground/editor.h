@@ -81,13 +81,6 @@ class Editor {
     void give_knobs(Chapter& chapter);
     void follow_steps(Chapter& chapter, std::string what);
     std::map<std::string, std::string> first_knobs_, known_knobs_;
-    /// A setting as take_knobs() saw it last: texts are made where this differs.
-    struct SeenKnob {
-        const KnobBase* knob;
-        std::optional<size_t> variant;
-        KnobBase::Numbers numbers;
-    };
-    std::vector<SeenKnob> seen_knobs_;
     void keep_recovery(const std::string& why);
     bool show_without(Chapter& chapter, Gpu& gpu, const std::string& why);
     std::vector<std::string> without_;           ///< why the picture has not all of the document; said once

@@ -1,10 +1,9 @@
-#include "18_playground/editor_fields.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/properties.h"
 #include "18_playground/widgets.h"
 

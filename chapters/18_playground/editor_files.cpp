@@ -1,7 +1,6 @@
-#include "18_playground/editor_files.h"
-
 #include <GLFW/glfw3.h>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/file_browser.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"

@@ -1,12 +1,10 @@
-#include "18_playground/editor_loading.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "18_playground/commands.h"
+#include "18_playground/editor_part.h"
 #include "18_playground/file_browser.h"
-#include "18_playground/landing.h"
-#include "18_playground/utf8.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -33,30 +31,6 @@ bool has_model(const Scene& scene, const fs::path& file) {
 }
 
 }  // namespace
-
-void LoadingPanel::carry_on() {
-    if (!view_.gpu || (wanted_.empty() && !pace_)) return;
-    const double start = now_s();
-    if (!pace_) pace_ = Pace{start, start};
-    carry_on_loading(*view_.gpu);
-    note_pace(start, now_s() - start);
-}
-
-void LoadingPanel::note_pace(double start, double own_s) {
-    Pace& pace = *pace_;
-    const double frame_s = start - std::exchange(pace.last, start);  // of the one before
-    pace.own_longest_s = std::max(pace.own_longest_s, own_s);
-    if (!pace.shown) {
-        ++pace.frames;
-        pace.longest_s = std::max(pace.longest_s, frame_s);
-        return;
-    }
-    log_event(
-        fmt::format("loading took {:.2f} s: {} frames, the longest {:.0f} ms, then one of {:.0f} ms that shows "
-                    "all of it; loading had at most {:.0f} ms of a frame",
-                    start - pace.since, pace.frames, 1e3 * pace.longest_s, 1e3 * frame_s, 1e3 * pace.own_longest_s));
-    pace_.reset();
-}
 
 // Resolves dependencies now, so that missing files are reported at once.
 void LoadingPanel::want(const fs::path& file, bool adds) {
@@ -90,13 +64,10 @@ void LoadingPanel::stop(const std::string& why) {
 
 void LoadingPanel::cancel() { stop("cancelled: " + wanted_.front().file.filename().string()); }
 
-void LoadingPanel::was_shown() {
-    if (pace_ && wanted_.empty()) pace_->shown = true;
-}
-
 // [carry_on]
-void LoadingPanel::carry_on_loading(Gpu& gpu) {
-    if (wanted_.empty()) return;
+void LoadingPanel::carry_on() {
+    if (!view_.gpu || wanted_.empty()) return;
+    Gpu& gpu = *view_.gpu;
     Wanted& now = wanted_.front();
     if (auto ended = loading_.poll()) {
         if (!ended->model) return stop(ended->error);

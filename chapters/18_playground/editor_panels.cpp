@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/editor_window.h"
-#include "18_playground/landing.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 

@@ -1,13 +1,12 @@
 // The selection as numbers, colours and files. An edit applies to all selected entries of the active one's kind.
-#include "18_playground/editor_properties.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "18_playground/commands.h"
+#include "18_playground/editor_part.h"
 #include "18_playground/file_browser.h"
-#include "18_playground/terrain_entry.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -247,6 +246,27 @@ void PropertiesPanel::edit_numbers(const Property& property, const char* label, 
 
 void PropertiesPanel::edit_color(const Property& property, const char* label, const char* help, float most) {
     edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return fields_.color(label, help, value, most, mixed); });
+}
+
+// It is drawn when nobody drags: a new material means its textures' levels again.
+void MaterialBall::draw(EntryId id, const DrawItem& item) {
+    SceneFile shows = material_ball(*editor.document.at(id).object(), item);
+    if (!files_.is_current(scene.images())) {  // they were read again
+        preview.forget();
+        made_.forget();
+    }
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !made_.is_current(scene_text(shows))) due_ = std::move(shows);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float pixel = std::max(1.0f, std::floor(ImGui::GetFontSize() / 15.0f));
+    if (picture_.width) draw_pixels(picture_, at, pixel);
+    ImGui::Dummy({pixel * float(size), pixel * float(size)});
+    log_place("ball");
+}
+
+void MaterialBall::make() {
+    picture_ = preview.draw(*view_.gpu, *std::exchange(due_, std::nullopt), glm::uvec2(size));
+    log_event("ball drawn");
+    view_.changed = true;
 }
 
 }  // namespace lightwalk

@@ -1,8 +1,7 @@
 // Scene-wide entries of the tree: camera, surroundings, terrain, water, fog and effects.
-#include "18_playground/editor_settings.h"
-
+#include "18_playground/commands.h"
+#include "18_playground/editor_part.h"
 #include "18_playground/file_browser.h"
-#include "18_playground/terrain_entry.h"
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -54,7 +53,6 @@ bool SettingsPanel::is_there(const std::string& facet) const {
     return true;
 }
 
-// [facets]
 void SettingsPanel::draw_rows() {
     for (const Facet& facet : facets()) {
         const bool there = is_there(facet.name), is_chosen = editor.selection.has(root_entry) && chosen == facet.name;
@@ -98,7 +96,6 @@ void SettingsPanel::draw_knobs() {
         }
     }
 }
-// [/facets]
 
 void SettingsPanel::set(const std::string& what, const SceneSettings& settings) {
     editor.document.begin(what, editor.gesture);

@@ -1,10 +1,9 @@
-#include "18_playground/editor_tree.h"
-
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/widgets.h"
 
 namespace lightwalk {
@@ -20,7 +19,6 @@ const char* icon_of(const Entry& entry) {
 
 }  // namespace
 
-// [tree]
 void TreePanel::draw() {
     ImGui::SetNextItemWidth(-1.0f);
     focus_next(searches_);
@@ -171,7 +169,6 @@ void TreePanel::drag_and_drop(EntryId id, const std::string& shown_as) {
         ImGui::EndDragDropTarget();
     }
 }
-// [/tree]
 
 void TreePanel::begin_renaming(EntryId id) {
     renaming_.id = id;

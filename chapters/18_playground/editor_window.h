@@ -1,13 +1,48 @@
 // The editor in a window: the playground with panels, the gizmo under the mouse, and keys.
 #pragma once
-#include "18_playground/editor_lists.h"
-#include "18_playground/editor_loading.h"
-#include "18_playground/editor_pointer.h"
-#include "18_playground/editor_properties.h"
+#include "18_playground/editor_part.h"
 #include "18_playground/file_browser.h"
-#include "18_playground/tour.h"
 
 namespace lightwalk {
+
+class EditorPointer : public EditorPart {
+  public:
+    using EditorPart::EditorPart;
+
+    /// True: taken, and the camera stays.
+    bool move(const Input& input, glm::vec2 cursor_px, bool over_picture);
+    std::vector<std::string> words() const;  ///< what a drag does from here; none: it moves the camera
+
+  private:
+    void take_picked();
+    bool drag(const Input& input, glm::vec2 cursor_px, bool released);
+    void choose_at(glm::vec2 cursor_px, bool add);
+    bool was_down_ = false, pressed_on_picture_ = false, dragged_ = false, adds_ = false;
+    glm::vec2 press_px_{0.0f};
+    float moved_px_ = 0;
+    Tool tool_ = Tool::move;  ///< of the gizmo: a sun is turned only
+};
+
+/// A click goes back or forward to where a step was done.
+class StepsPanel : public EditorPart {
+  public:
+    using EditorPart::EditorPart;
+    void draw();
+    bool shown = false;
+
+  private:
+    size_t listed_ = SIZE_MAX;  ///< the step that the list was scrolled to last
+};
+
+class KeysPanel : public EditorPart {
+  public:
+    KeysPanel(EditorView& view, std::function<void()> tour) : EditorPart(view), tour_(std::move(tour)) {}
+    void draw();
+    bool shown = false;
+
+  private:
+    std::function<void()> tour_;  ///< begins it
+};
 
 /// It places its panels, each of which owns its state, and gives them the keys: one member for each of them.
 struct EditorWindow : Playground, WindowTool {

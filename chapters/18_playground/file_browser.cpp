@@ -45,7 +45,6 @@ const char* image_folder(const std::string& what) {
 
 bool can_be_opened(const fs::path& file) { return is_model_file(file) || lower(file.extension().string()) == ".json"; }
 
-// [list_folder]
 Listing list_folder(const fs::path& folder, const std::string& filter) {
     Listing listing{folder, {}, ""};
     std::error_code error;
@@ -67,7 +66,6 @@ Listing list_folder(const fs::path& folder, const std::string& filter) {
     });
     return listing;
 }
-// [/list_folder]
 
 std::vector<fs::path> recent_files() {
     std::vector<fs::path> files;

@@ -48,7 +48,6 @@ Handle handle_at(const GizmoPlace& place, const View& view, glm::vec2 cursor_px)
 std::optional<glm::vec2> on_screen(const View& view, const glm::vec3& place);
 PickRay ray_through(const View& view, glm::vec2 cursor_px);
 
-// [gizmo_drag]
 /// A drag from the press of the button to its release: one step of the document. Each move starts from where things
 /// were at the beginning, so that nothing adds up, and a mouse that comes back brings everything back, to the bit.
 class GizmoDrag {
@@ -58,12 +57,9 @@ class GizmoDrag {
 
     /// `snap`: in steps of the tool's: 0.1 of an arrow's power of ten, 15°, or a tenth.
     void move(const View& view, glm::vec2 cursor_px, bool snap);
-    void finish();  ///< one step
-    void cancel();  ///< as it was
-    const std::string& words() const {
-        return words_;
-    }  ///< the drag so far: "1.25 m along x"
-       // [/gizmo_drag]
+    void finish();                                       ///< one step
+    void cancel();                                       ///< as it was
+    const std::string& words() const { return words_; }  ///< the drag so far: "1.25 m along x"
 
   private:
     struct Start {

@@ -1,8 +1,7 @@
-#include "18_playground/landing.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/gizmo.h"
 
 namespace lightwalk {

@@ -9,7 +9,6 @@
 
 namespace lightwalk {
 
-// [live_scene]
 /// Updates a loaded scene from a document with minimal work: moves and paints items; copies lights; other objects,
 /// models, textures and hidden entries go through Scene::replace_objects().
 class LiveScene {
@@ -29,7 +28,6 @@ class LiveScene {
     EntryId entry_of(uint32_t object) const { return object < objects_.size() ? objects_[object] : no_entry; }
     uint32_t object_of(EntryId id) const;  ///< of SceneFile::objects; Scene::new_object: none
     const std::vector<EntryId>& lights() const { return lights_; }
-    // [/live_scene]
 
   private:
     void number(const Exported& all);

@@ -1,6 +1,6 @@
 // Picking module: which of the scene's items is seen in a pixel, by three methods on the device.
 #pragma once
-#include "04_surface_maps/surface_pipelines.h"
+#include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"
 #include "18_playground/exercises.h"
 #include "common/app/target.h"
@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [picker]
 /// Finds the items under all pixels of a view, or under one: record(), then pick(), and a frame later picked().
 struct Picker : Module {
     Picker(Module& owner, std::string name) : Module(owner, std::move(name), "picker") {}
@@ -34,7 +33,6 @@ struct Picker : Module {
     /// Result of the last completed pick(). True once for each.
     bool poll();
     std::optional<uint32_t> item;  ///< of Scene::items; none: nothing is there
-                                   // [/picker]
 
   private:
     void draw_ids(Frame& frame, const Scene& scene, const Maps& maps);

@@ -17,7 +17,6 @@ glm::dquat rotation_of(const glm::vec3& rotation_deg) {
     return z * y * x;
 }
 
-// [euler]
 glm::vec3 rotation_deg_of(const glm::dquat& rotation, const glm::vec3& near_deg) {
     const glm::dmat3 m = glm::mat3_cast(glm::normalize(rotation));  // m[column][row]
     const double horizontal = std::hypot(m[0][0], m[0][1]);  // cosine of y; asin of its sine loses half of the digits
@@ -42,7 +41,6 @@ glm::vec3 rotation_deg_of(const glm::dquat& rotation, const glm::vec3& near_deg)
     const glm::dvec3 a = first - near, b = second - near;
     return glm::vec3(glm::degrees(glm::dot(a, a) <= glm::dot(b, b) + 1e-9 ? first : second));
 }
-// [/euler]
 
 Placement placement_of(const glm::mat4& matrix, const glm::vec3& near_deg, bool* exact) {
     const glm::dmat3 m(matrix);

@@ -1,16 +1,49 @@
 // The playground: a workbench, picking and marks on it, and the document behind it.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
 #include "01_obj/model_chapter.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
 #include "13_mlaa/mlaa.h"
-#include "18_playground/arrival.h"
+#include "18_playground/background_load.h"
 #include "18_playground/editor.h"
 #include "18_playground/marks.h"
-#include "18_playground/output_frame.h"
+#include "18_playground/picker.h"
 #include "18_playground/workbench.h"
+#include "common/scene/camera.h"
+#include "common/window/blit.h"
 
 namespace lightwalk {
+
+class OutputFrame {
+  public:
+    /// Names of shapes, the window's own first.
+    static const std::vector<const char*>& names();
+
+    size_t shape = 0;  ///< of names()
+
+    /// The camera that shows all of the output in a picture of `size` pixels: where that is narrower, it sees more.
+    Camera seen(const Camera& camera, glm::uvec2 size) const;
+    /// The output in that picture.
+    Area area(glm::uvec2 size) const;
+
+    /// Darkens what is outside of it. `picture` in the window.
+    void draw(const Area& picture, float scale) const;
+};
+
+struct Playground;
+
+/// Adds `wrong_picks` to `error`: the share of pixels in which the method finds another item than the one that covers
+/// most of the pixel, as 64 samples with cutouts see it. Where two items cover a pixel within an eighth of each other,
+/// either is right.
+void measure_picking(Playground& chapter, Gpu& gpu, glm::uvec2 size, nlohmann::json& error);
+
+/// Of `fine`, ids at `times` the size, the share of pixels of `found` that are wrong.
+double wrong_picks(const std::vector<uint32_t>& found, const std::vector<uint32_t>& fine, glm::uvec2 size,
+                   uint32_t times);
 
 struct Playground : ModelChapter {
     Choice show{*this, "show", {"picture", "ids"}, "picture", "View: the picture, or what picking finds in each pixel"};

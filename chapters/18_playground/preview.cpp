@@ -70,7 +70,6 @@ Image8 Preview::draw(Gpu& gpu, const SceneFile& scene, glm::uvec2 size) {
     return read_picture(gpu, frame_->output);
 }
 
-// [ball]
 SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
     SceneFile scene;
     light_well(scene);
@@ -96,7 +95,6 @@ SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
     scene.camera.fov_y_rad = glm::radians(31.0f);
     return scene;
 }
-// [/ball]
 
 bool is_image(const fs::path& file) {
     static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".hdr", ".tga", ".webp"};
@@ -142,7 +140,6 @@ void Thumbnails::begin(const fs::path& file) {
     models_.erase(std::unique(models_.begin(), models_.end()), models_.end());
 }
 
-// [thumbnails]
 bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
     if (wanted_.empty()) return false;
     const fs::path file = wanted_.back();
@@ -181,6 +178,5 @@ bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
         return settle(std::move(picture));
     } catch (const InputError&) { return settle({}); }  // files that cannot be shown are still listed
 }
-// [/thumbnails]
 
 }  // namespace lightwalk

@@ -6,7 +6,6 @@
 
 namespace lightwalk {
 
-// [preview]
 /// Draws small pictures of scenes, between the frames of the window.
 class Preview {
   public:
@@ -21,7 +20,6 @@ class Preview {
     std::unique_ptr<Playground> chapter_;
     std::unique_ptr<Frame> frame_;
 };
-// [/preview]
 
 /// A ball of an object's material under chapter 14's light: the scene that shows it. `item`: one of the object's.
 SceneFile material_ball(const SceneObject& object, const DrawItem& item);

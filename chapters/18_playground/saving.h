@@ -16,7 +16,6 @@ Light light_of(const Entry& entry);  ///< an entry that is one, as in a scene fi
 /// Why `file` could not be read back with this entry in it; empty where it could.
 Said cannot_be_saved(const Entry& entry, const std::filesystem::path& file);
 
-// [scene_store]
 /// A document's file. The text is the same for equal documents, to the byte.
 class SceneStore {
   public:
@@ -56,10 +55,12 @@ class SceneStore {
     void forget_recovery();
 
     std::string text(const Document& document, Said* said = nullptr) const;
-    // [/scene_store]
 
   private:
     struct HeldFile;
+    /// The document is now that of the file, whose bytes have this hash.
+    void take(const Document& document, const std::filesystem::path& file, std::vector<std::string> includes,
+              uint64_t hash);
     std::filesystem::path autosave_name(int number) const;
     std::filesystem::path free_autosave_file(Said* said) const;
     std::shared_ptr<HeldFile> own_, left_;  ///< this editor's autosave; a crash's, until decided

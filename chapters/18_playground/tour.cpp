@@ -1,10 +1,9 @@
-#include "18_playground/tour.h"
-
 #include <fmt/core.h>
 
 #include <cstdlib>
 #include <string_view>
 
+#include "18_playground/editor_part.h"
 #include "18_playground/widgets.h"
 #include "common/window/knob_sections.h"
 
@@ -18,7 +17,6 @@ struct TourStep {
     bool (*is_done)(const Tour::Facts& begin, const Tour::Facts& now);
 };
 
-// [tour]
 using Facts = Tour::Facts;
 constexpr TourStep tour_steps[] = {
     {"Look around", "Drag in the picture to orbit. The wheel comes closer, the right button with WASD flies.",
@@ -41,7 +39,6 @@ constexpr TourStep tour_steps[] = {
      [](const Facts&, const Facts& now) { return now.weather; }},
     {"Save", "Ctrl+S saves, with Shift under another name. Any chapter opens the file with --scene.",
      [](const Facts&, const Facts& now) { return now.saved; }}};
-// [/tour]
 
 }  // namespace
 

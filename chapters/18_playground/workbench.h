@@ -7,7 +7,6 @@
 #include "14_environment/backdrop.h"
 #include "14_environment/paint.h"
 #include "14_environment/probe.h"
-#include "14_environment/substances.h"
 #include "15_terrain_water/land.h"
 #include "15_terrain_water/water.h"
 #include "common/app/world.h"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "19_ambiance/benchmark.h"
-#include "19_ambiance/level_file.h"
+#include "19_ambiance/reel.h"
 #include "19_ambiance/ways.h"
 #include "common/app/knob_scope.h"
 
@@ -39,7 +39,6 @@ Ambiance::Ambiance() {
          }}};
 }
 
-// [ready]
 void Ambiance::prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) {
     std::optional<PathKind> kind;
     if (!method.is("as_set")) kind = {static_cast<Spline>(std::min<size_t>(method.index - 1, 2)), 0};
@@ -49,7 +48,6 @@ void Ambiance::prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) {
     if (plays) reel.load_sound();
     reel.prepare_frame(gpu, size, static_cast<double>(time_s), out.latest_s(samples), plays);
 }
-// [/ready]
 
 // A cut is no motion: the history of a picture begins where its scene does.
 float Ambiance::gathered_at(float time_s, int frames_before) const {

@@ -9,7 +9,6 @@
 
 namespace lightwalk {
 
-// [ambiance]
 struct Ambiance : ModelChapter {
     Choice method{
         *this,
@@ -28,7 +27,6 @@ struct Ambiance : ModelChapter {
     Mlaa antialias{*this, "mlaa"};
     Post post{*this, "post"};
     FilmOut out{*this, "out"};
-    // [/ambiance]
 
     Ambiance();
     std::string default_scene() const override { return "films/ambiance.film"; }

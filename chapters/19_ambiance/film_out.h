@@ -1,11 +1,42 @@
 // The film as a file: frames into a pipe to the ffmpeg program, or raw.
 #pragma once
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "19_ambiance/reel.h"
 #include "common/app/options.h"
 
 namespace lightwalk {
 
-// [film_out]
+class FramePipe {
+  public:
+    /// To a file. Throws Failure.
+    explicit FramePipe(const std::filesystem::path& file);
+    /// To a program, looked for in $PATH. Throws Failure where it cannot be started.
+    explicit FramePipe(const std::vector<std::string>& command);
+    ~FramePipe();
+    FramePipe(const FramePipe&) = delete;
+
+    /// Throws Failure where not all was taken: the disk is full, or the program has ended.
+    void write(std::span<const std::byte> bytes);
+
+    /// After the last frame. Throws Failure where the file is not whole, or the program failed.
+    void finish();
+
+  private:
+    void end_program();
+    std::string last_words() const;  ///< of the program's messages
+    std::string name_;
+    int output_ = -1, messages_ = -1;
+    pid_t program_ = -1;
+    int ended_with_ = 0;
+};
+
 /// Each frame is a picture of its own: any part of the film can be written by itself, and parts join without a seam.
 struct FilmOut : Module {
     FilmOut(Module& owner, std::string name) : Module(owner, std::move(name), "film_out") {}
@@ -32,7 +63,6 @@ struct FilmOut : Module {
     /// input of ffmpeg: RGBA, 8 bits each, frame after frame, no sound. The file is there whole, or as it was before.
     /// Returns the exit code: 1 if ffmpeg is missing or ends early, or the disk is full, after a line that says so.
     int write(Chapter& chapter, Reel& reel, const std::string& file, const Options& options, std::unique_ptr<Gpu>& gpu);
-    // [/film_out]
 };
 
 }  // namespace lightwalk

@@ -4,9 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
-#include "01_obj/world_view.h"
-#include "19_ambiance/worlds.h"
 #include "common/app/foreign_scene.h"
 #include "common/base/error.h"
 

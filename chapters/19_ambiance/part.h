@@ -1,5 +1,7 @@
 // A scene of the film: a scene file, an earlier chapter's world that shows it, and a camera path.
 #pragma once
+#include <functional>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -14,7 +16,6 @@ namespace lightwalk {
 /// Knobs of a part by name, each with the text that KnobBase::set takes.
 using KnobSettings = std::vector<std::pair<std::string, std::string>>;
 
-// [part]
 /// Lives while the film needs it (19.warm): made before its scene is on the screen, dropped after it. A part has no
 /// state of its own: its picture follows from the time and the size alone. It has no owner, like a chapter: its knobs
 /// are the film's to set, and come and go with it.
@@ -45,8 +46,6 @@ class FilmPart : public Module {
     const FilmScene& scene() const { return film_scene_; }
     bool is_loaded() const;  ///< nothing that load() depends on has changed since
 
-    // [/part]
-
   private:
     Scene scene_;
     View view_;
@@ -62,5 +61,11 @@ class FilmPart : public Module {
     KnobSettings way_, before_way_;
     Pipeline fade_ = compute({.shader = "19_ambiance/fade.comp"});
 };
+
+struct Music;
+
+/// Makes a world with the owner's members. `heard`: the film's music; null: the scene's own.
+using MakeWorld = std::function<std::unique_ptr<World>(Module& owner, Music* heard)>;
+const std::map<std::string, MakeWorld>& film_worlds();
 
 }  // namespace lightwalk

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstring>
 #include <utility>
 
-#include "14_environment/sound_file.h"
+#include "14_environment/music.h"
 #include "19_ambiance/exercises.h"
-#include "19_ambiance/level_file.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/files.h"
 #include "common/gpu/warm_up.h"
+#include "common/scene/scene_file.h"
 
 namespace lightwalk {
+
 namespace {
 
 // The time of a step, as frames have it, may round to before it.
@@ -213,7 +217,6 @@ bool Reel::take_cameras(const Timeline& edited) {
     return true;
 }
 
-// [record]
 void Reel::record(Frame& frame, double time_s, const Camera& flown) {
     const std::vector<Timeline::Shown> shown = film_.shown(time_s);
     alone_ = shown.size() == 1 ? parts_.at(shown[0].scene).get() : nullptr;
@@ -225,7 +228,6 @@ void Reel::record(Frame& frame, double time_s, const Camera& flown) {
     if (shown.size() == 2) mix(frame, shown[1].share);
     if (shown.empty()) show_black(frame);
 }
-// [/record]
 
 void Reel::show_black(Frame& frame) {
     frame.compute("black", {.writes = {frame.hdr}},
@@ -244,6 +246,104 @@ void Reel::mix(Frame& frame, float share) {
         pass.use(mix_).set("before", before_, nearest_clamp).set("picture", frame.hdr);
         pass.set("share", share).dispatch_threads(frame.size);
     });
+}
+
+Ahead::Ahead(Make make) : make_(std::move(make)), thread_([this] { run(); }) {}
+
+Ahead::~Ahead() {
+    stop_ = true;
+    wake();
+    const SharedLock::Unlocked others;
+    thread_.join();
+}
+
+void Ahead::ask(const std::vector<size_t>& places) {
+    asked_.assign(places.begin(), places.end());
+    std::erase_if(asked_, [&](size_t place) { return is_making(place) || made_.contains(place); });
+    if (!asked_.empty()) wake();
+}
+
+void Ahead::wake() {
+    if (std::exchange(sleeps_, false)) wake_.release();
+}
+
+std::map<size_t, std::unique_ptr<FilmPart>> Ahead::take() {
+    if (failed_) std::rethrow_exception(std::exchange(failed_, nullptr));
+    return std::exchange(made_, {});
+}
+
+void Ahead::wait() {
+    const auto count = made_.size();
+    while (is_busy() && made_.size() == count && !failed_) {
+        const SharedLock::Unlocked others;
+        done_.acquire();
+    }
+}
+
+void Ahead::run() {
+    SharedLock::stop_when(&stop_);
+    SharedLock::lock();
+    while (!stop_) {
+        if (asked_.empty()) {
+            sleeps_ = true;
+            const SharedLock::Unlocked others;
+            wake_.acquire();
+            continue;
+        }
+        making_ = asked_.front();
+        asked_.pop_front();
+        try {
+            made_[*making_] = make_(*making_);
+        } catch (const SharedLock::Stopped&) {
+            // Nobody waits for it.
+        } catch (...) {
+            failed_ = std::current_exception();
+            asked_.clear();
+        }
+        making_.reset();
+        done_.release();
+    }
+    SharedLock::unlock();
+}
+
+namespace {
+
+constexpr size_t most_bytes = size_t{64} << 20;
+using Codes = glm::u16vec4;
+
+}  // namespace
+
+std::filesystem::path levels_of(const std::filesystem::path& music) {
+    return std::filesystem::path(music).replace_extension(".levels");
+}
+
+LevelTable read_levels(const std::filesystem::path& file) {
+    if (!file_exists(file)) throw InputError("no file {}; --levels writes it", file.string());
+    const std::string bytes = read_file(file, most_bytes);
+    Levels most;
+    if (bytes.size() < sizeof most || (bytes.size() - sizeof most) % sizeof(Codes) != 0)
+        throw InputError("{}: cut off; --levels writes it", file.string());
+    std::memcpy(&most, bytes.data(), sizeof most);
+    if (!(glm::length(most) < 1e3f)) throw InputError("{}: no table of levels; --levels writes one", file.string());
+    LevelTable table;
+    for (size_t at = sizeof most; at < bytes.size(); at += sizeof(Codes)) {
+        Codes codes;
+        std::memcpy(&codes, bytes.data() + at, sizeof codes);
+        table.entries.push_back(most * glm::vec4(codes) / 65535.0f);
+    }
+    return table;
+}
+
+void write_levels(const std::filesystem::path& music) {
+    const std::filesystem::path file = find_asset(music);
+    const LevelTable table = measure_levels(read_sound(file));
+    const Levels most = table.most();
+    std::string bytes(reinterpret_cast<const char*>(&most), sizeof most);
+    for (const Levels& levels : table.entries) {
+        const Codes codes(glm::round(65535.0f * levels / glm::max(most, Levels(1e-9f))));
+        bytes.append(reinterpret_cast<const char*>(&codes), sizeof codes);
+    }
+    write_file(levels_of(file), bytes);
 }
 
 }  // namespace lightwalk

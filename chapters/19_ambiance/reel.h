@@ -1,20 +1,72 @@
 // The running film: its timeline, and the scenes ready to be drawn.
 #pragma once
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <functional>
 #include <future>
+#include <map>
+#include <semaphore>
+#include <thread>
+#include <vector>
 
-#include "19_ambiance/ahead.h"
+#include "14_environment/music.h"
 #include "19_ambiance/part.h"
 #include "19_ambiance/titles.h"
 #include "common/app/chapter.h"
 #include "common/app/target.h"
 #include "common/base/epoch.h"
+#include "common/base/shared_lock.h"
 
 namespace lightwalk {
+
+/// audio/a.levels for audio/a.ogg.
+std::filesystem::path levels_of(const std::filesystem::path& music);
+
+/// Each level as a share of its largest, in 16 bits. Throws InputError where the file is missing or cut off.
+LevelTable read_levels(const std::filesystem::path& file);
+
+/// Measures a piece of music and writes its table beside it. Throws InputError.
+void write_levels(const std::filesystem::path& music);
+
+/// Makes parts in the order asked for, one after the other, in turns with the thread that draws (common/base/shared_lock.h).
+/// That thread alone calls these functions.
+class Ahead {
+  public:
+    using Make = std::function<std::unique_ptr<FilmPart>(size_t place)>;
+    explicit Ahead(Make make);
+    ~Ahead();  ///< stops at the part's next file, shader or texture
+    Ahead(const Ahead&) = delete;
+
+    /// The parts to make from now on. Replaces earlier lists, but for the part in the making.
+    void ask(const std::vector<size_t>& places);
+
+    /// Parts that are ready. Rethrows what a maker threw.
+    std::map<size_t, std::unique_ptr<FilmPart>> take();
+
+    bool has(size_t place) const { return made_.contains(place); }
+    bool is_making(size_t place) const { return making_ == place; }
+    bool is_busy() const { return making_ || !asked_.empty(); }
+    void wait();  ///< for the part in the making, or the next one
+
+  private:
+    void run();
+    void wake();
+    const Make make_;
+    const SharedLock::InUse shared_;
+    std::deque<size_t> asked_;
+    std::optional<size_t> making_;
+    std::map<size_t, std::unique_ptr<FilmPart>> made_;
+    std::exception_ptr failed_;
+    std::atomic<bool> stop_ = false;
+    bool sleeps_ = false;
+    std::counting_semaphore<> wake_{0}, done_{0};
+    std::thread thread_;
+};
 
 /// Whether a file is to be read as a film.
 bool is_film_file(const std::filesystem::path& file);
 
-// [reel]
 /// Draws a film at a time. Every picture is a function of the time alone: parts keep nothing from frame to frame.
 struct Reel : Module {
     Reel(Module& owner, std::string name) : Module(owner, std::move(name), "reel") {}
@@ -82,7 +134,6 @@ struct Reel : Module {
 
     /// Called by the worker before its first scene.
     std::function<void(Gpu&)> before_scenes;
-    // [/reel]
 
     bool load_proxy(const std::filesystem::path& file, Model&) const override { return is_film_file(file); }
     /// Reads the film. Throws InputError.

@@ -11,6 +11,18 @@
 
 namespace lightwalk {
 
+/// The text of a film in which the camera of `scene` (its place in the film) has a key: instead of the one that is
+/// within near_s of its time, else as a line of its own between its neighbours; a scene without a camera gets one.
+/// `text` is a right film. Times and lengths are rounded to thousandths.
+std::string with_key(const std::string& text, size_t scene, const CameraKey& key, double near_s);
+
+/// The text without the key that is within near_s of a time of the scene. Throws InputError where there is none, or no
+/// other.
+std::string without_key(const std::string& text, size_t scene, double time_s, double near_s);
+
+/// A key as it stands in a film.
+std::string key_text(const CameraKey& key);
+
 // [timeline_format]
 // A .film file is JSON. Times are seconds of the film unless they are a scene's own.
 //

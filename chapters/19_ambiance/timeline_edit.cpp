@@ -1,11 +1,10 @@
-#include "19_ambiance/timeline_edit.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "19_ambiance/timeline.h"
 #include "common/base/error.h"
 
 namespace lightwalk {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "19_ambiance/part.h"
 #include "19_ambiance/timeline.h"
-#include "19_ambiance/worlds.h"
 #include "common/base/files.h"
 #include "common/scene/scene_reader.h"
 

@@ -115,7 +115,6 @@ double greatest_error(const std::vector<ImageRgb>& truth, const std::vector<Imag
 
 }  // namespace
 
-// [measure_ways]
 std::vector<Way> measure_ways(Chapter& chapter, Reel& reel, Gpu& gpu, size_t scene, const Options& options) {
     const std::vector<KnobSettings> all = read_ways(reel.film().scenes.at(scene).kind);
     Measuring measuring(chapter, reel, gpu, scene, options);
@@ -134,7 +133,6 @@ ChosenWay cheapest_way(const std::vector<Way>& ways, double budget) {
     const size_t chosen = cheapest(all);
     return {ways[chosen], all[chosen].enough};
 }
-// [/measure_ways]
 
 void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options) {
     for (size_t i = 0; i < reel.film().scenes.size(); ++i) {

@@ -7,7 +7,6 @@
 
 namespace lightwalk {
 
-// [ways]
 /// Of one scene: a row of ways.json for its kind.
 struct Way {
     KnobSettings knobs;
@@ -35,6 +34,5 @@ void choose_ways(Chapter& chapter, Reel& reel, Gpu& gpu, const Options& options)
 /// Writes all scenes' methods as JSON, and the cost of the current film. Returns the exit code. Throws InputError.
 int write_ways(Chapter& chapter, Reel& reel, const std::string& file, const Options& options,
                std::unique_ptr<Gpu>& gpu);
-// [/ways]
 
 }  // namespace lightwalk

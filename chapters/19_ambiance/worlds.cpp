@@ -1,5 +1,3 @@
-#include "19_ambiance/worlds.h"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -7,21 +5,21 @@
 #include <glm/gtx/color_space.hpp>
 
 #include "01_obj/camera_view.h"
-#include "04_surface_maps/surfaces.h"
+#include "04_surface_maps/surface_scene.h"
 #include "05_shadow_maps/lit_stage.h"
 #include "06_deferred/many_lights.h"
-#include "09_post_effects/through_lens.h"
-#include "10_atmosphere/cloud_layer.h"
+#include "09_post_effects/depth_of_field.h"
 #include "10_atmosphere/islands.h"
 #include "10_atmosphere/planet.h"
 #include "11_fractals/fractal.h"
-#include "12_skin/portrait.h"
+#include "12_skin/head.h"
 #include "13_mlaa/outlines.h"
 #include "14_environment/surroundings.h"
 #include "15_terrain_water/shore.h"
 #include "16_volume/volume_world.h"
 #include "17_planets/solar_system.h"
 #include "18_playground/workbench.h"
+#include "19_ambiance/part.h"
 #include "common/app/knob_scope.h"
 
 namespace lightwalk {

@@ -5,8 +5,6 @@
 #include <random>
 
 #include "01_obj/fast_parse.h"
-#include "01_obj/float_parse.h"
-#include "01_obj/plain_parse.h"
 #include "01_obj/truth.h"
 #include "catch.h"
 
@@ -29,9 +27,6 @@ void check_number(const std::string& text) {
     const char* end = fast_float(padded.data(), value);
     if (end == padded.data() + text.size() && truth::ulps(value, right) != 0)
         FAIL("fast_float(" << text << ") gave " << value << ", expected " << right);
-    std::string_view rest = text;
-    if (take_plain_float(rest, value) && truth::ulps(value, right) != 0)
-        FAIL("take_plain_float(" << text << ") gave " << value << ", expected " << right);
 }
 
 std::string print(const char* format, int precision, double value) {

@@ -3,8 +3,7 @@
 #include <locale>
 
 #include "01_obj/load_bench.h"
-#include "01_obj/loaders.h"
-#include "01_obj/plain_parse.h"
+#include "01_obj/scan.h"
 #include "01_obj/truth.h"
 #include "common/base/files.h"
 #include "loader_fixture.h"
@@ -60,19 +59,6 @@ TEST_CASE("loaders: every form of a corner") {
     CHECK(all.corners[6] == Corner{0, 1, none});
     CHECK(positions_of(read_text(triangle + "f -3 -2 -1\nv 5 5 5\nf -1 -2 -3\n")) == Indices{0, 1, 2, 3, 2, 1});
     CHECK(positions_of(read_text("f 1 2 3\n" + triangle)) == Indices{0, 1, 2});  // used before it is given
-}
-
-TEST_CASE("loaders: a corner ends with its line, whatever follows") {
-    for (const std::string_view text : {"3/5", "3/4/5", "3//5"}) {
-        std::string_view rest = text.substr(0, text.size() - 1);
-        Corner corner;
-        CHECK_FALSE(take_plain_corner(rest, corner));
-        rest = text;
-        CHECK(take_plain_corner(rest, corner));
-    }
-    std::string_view rest = std::string_view("3//").substr(0, 2);
-    Corner corner;
-    CHECK_FALSE(take_plain_corner(rest, corner));
 }
 
 TEST_CASE("loaders: what files in the wild look like") {

@@ -5,8 +5,8 @@
 #include <ctime>
 #include <filesystem>
 
-#include "01_obj/assemble.h"
 #include "01_obj/mapped_file.h"
+#include "01_obj/scan.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "loader_fixture.h"

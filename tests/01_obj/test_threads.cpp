@@ -3,7 +3,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "01_obj/threads.h"
+#include "01_obj/scan.h"
 #include "catch.h"
 
 using namespace lightwalk;

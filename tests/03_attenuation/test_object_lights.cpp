@@ -1,5 +1,5 @@
 // Each object's lights where the objects move.
-#include "03_attenuation/object_lights.h"
+#include "03_attenuation/lights.h"
 #include "catch.h"
 #include "common/scene_fixture.h"
 

@@ -1,4 +1,6 @@
 // Where attenuation and culling fail: a bound where they hold, the size of the failure where they do not.
+#include "03_attenuation/exercises.h"
+#include "03_attenuation/lights.h"
 #include "03_attenuation/truth.h"
 #include "catch.h"
 #include "common/check/check.h"

@@ -1,6 +1,5 @@
 // Where the methods of chapter 04 fail: a bound where they hold, the size of the failure where they do not.
 #include "03_attenuation/lights.h"
-#include "04_surface_maps/cutout_levels.h"
 #include "04_surface_maps/exercises.h"
 #include "04_surface_maps/height_field.h"
 #include "04_surface_maps/levels.h"

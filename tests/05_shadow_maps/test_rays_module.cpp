@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "04_surface_maps/cutout_levels.h"
+#include "04_surface_maps/levels.h"
 #include "04_surface_maps/maps.h"
 #include "05_shadow_maps/rays.h"
 #include "catch.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "05_shadow_maps/lit_stage.h"
 #include "05_shadow_maps/ray_truth.h"
-#include "05_shadow_maps/sphere_shadow.h"
 #include "catch.h"
 #include "common/check/check.h"
 #include "common/image/mip_levels.h"

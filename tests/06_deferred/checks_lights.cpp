@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "03_attenuation/light_buffer.h"
+#include "03_attenuation/lights.h"
+#include "06_deferred/deferred_lights.h"
 #include "06_deferred/exercises.h"
-#include "06_deferred/light_volumes.h"
 #include "06_deferred/truth.h"
 #include "common/check/barriers.h"
 #include "common/check/check.h"

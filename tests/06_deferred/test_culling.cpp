@@ -5,7 +5,7 @@
 #include "01_obj/camera_view.h"
 #include "01_obj/obj.h"
 #include "06_deferred/culling.h"
-#include "06_deferred/town.h"
+#include "06_deferred/many_lights.h"
 
 using namespace lightwalk;
 

@@ -2,8 +2,8 @@
 #include <glm/gtc/packing.hpp>
 
 #include "03_attenuation/lights.h"
+#include "06_deferred/deferred_lights.h"
 #include "06_deferred/gbuffer.h"
-#include "06_deferred/light_volumes.h"
 #include "06_deferred/truth.h"
 #include "catch.h"
 #include "common/check/check.h"

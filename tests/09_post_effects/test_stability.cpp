@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "09_post_effects/noise_tiles.h"
+#include "09_post_effects/post.h"
 #include "09_post_effects/tone_truth.h"
 #include "post_fixture.h"
 

@@ -1,8 +1,8 @@
 // Tone curves against their closed forms, and against the reference; and the white point.
 #include <fmt/core.h>
 
+#include "09_post_effects/post.h"
 #include "09_post_effects/tone_truth.h"
-#include "09_post_effects/white_point.h"
 #include "post_fixture.h"
 
 using namespace lightwalk;

@@ -1,7 +1,7 @@
 // Paths with too many iterations for one dispatch: no light is lost.
 #include <fmt/core.h>
 
-#include "10_atmosphere/path_parts.h"
+#include "10_atmosphere/atmosphere.h"
 #include "10_atmosphere/truth.h"
 #include "atmosphere_fixture.h"
 

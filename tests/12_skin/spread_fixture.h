@@ -5,7 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "../common/module_fixture.h"
-#include "12_skin/spread.h"
+#include "12_skin/skin.h"
 #include "12_skin/truth.h"
 
 namespace lightwalk {

@@ -2,7 +2,7 @@
 #include "01_obj/camera_view.h"
 #include "13_mlaa/edge_error.h"
 #include "13_mlaa/four_samples.h"
-#include "13_mlaa/half_plane.h"
+#include "13_mlaa/outlines.h"
 #include "mlaa_fixture.h"
 
 using namespace lightwalk;

@@ -9,7 +9,6 @@
 
 #include "14_environment/music.h"
 #include "14_environment/music_truth.h"
-#include "14_environment/sound_file.h"
 
 namespace lightwalk {
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "../common/gpu_fixture.h"
-#include "14_environment/beat_sphere.h"
+#include "14_environment/surroundings.h"
 #include "common/check/check.h"
 #include "common/check/probe.h"
 

@@ -7,7 +7,7 @@
 
 #include "../common/module_fixture.h"
 #include "01_obj/obj.h"
-#include "14_environment/ground_shadow.h"
+#include "14_environment/backdrop.h"
 #include "common/image/image.h"
 
 using namespace lightwalk;

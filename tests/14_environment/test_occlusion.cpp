@@ -3,7 +3,7 @@
 
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
-#include "14_environment/screen_occlusion.h"
+#include "14_environment/lit_around.h"
 
 using namespace lightwalk;
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "15_terrain_water/exercises.h"
-#include "15_terrain_water/spectrum.h"
+#include "15_terrain_water/ocean.h"
 #include "common/check/check.h"
 
 using namespace lightwalk;

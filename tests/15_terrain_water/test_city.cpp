@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "15_terrain_water/reflected_rays.h"
+#include "15_terrain_water/shore.h"
 #include "15_terrain_water/sun_shadow.h"
 #include "land_fixture.h"
 

@@ -2,10 +2,9 @@
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
 #include "08_bloom/bloom.h"
-#include "09_post_effects/encode_film.h"
 #include "09_post_effects/post.h"
 #include "10_atmosphere/height_fog.h"
-#include "10_atmosphere/mountains.h"
+#include "10_atmosphere/islands.h"
 #include "common/app/render.h"
 
 using namespace lightwalk;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "15_terrain_water/spectrum.h"
+#include "15_terrain_water/ocean.h"
 #include "water_fixture.h"
 
 using namespace lightwalk;

@@ -5,7 +5,7 @@
 #include <complex>
 #include <cstring>
 
-#include "15_terrain_water/spectrum.h"
+#include "15_terrain_water/ocean.h"
 #include "water_fixture.h"
 
 using namespace lightwalk;

@@ -3,7 +3,7 @@
 
 #include "../common/module_fixture.h"
 #include "01_obj/obj.h"
-#include "13_mlaa/taa.h"
+#include "13_mlaa/mlaa.h"
 #include "water_fixture.h"
 
 using namespace lightwalk;

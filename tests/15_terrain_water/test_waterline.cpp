@@ -3,7 +3,7 @@
 
 #include "../common/module_fixture.h"
 #include "01_obj/obj.h"
-#include "15_terrain_water/waterline.h"
+#include "15_terrain_water/water.h"
 #include "common/scene/scene.h"
 
 using namespace lightwalk;

@@ -2,9 +2,8 @@
 #include <set>
 
 #include "01_obj/obj.h"
+#include "16_volume/field.h"
 #include "16_volume/finish.h"
-#include "16_volume/lathe.h"
-#include "16_volume/volume_file.h"
 #include "common/base/kept.h"
 #include "volume_fixture.h"
 

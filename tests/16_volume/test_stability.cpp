@@ -1,7 +1,7 @@
 // Where volumes go wrong: a bound where the methods hold, the size of the failure where they do not.
 #include <fmt/core.h>
 
-#include "16_volume/transfer.h"
+#include "16_volume/volume.h"
 #include "volume_fixture.h"
 
 using namespace lightwalk;

@@ -1,5 +1,5 @@
 // How a march reads the transfer function: at its edges, by its table, and as closed forms say.
-#include "16_volume/transfer.h"
+#include "16_volume/volume.h"
 #include "16_volume/volume_data.h"
 #include "volume_fixture.h"
 

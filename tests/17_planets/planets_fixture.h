@@ -4,8 +4,7 @@
 
 #include "../common/gpu_fixture.h"
 #include "01_obj/camera_view.h"
-#include "17_planets/flight.h"
-#include "17_planets/stars.h"
+#include "17_planets/solar_system.h"
 #include "17_planets/truth.h"
 #include "common/app/read_picture.h"
 #include "common/check/probe.h"

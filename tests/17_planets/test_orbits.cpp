@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../catch.h"
-#include "17_planets/orbits.h"
+#include "17_planets/maps.h"
 
 using namespace lightwalk;
 

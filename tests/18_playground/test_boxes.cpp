@@ -3,7 +3,7 @@
 #include "01_obj/camera_view.h"
 #include "18_playground/item_box.h"
 #include "18_playground/mark_data.h"
-#include "18_playground/picking_error.h"
+#include "18_playground/playground.h"
 #include "common/app/read_picture.h"
 #include "common/view_rays.h"
 

@@ -4,7 +4,7 @@
 #include "01_obj/obj.h"
 #include "04_surface_maps/maps.h"
 #include "04_surface_maps/tangents.h"
-#include "18_playground/arrival.h"
+#include "18_playground/background_load.h"
 #include "18_playground/preview.h"
 #include "common/base/guarded.h"
 #include "editor_fixture.h"

@@ -1,6 +1,6 @@
 // Terrain of an edited scene: it comes and goes in one step, leaves pictures of before alone, and things land on it.
-#include "18_playground/landing.h"
-#include "18_playground/terrain_entry.h"
+#include "18_playground/commands.h"
+#include "18_playground/editor_part.h"
 #include "common/check/probe.h"
 #include "driven_editor.h"
 

@@ -1,8 +1,8 @@
 // The tour's steps, and the part of a window that an output of another shape fills.
 #include <cmath>
 
-#include "18_playground/output_frame.h"
-#include "18_playground/tour.h"
+#include "18_playground/editor_part.h"
+#include "18_playground/playground.h"
 #include "catch.h"
 
 using namespace lightwalk;

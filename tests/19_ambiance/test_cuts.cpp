@@ -1,7 +1,7 @@
 // Cuts of a film that plays: a scene's first frames find made what they need.
 #include "../catch.h"
 #include "19_ambiance/ambiance.h"
-#include "19_ambiance/played.h"
+#include "19_ambiance/benchmark.h"
 #include "common/app/render.h"
 #include "common/gpu/gpu_work.h"
 

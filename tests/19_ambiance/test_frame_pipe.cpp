@@ -1,6 +1,6 @@
 // Where frames go, when the program that takes them ends.
 #include "../catch.h"
-#include "19_ambiance/frame_pipe.h"
+#include "19_ambiance/film_out.h"
 #include "common/base/error.h"
 
 using namespace lightwalk;

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "../catch.h"
-#include "14_environment/sound_file.h"
-#include "19_ambiance/level_file.h"
+#include "14_environment/music.h"
+#include "19_ambiance/reel.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../catch.h"
-#include "19_ambiance/played.h"
+#include "19_ambiance/benchmark.h"
 
 using namespace lightwalk;
 

@@ -1,6 +1,6 @@
 // Keys written into a film's text: the rest stays unchanged, to the byte.
 #include "../catch.h"
-#include "19_ambiance/timeline_edit.h"
+#include "19_ambiance/timeline.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 

@@ -1,7 +1,7 @@
 // The course's titles: within a screen's safe margins, and clear of the street's dividers.
 #include "../catch.h"
 #include "19_ambiance/timeline.h"
-#include "19_ambiance/typeface.h"
+#include "19_ambiance/titles.h"
 
 using namespace lightwalk;
 

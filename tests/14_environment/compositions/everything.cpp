@@ -3,7 +3,7 @@
 // landscape.
 #include "01_obj/model_chapter.h"
 #include "06_deferred/deferred_scene.h"
-#include "06_deferred/screens.h"
+#include "06_deferred/many_lights.h"
 #include "08_bloom/bloom.h"
 #include "09_post_effects/post.h"
 #include "10_atmosphere/height_fog.h"

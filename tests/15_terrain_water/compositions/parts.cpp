@@ -3,7 +3,7 @@
 #include "06_deferred/gbuffer.h"
 #include "08_bloom/bloom.h"
 #include "11_fractals/terrain.h"
-#include "15_terrain_water/mirror.h"
+#include "15_terrain_water/water.h"
 
 using namespace lightwalk;
 

@@ -1,8 +1,16 @@
-#include "17_planets/flight.h"
+#include "17_planets/solar_system.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "17_planets/star_data.h"
+#include "common/base/error.h"
+#include "common/base/shared_lock.h"
+#include "common/scene/scene_file.h"
 
 namespace lightwalk {
+
 namespace {
 
 // A portrait's camera, from the body's centre: radii away, degrees from the Sun's direction eastwards, and upwards.
@@ -50,7 +58,6 @@ double travelled_at(double s, double near_a, double near_b, double way) {
 
 }  // namespace
 
-// [at]
 Flight::Moment Flight::at(double time_s, double days) const {
     const double stay = static_cast<double>(stay_s), travel = static_cast<double>(travel_s);
     const double turn = stay + travel, all = turn * static_cast<double>(body_count);
@@ -69,7 +76,6 @@ Flight::Moment Flight::at(double time_s, double days) const {
     return {glm::mix(a.eye, b.eye, done), glm::slerp(looking(a.forward), looking(b.forward), s),
             std::exp(glm::mix(std::log(a.from_sun), std::log(b.from_sun), s)), body, done};
 }
-// [/at]
 
 Camera Flight::camera(const Moment& moment, const Camera& scene) const {
     planets_.exposed_for_m = moment.exposed_for_m;
@@ -78,6 +84,56 @@ Camera Flight::camera(const Moment& moment, const Camera& scene) const {
     camera.target = glm::vec3(moment.turned * glm::dvec3(0, 0, -1));
     camera.up = glm::vec3(moment.turned * glm::dvec3(0, 1, 0));
     return camera;
+}
+
+std::vector<Star> read_stars(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in) throw InputError("{}: cannot be read", file.string());
+    std::vector<Star> stars;
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (number == 1 || line.empty()) continue;
+        double values[3];
+        const char* at = line.c_str();
+        for (int i = 0; i < 3; ++i) {
+            char* end = nullptr;
+            values[i] = std::strtod(at, &end);
+            if (end == at || (i < 2 && *end != ',') || !std::isfinite(values[i]))
+                throw InputError("{}:{}: '{}' is no star; a line is v_mag,ra_deg,dec_deg", file.string(), number, line);
+            at = end + 1;
+        }
+        stars.push_back(
+            {glm::vec3(direction_of(values[1], values[2])), static_cast<float>(std::pow(10.0, -0.4 * values[0]))});
+    }
+    if (stars.empty()) throw InputError("{}: no stars", file.string());
+    return stars;
+}
+
+void Stars::prepare(Gpu& gpu, Scene&) {
+    pool_ = std::make_unique<ImagePool>(gpu);
+    map_ = pool_->load(find_asset("planets_2k/stars.jpg"), TextureKind::color);
+    const std::vector<Star> stars = unlocked([] { return read_stars(find_asset("planets/bright_stars.csv")); });
+    count_ = static_cast<uint32_t>(stars.size());
+    stars_ = gpu.upload("stars", stars);
+}
+
+void Stars::draw(Frame& frame, const View& view, Canvas& canvas) {
+    const Planets::Outlook look = planets_.outlook(frame, view);
+    const ImageView behind = canvas.color_overwritten();
+    const glm::dmat3 to_world = glm::transpose(look.to_view);
+    const StarsNow now{.rays = view_rays(view),
+                       .to_galaxy = glm::mat3(world_to_galaxy() * to_world),
+                       .to_view = glm::mat3(look.to_view),
+                       .size = glm::vec2(view.size),
+                       .sigma_px = sigma * static_cast<float>(view.crop.whole.y),
+                       .brightness = brightness,
+                       .milky_way = milky_way};
+    frame.compute("milky way", {.writes = {behind}}, [&](Compute& pass) {
+        pass.use(sky_).set("now", now).set("result", behind).set("star_map", *map_, Sampler{.wrap = Wrap::repeat});
+        pass.dispatch_threads(view.size);
+    });
+    frame.raster("stars", {.color = {canvas.color_target()}},
+                 [&](Raster& pass) { pass.use(points_).set("now", now).set("stars", stars_).draw(6, count_); });
 }
 
 }  // namespace lightwalk

@@ -1,9 +1,10 @@
-// Depth error of a marched Julia set against double precision.
+// Errors of a picture against double precision: the depths of a Julia set, the normals of a terrain.
 #pragma once
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 
 #include "11_fractals/julia.h"
+#include "11_fractals/terrain.h"
 
 namespace lightwalk {
 
@@ -22,5 +23,10 @@ class DepthError {
   private:
     std::map<std::string, std::vector<double>> known_;  ///< true depths by their parameters
 };
+
+/// Of a whole picture that `terrain` has just drawn with show = normals into `frame`, for a grid of its pixels: adds to
+/// `error` normal_deg, the mean angle in degrees between the normal that was drawn and that of the same octaves in
+/// double precision. A half float's normal is known to 0.03 degrees.
+void measure_normals(Gpu& gpu, const Terrain& terrain, const Frame& frame, nlohmann::json& error);
 
 }  // namespace lightwalk
