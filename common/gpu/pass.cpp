@@ -139,8 +139,7 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) {  // while its shader does not compile, what it would write is left as it is
-        for (const Stated& s : lists_.stated)
-            if (s.writable && s.resource.view) s.resource.view.image->written_in = frame.number();
+        frame.note_writes(lists_.stated, nullptr);
         return;
     }
     vkCmdBindPipeline(commands, point, pipeline->handle);
@@ -335,9 +334,6 @@ bool Pass::flush() {
     lists_.writes.clear();
     for (const Binding& binding : pipeline_->bindings) {
         if (!binding.used) continue;
-        if (binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.writable)
-            for (uint32_t i = 0; i < binding.count; ++i)
-                lists_.views[binding.first + i].image->written_in = frame.number();
         lists_.writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                  .dstBinding = binding.number,
                                  .descriptorCount = binding.count,
@@ -345,6 +341,7 @@ bool Pass::flush() {
                                  .pImageInfo = &lists_.image_infos[binding.first],
                                  .pBufferInfo = &lists_.buffer_infos[binding.first]});
     }
+    frame.note_writes(lists_.stated, nullptr);
     const VkDescriptorSet set = frame.descriptor_set(*pipeline_, lists_.writes);
     vkCmdBindDescriptorSets(commands, point_, pipeline_->layout, 0, 1, &set, 0, nullptr);
     return true;

@@ -3,7 +3,7 @@
     Tiles are faster than clusters here.<!-- claim: 03.lights#scene=1,000 lights | 10,000 lights; ms(tiled) < ms(clustered) -->
 
 Before # stands a question (advice.py), which is asked on each device, or on one as 03.lights@cpu and @gpu, or a file, where
-13_mlaa.h100 is docs/studies/13_mlaa.h100.json. `scene` has the scenes in which the claim holds, divided by |; all where it is left
+13_mlaa.h200 is docs/studies/13_mlaa.h200.json. `scene` has the scenes in which the claim holds, divided by |; all where it is left
 out; `elsewhere; WHY` marks what was measured by programs that are not in the tree. The rest is an expression in Python's syntax of comparisons, + - * /, and, or, not, round(), min(), max() and
 
     ms(P), mb_per_s(P), flip_mean(P), NAME(P)   a point's time or error; value("ms.PASS", P) as tables have it
