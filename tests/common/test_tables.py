@@ -179,9 +179,8 @@ class Lessons(unittest.TestCase):
 
     def test_names_are_matched_as_catch2_does(self):
         with mock.patch.object(lesson_tests, "cases", lambda _: [("one, two", "[a][b]"), ("Three of four", "")]):
-            for spec, found in (("one*", 1), ("*FOUR", 1), ("*of*", 1), ("three", 0), ("[a]", 1), ("[a][c]", 0), ("one, two", 0),
-                                ("one\\, two", 1)):
-                self.assertEqual(sum(len(lesson_tests.matched("", part)) for part in lesson_tests.parts(spec)), found, spec)
+            for spec, found in (("one*", 1), ("*FOUR", 1), ("*of*", 1), ("three", 0), ("[a]", 1), ("[a][c]", 0)):
+                self.assertEqual(len(lesson_tests.matched("", spec)), found, spec)
 
     def test_a_printed_number_is_found_by_its_line(self):
         output = "sigma 8 pingpong         flicker: brightness 0.0002, all pixels 0.0004\n"

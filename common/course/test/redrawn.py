@@ -32,7 +32,7 @@ def key_of(point: dict) -> str:
 
 def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: str) -> dict:
     """The study's scenes with these labels, drawn again."""
-    part = {key: value for key, value in request.items() if key not in measured.UNMEASURED}
+    part = {key: value for key, value in request.items() if key == "title" or key not in measured.UNMEASURED}
     part["scenes"] = [scene for scene in request["scenes"] if label_of(scene) in labels]
     folder = BUILD / "study"
     folder.mkdir(parents=True, exist_ok=True)
