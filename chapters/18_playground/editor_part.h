@@ -281,7 +281,7 @@ class Tour : public EditorPart {
   public:
     static constexpr const char* scene = "scenes/terrace.json";
 
-    /// Shown unless it was left before, which panel_memory.h keeps.
+    /// Shown unless it was left before, which knob_sections.h keeps.
     explicit Tour(EditorView& view);
 
     void begin();
