@@ -8,6 +8,8 @@
 
 namespace lightwalk {
 
+Lights::Lights(Module& owner, std::string name) : Module(owner, std::move(name), "lights") {}
+
 void Lights::update(Frame& frame, const Scene& scene, const LightList& lights) {
     buffer_.update(frame, lights);
     update_objects(frame, scene);

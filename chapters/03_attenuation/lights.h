@@ -83,7 +83,7 @@ class ObjectLights {
 /// GLSL: light_surface() of 03_attenuation/lighting.glsl. Per frame: update(); the scene's depth if needs_depth();
 /// record() for a view; then passes of this view with the module in `.with`.
 struct Lights : Module {
-    Lights(Module& owner, std::string name) : Module(owner, std::move(name), "lights") {}
+    Lights(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

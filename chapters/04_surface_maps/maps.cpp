@@ -96,7 +96,16 @@ std::vector<Level> opacity_levels(Gpu& gpu, Level level, float cutoff) {
     return levels;
 }
 
+Pipeline::Graphics with_vertex(Pipeline::Graphics desc, const char* vertex) {
+    desc.vertex = vertex;
+    return desc;
+}
+
 }  // namespace
+
+SurfacePipelines::SurfacePipelines(const Pipeline::Graphics& desc)
+    : loaded(graphics(with_vertex(desc, "04_surface_maps/surface.vert"))),
+      displaced(graphics(with_vertex(desc, "04_surface_maps/displaced.vert"))) {}
 
 Level read_level(Gpu& gpu, const Image& image) {
     const std::vector<std::byte> bytes = gpu.read_back(image);

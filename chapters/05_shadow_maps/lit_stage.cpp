@@ -7,6 +7,12 @@
 
 namespace lightwalk {
 
+SphereShadow::SphereShadow(Module& owner, std::string name) : Module(owner, std::move(name), "sphere_shadow") {}
+
+LitStage::LitStage(Module& owner) : World(owner) {
+    objects.surfaces.all_lights = [this](const Frame&) { return lamps(); };
+}
+
 const LightList& LitStage::lamps() {
     const LightList own = scene().lights();
     if (own == own_ && lamps_made_.is_current(epoch())) return lamps_;

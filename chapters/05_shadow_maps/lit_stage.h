@@ -13,7 +13,7 @@ namespace lightwalk {
 /// GLSL: planet_visibility() of 05_shadow_maps/planet_shadow.glsl. update() per frame; then passes with the module in
 /// `.with`.
 struct SphereShadow : Module {
-    SphereShadow(Module& owner, std::string name) : Module(owner, std::move(name), "sphere_shadow") {}
+    SphereShadow(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",
@@ -48,9 +48,7 @@ struct SphereShadow : Module {
 };
 
 struct LitStage : World {
-    explicit LitStage(Module& owner) : World(owner) {
-        objects.surfaces.all_lights = [this](const Frame&) { return lamps(); };
-    }
+    explicit LitStage(Module& owner);
 
     LitScene objects{*this, "objects"};
     Rays rays{*this, "rays"};

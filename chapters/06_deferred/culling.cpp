@@ -30,6 +30,8 @@ CulledObject culled_object(const DrawItem& item, uint32_t group) {
 
 }  // namespace
 
+Culling::Culling(Module& owner, std::string name) : Module(owner, std::move(name), "culling") {}
+
 std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float margin_m) {
     const glm::mat4 rows = glm::transpose(view_projection);
     std::array<glm::vec4, 6> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],

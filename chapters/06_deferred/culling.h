@@ -41,7 +41,7 @@ std::array<glm::vec4, 6> view_planes(const glm::mat4& view_projection, float mar
 /// Per view: begin(), then passes() for each pass over its objects, which has the module in `.with` and draws batches
 /// by draw(). Culling changes no picture.
 struct Culling : Module {
-    Culling(Module& owner, std::string name) : Module(owner, std::move(name), "culling") {}
+    Culling(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -14,7 +14,7 @@ namespace lightwalk {
 /// picture replaces the screen's colour and emissive textures. Per frame: record(); then passes that draw screens, with
 /// the module in `.with`.
 struct Screens : Module {
-    Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
+    Screens(Module& owner, std::string name);
 
     Knob<int> width{
         *this, "width", 480, {16, 4096}, "Width of a screen's picture, in pixels; its height is 9/16 of it", "pixels"};
@@ -71,11 +71,7 @@ struct Town : Module {
 
 // [many_lights]
 struct ManyLights : World {
-    explicit ManyLights(Module& owner) : World(owner) {
-        objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
-        objects.surfaces.drawn = [this] { return screens.batches(scene()); };
-        objects.shading.with = {screens};
-    }
+    explicit ManyLights(Module& owner);
     Town town{*this, "town"};  // declared first: other modules prepare its objects
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};

@@ -26,6 +26,8 @@ bool grow(Device& device, Buffer& buffer, const char* name, VkDeviceSize bytes) 
 
 }  // namespace
 
+MipChain::MipChain(Module& owner, std::string name) : Module(owner, std::move(name), "mips") {}
+
 Content MipChain::content_of(const ImageView& image, Content what) const {
     if (!content.is("each")) return static_cast<Content>(content.index);
     if (what != Content::each) return what;

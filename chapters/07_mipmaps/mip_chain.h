@@ -42,7 +42,7 @@ enum class Content {
 /// device writes from shaders; 2-D images, arrays, cubes, single faces; any size. A module may record many images in
 /// one frame.
 struct MipChain : Module {
-    MipChain(Module& owner, std::string name) : Module(owner, std::move(name), "mips") {}
+    MipChain(Module& owner, std::string name);
 
     Choice method{
         *this,

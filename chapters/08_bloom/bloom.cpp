@@ -23,6 +23,8 @@ Sampler sampler_for(const Choice& border, const Step& step) {
 
 }  // namespace
 
+Bloom::Bloom(Module& owner, std::string name) : Module(owner, std::move(name), "bloom") {}
+
 BlurWish Bloom::wish(glm::uvec2 size) const {
     return {.method = method.text(),
             .sigma_px = static_cast<double>(sigma_px.value),

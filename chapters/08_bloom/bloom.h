@@ -11,7 +11,7 @@ namespace lightwalk {
 /// image, of any size. NaN becomes 0, infinity 65504. Alpha stays. A picture without bright parts dispatches no blur.
 /// Once per frame and module.
 struct Bloom : Module {
-    Bloom(Module& owner, std::string name) : Module(owner, std::move(name), "bloom") {}
+    Bloom(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -21,6 +21,8 @@ float radical_inverse(uint32_t bits) {
 
 }  // namespace
 
+DepthOfField::DepthOfField(Module& owner, std::string name) : Module(owner, std::move(name), "dof") {}
+
 float DepthOfField::focal_m(const Camera& camera) const {
     return 0.5f * 1e-3f * sensor_mm / std::tan(0.5f * camera.fov_y_rad);
 }

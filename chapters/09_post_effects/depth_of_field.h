@@ -15,7 +15,7 @@ namespace lightwalk {
 /// draws once for all methods but `lens`, the truth: that draws the picture from many places of the lens, and takes
 /// their mean.
 struct DepthOfField : Module {
-    DepthOfField(Module& owner, std::string name) : Module(owner, std::move(name), "dof") {}
+    DepthOfField(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -24,6 +24,10 @@ float phase(double turns) { return static_cast<float>(turns - std::floor(turns))
 
 }  // namespace
 
+AutoExposure::AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
+
+Post::Post(Module& owner, std::string name) : Module(owner, std::move(name), "post") {}
+
 std::vector<KnobBase*> Post::effects() {
     return {&radial_blur, &aberration, &sharpen,    &exposure,  &white_balance, &tone,
             &contrast,    &brightness, &saturation, &greyscale, &invert,        &vignette,

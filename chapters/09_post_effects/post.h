@@ -36,7 +36,7 @@ void encode_film(Frame& frame);
 /// and the number of pixels that are not black. Each frame moves the exposure by the share 1 - e^(-dt / adapt_s) of the
 /// difference; the first frame, or one without passing time, by all of it.
 struct AutoExposure : Module {
-    AutoExposure(Module& owner, std::string name) : Module(owner, std::move(name), "auto_exposure") {}
+    AutoExposure(Module& owner, std::string name);
 
     Knob<float> key{
         *this, "key", 0.18f, {0.01f, 1.0f}, "Target of the mean log luminance after exposure, in linear light"};
@@ -65,7 +65,7 @@ struct AutoExposure : Module {
 /// 0 to 1, still linear. Effects run in the order below; disabled ones are not compiled. Alpha becomes 1. Once per
 /// frame and module.
 struct Post : Module {
-    Post(Module& owner, std::string name) : Module(owner, std::move(name), "post") {}
+    Post(Module& owner, std::string name);
 
     Choice method{
         *this,

@@ -9,6 +9,8 @@
 
 namespace lightwalk {
 
+Atmosphere::Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
+
 float cornette_shanks_g(float mean_cosine) {
     const double wanted = double(std::fabs(mean_cosine));
     double low = 0, high = 1;

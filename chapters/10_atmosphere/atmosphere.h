@@ -30,7 +30,7 @@ std::vector<PathPart> path_parts(const PathWork& work, const Air& air);
 /// if the pixel's ray meets it, else the background beyond the air. Lights and colours are the module's own: to_sun(), and
 /// in a pass that states it in `.with` and includes 10_atmosphere/ground_light.glsl, sunlight_on() and skylight_on().
 struct Atmosphere : Drawing {
-    Atmosphere(Module& owner, std::string name) : Drawing(owner, std::move(name), "atmosphere") {}
+    Atmosphere(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

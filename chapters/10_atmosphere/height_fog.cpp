@@ -2,6 +2,8 @@
 
 namespace lightwalk {
 
+HeightFog::HeightFog(Module& owner, std::string name) : Drawing(owner, std::move(name), "fog") {}
+
 void HeightFog::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (method.is("none")) return;
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);

@@ -12,7 +12,7 @@ namespace lightwalk {
 ///
 /// the light of a point as it arrives, or its parts fog_transmittance() and fog_color().
 struct HeightFog : Drawing {
-    HeightFog(Module& owner, std::string name) : Drawing(owner, std::move(name), "fog") {}
+    HeightFog(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -9,6 +9,9 @@
 
 namespace lightwalk {
 
+Planet::Planet(Module& owner, std::string name, Atmosphere& atmosphere)
+    : Drawing(owner, std::move(name), "planet"), atmosphere_(atmosphere) {}
+
 void Planet::prepare(Gpu& gpu, Scene&) {
     if (!images_) images_ = std::make_unique<ImagePool>(gpu);
     const auto load = [&](const char* file, TextureKind kind) { return images_->load(find_asset(file), kind); };

@@ -7,8 +7,7 @@ namespace lightwalk {
 
 /// Draws the background of the air: where no depth was drawn, the planet's ground, or the stars. A sea reflects.
 struct Planet : Drawing {
-    Planet(Module& owner, std::string name, Atmosphere& atmosphere)
-        : Drawing(owner, std::move(name), "planet"), atmosphere_(atmosphere) {}
+    Planet(Module& owner, std::string name, Atmosphere& atmosphere);
 
     Choice map{*this,
                "map",

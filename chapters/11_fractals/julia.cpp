@@ -20,6 +20,9 @@ glm::dvec4 along_curve(glm::dvec4 p0, glm::dvec4 p1, glm::dvec4 p2, glm::dvec4 p
 
 }  // namespace
 
+Julia::Julia(Module& owner, std::string name, EnvironmentLight& environment)
+    : Drawing(owner, std::move(name), "julia"), environment_(environment) {}
+
 float julia_bound(glm::vec4 constant) { return 0.5f + std::sqrt(0.25f + glm::length(constant)); }
 
 glm::vec4 Julia::constant_at(double time_s) const {

@@ -35,8 +35,7 @@ struct JuliaLook : Module {
 /// A drawing under the scene's sun and environment: each pixel's hit, then its light. The background is the environment
 /// or earlier drawings.
 struct Julia : Drawing {
-    Julia(Module& owner, std::string name, EnvironmentLight& environment)
-        : Drawing(owner, std::move(name), "julia"), environment_(environment) {}
+    Julia(Module& owner, std::string name, EnvironmentLight& environment);
 
     Choice method{*this,
                   "method",

@@ -4,6 +4,8 @@
 #include "05_shadow_maps/visibility_buffer.h"
 
 namespace lightwalk {
+
+Terrain::Terrain(Module& owner, std::string name) : Drawing(owner, std::move(name), "terrain") {}
 void Terrain::prepare(Gpu& gpu, Scene& loaded) {
     scene_ = &loaded;
     if (images_) return;

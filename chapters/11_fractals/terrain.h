@@ -34,7 +34,7 @@ struct TerrainLook : Module {
 /// A drawing under the scene's sun: the ground, a sky of its own where nothing else is drawn, and fog over both. The
 /// view's x and z count from where the flight has come to, and its y from the ground there, as four octaves have it.
 struct Terrain : Drawing {
-    Terrain(Module& owner, std::string name) : Drawing(owner, std::move(name), "terrain") {}
+    Terrain(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -2,6 +2,15 @@
 
 namespace lightwalk {
 
+Head::Head(Module& owner, std::string name, LitScene& objects, EnvironmentLight& environment)
+    : Drawing(owner, std::move(name)),
+      skin(owner, "skin"),
+      rays(owner, "rays"),
+      backdrop(owner, "backdrop", 4.5f, {0.0f, 8.0f},
+               "which level of the environment is seen behind: more is blurrier"),
+      objects_(objects),
+      environment_(environment) {}
+
 void Head::update(Frame& frame) {
     objects_.update_once(frame);
     rays.record(frame, *scene_);

@@ -10,14 +10,7 @@ namespace lightwalk {
 /// The scene of `objects`, drawn as skin under its lights; they are not drawn themselves. Its modules are the owner's:
 /// skin.*, rays.*, and backdrop.
 struct Head : Drawing {
-    Head(Module& owner, std::string name, LitScene& objects, EnvironmentLight& environment)
-        : Drawing(owner, std::move(name)),
-          skin(owner, "skin"),
-          rays(owner, "rays"),
-          backdrop(owner, "backdrop", 4.5f, {0.0f, 8.0f},
-                   "which level of the environment is seen behind: more is blurrier"),
-          objects_(objects),
-          environment_(environment) {}
+    Head(Module& owner, std::string name, LitScene& objects, EnvironmentLight& environment);
 
     Skin skin;
     SceneRays rays;

@@ -21,6 +21,8 @@ void make(Frame& frame, Image& image, const char* name, uint32_t size, VkFormat 
 
 }  // namespace
 
+Skin::Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
+
 const DrawItem* Skin::part(const Scene& scene, Role role, bool any) {
     for (const DrawItem& item : scene.items)
         if (item.role == role) return &item;

@@ -104,7 +104,7 @@ class PictureBlur {
 /// Draws the items of a scene: those with the role of skin, an eye or a cornea as such, others as matt.
 /// In each frame record(), then draw() into a canvas, then finish(). Without any skin the first item is it.
 struct Skin : Module {
-    Skin(Module& owner, std::string name) : Module(owner, std::move(name), "skin") {}
+    Skin(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

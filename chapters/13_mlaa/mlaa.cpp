@@ -43,6 +43,12 @@ std::vector<float> crossing_table() {
 
 }  // namespace
 
+Taa::Taa(Module& owner, std::string name) : Module(owner, std::move(name), "taa") {}
+
+Mlaa::Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
+    taa.in_use = [this] { return method.is("taa"); };
+}
+
 int Mlaa::passes() const {
     int passes = 0;
     if (!doubles()) return passes;

@@ -23,7 +23,7 @@ struct Seen {
 /// frame within a pixel (Module::accumulation); a written picture takes `warm_up` of them from a cold start, so that it
 /// depends on its time alone.
 struct Taa : Module {
-    Taa(Module& owner, std::string name) : Module(owner, std::move(name), "taa") {}
+    Taa(Module& owner, std::string name);
 
     Knob<int> warm_up{*this, "warm_up", 32, {1, 256}, "Frames drawn from a cold start for a picture that is written"};
     Knob<float> at_rest{
@@ -98,9 +98,7 @@ struct Taa : Module {
 /// in the frames before (taa.h). The methods from msaa_4x on are about how a picture is drawn: record() then does nothing
 /// (see drawing.h). Once per frame and module.
 struct Mlaa : Module {
-    Mlaa(Module& owner, std::string name) : Module(owner, std::move(name), "mlaa") {
-        taa.in_use = [this] { return method.is("taa"); };
-    }
+    Mlaa(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -8,6 +8,11 @@
 
 namespace lightwalk {
 
+GroundShadow::GroundShadow(Module& owner, std::string name) : Module(owner, std::move(name), "ground_shadow") {}
+
+Backdrop::Backdrop(Module& owner, std::string name, const ImageLight& light)
+    : Drawing(owner, std::move(name)), light_(light) {}
+
 void Backdrop::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (!scene_->environment || canvas.has_color()) return;
     const Image& picture = *scene_->environment;

@@ -11,7 +11,7 @@ namespace lightwalk {
 /// A map of the ground below the scene: of each place the share of the light from all around that is not hidden, found by
 /// chapter 05's rays. record() in each frame; it does nothing where nothing has moved.
 struct GroundShadow : Module {
-    GroundShadow(Module& owner, std::string name) : Module(owner, std::move(name), "ground_shadow") {}
+    GroundShadow(Module& owner, std::string name);
 
     Knob<int> directions{*this,
                          "directions",
@@ -41,8 +41,7 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
 
 /// Draws before all others: it overwrites the whole canvas. A scene without a picture keeps its background.
 struct Backdrop : Drawing {
-    Backdrop(Module& owner, std::string name, const ImageLight& light)
-        : Drawing(owner, std::move(name)), light_(light) {}
+    Backdrop(Module& owner, std::string name, const ImageLight& light);
 
     Choice ground{*this,
                   "ground",

@@ -11,6 +11,12 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
+Prefilter::Prefilter(Module& owner, std::string name) : Module(owner, std::move(name), "prefilter") {}
+
+ImageLight::ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {
+    levels.method.change_default("box");
+}
+
 ImageRgb small_picture(Gpu& gpu, const Image& picture, uint32_t most) {
     uint32_t level = 0;
     while ((picture.desc.size.x >> level) > most && level + 1 < picture.desc.mips) ++level;

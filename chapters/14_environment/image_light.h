@@ -16,7 +16,7 @@ namespace lightwalk {
 
 /// How the prefiltered cube is made.
 struct Prefilter : Module {
-    Prefilter(Module& owner, std::string name) : Module(owner, std::move(name), "prefilter") {}
+    Prefilter(Module& owner, std::string name);
     Knob<int> samples{*this, "samples", 64, {1, 4096}, "Samples of each texel of the prefiltered cube"};
     Knob<float> bias{*this,   "bias", 1.0f, {0.0f, 8.0f}, "Added to the level that each sample of a texel is read from",
                      "levels"};
@@ -52,9 +52,7 @@ struct LightCubes : Module {
 ///
 ///     light.record_drawn(frame, box);
 struct ImageLight : Module {
-    ImageLight(Module& owner, std::string name) : Module(owner, std::move(name), "image_light") {
-        levels.method.change_default("box");
-    }
+    ImageLight(Module& owner, std::string name);
 
     Choice diffuse{*this,
                    "diffuse",

@@ -2,6 +2,9 @@
 
 namespace lightwalk {
 
+ScreenOcclusion::ScreenOcclusion(Module& owner, std::string name)
+    : Module(owner, std::move(name), "screen_occlusion") {}
+
 LitAround::LitAround(Module& owner, std::string name, const ImageLight& light)
     : Drawing(owner, name),
       lit(owner, name, Shading{.seen = &seen_}),

@@ -14,7 +14,7 @@ namespace lightwalk {
 /// view, when its depth is there and before its surfaces are shaded. (J. Jimenez et al., "Practical real-time strategies
 /// for accurate indirect occlusion", SIGGRAPH course, 2016.)
 struct ScreenOcclusion : Module {
-    ScreenOcclusion(Module& owner, std::string name) : Module(owner, std::move(name), "screen_occlusion") {}
+    ScreenOcclusion(Module& owner, std::string name);
 
     Knob<float> radius_m{*this, "radius_m", 1.0f, {0.01f, 100.0f}, "Distance within which surfaces hide light", "m"};
     Knob<int> slices{*this, "slices", 3, {1, 64}, "Planes through the line of sight in which horizons are sought"};

@@ -7,6 +7,8 @@
 
 namespace lightwalk {
 
+CarPaint::CarPaint(Module& owner, std::string name) : Module(owner, std::move(name), "paint") {}
+
 void CarPaint::record(Frame& frame) {
     if (made_.is_current(epoch())) return;
     frame.compute("paint table", {.writes = {table}, .with = {*this}},

@@ -11,7 +11,7 @@ namespace lightwalk {
 /// Gives shaders paint_brdf(), paint_albedo() and flake_light() of 14_environment/paint.glsl, for surfaces with a
 /// material called "paint". record() before the first pass that states it in `.with`.
 struct CarPaint : Module {
-    CarPaint(Module& owner, std::string name) : Module(owner, std::move(name), "paint") {}
+    CarPaint(Module& owner, std::string name);
 
     Knob<glm::vec3> color{
         *this, "color", {0.35f, 0.008f, 0.012f}, {glm::vec3(0), glm::vec3(1)}, "Pigment's albedo, seen straight on"};

@@ -4,6 +4,8 @@
 
 namespace lightwalk {
 
+SceneProbe::SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
+
 Camera face_camera(uint32_t face, glm::vec3 center, float near_m, float far_m) {
     constexpr glm::vec3 forward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     constexpr glm::vec3 up[] = {{0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}};

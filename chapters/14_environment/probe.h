@@ -13,7 +13,7 @@ namespace lightwalk {
 ///
 ///     probe.record(frame, scene, light, {objects});
 struct SceneProbe : Module {
-    SceneProbe(Module& owner, std::string name) : Module(owner, std::move(name), "probe") {}
+    SceneProbe(Module& owner, std::string name);
 
     Choice update{*this,
                   "update",

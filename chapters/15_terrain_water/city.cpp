@@ -46,6 +46,9 @@ void add_house(std::vector<CityBox>& boxes, Dice& dice, glm::vec2 middle, glm::v
 
 }  // namespace
 
+City::City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
+    : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}
+
 std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& boxes) {
     std::vector<CityBlock> blocks;
     boxes.clear();

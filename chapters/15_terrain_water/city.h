@@ -32,8 +32,7 @@ std::vector<CityBlock> plan_city(const CityPlan& plan, std::vector<CityBox>& box
 
 /// Comes after the ground. Buildings in water, below a height of 1 m, are omitted.
 struct City : Drawing, Caster, SunReceiver {
-    City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere)
-        : Drawing(owner, std::move(name), "city"), ground_(ground), atmosphere_(atmosphere) {}
+    City(Module& owner, std::string name, const Ground& ground, const Atmosphere& atmosphere);
 
     Knob<int> most_boxes{*this, "most_boxes", 0, {0, 100000}, "Number of boxes at most; 0: no city"};
     Knob<float> x_km{*this, "x_km", 0.0f, {-1e4f, 1e4f}, "Middle of the city, eastwards of the world's origin", "km"};

@@ -28,6 +28,8 @@ std::filesystem::path height_map_of(const SceneFile& scene) {
 
 }  // namespace
 
+Ground::Ground(Module& owner, std::string name) : Module(owner, std::move(name), "ground") {}
+
 void Ground::prepare(Gpu& gpu, Scene& scene) {
     source_ = {};
     made_.forget();

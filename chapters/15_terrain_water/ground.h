@@ -15,7 +15,7 @@ namespace lightwalk {
 /// Made from the scene's object with a height map as model. A pass that states it in `.with` includes
 /// 15_terrain_water/ground.glsl and queries heights and normals. Level 0 is sea level or a lake's level: datum_m.
 struct Ground : Module {
-    Ground(Module& owner, std::string name) : Module(owner, std::move(name), "ground") {}
+    Ground(Module& owner, std::string name);
 
     Knob<int> levels{*this,
                      "levels",

@@ -25,6 +25,9 @@ uint32_t chunks_in_all(const LandMap& map) { return ((1u << (2 * (map.top + 1)))
 
 }  // namespace
 
+Land::Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
+    : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}
+
 void Land::prepare(Gpu& gpu, Scene&) {
     if (materials_) return;
     make_ground_textures(gpu, materials_, bumps_);

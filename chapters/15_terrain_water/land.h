@@ -21,8 +21,7 @@ void make_ground_textures(Gpu& gpu, Image& materials, Image& bumps);
 /// Drawn before objects on it or behind it. All methods find the same result, the distance to the ground in each
 /// pixel; one pass shades it.
 struct Land : Drawing, SunReceiver {
-    Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere)
-        : Drawing(owner, std::move(name), "land"), ground_(ground), atmosphere_(atmosphere) {}
+    Land(Module& owner, std::string name, Ground& ground, const Atmosphere& atmosphere);
 
     Choice method{*this,
                   "method",

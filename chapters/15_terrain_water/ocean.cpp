@@ -38,6 +38,8 @@ std::vector<ImageView> levels_of(const Image& image) {
 
 }  // namespace
 
+Ocean::Ocean(Module& owner, std::string name) : Module(owner, std::move(name), "ocean") {}
+
 std::vector<OceanWave> Ocean::waves(int part) const {
     const double tile = double(tile_m()[part]), step = 2 * M_PI / tile;
     const double wind_rad = double(wind_deg) * M_PI / 180;

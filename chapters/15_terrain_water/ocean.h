@@ -18,7 +18,7 @@ double jonswap(double omega, double wind_m_s, double fetch_m);
 /// record() in each frame; then water_surface.glsl reads moved() and sloped(): three layers, each of a part of the
 /// spectrum, on a tile of tile_m() metres that repeats. All repeats after `repeat_s`.
 struct Ocean : Module {
-    Ocean(Module& owner, std::string name) : Module(owner, std::move(name), "ocean") {}
+    Ocean(Module& owner, std::string name);
 
     Knob<float> wind_m_s{*this, "wind_m_s", 8.0f, {0.5f, 40.0f}, "Wind speed 10 m above the water", "m/s"};
     Knob<float> fetch_km{*this, "fetch_km", 60.0f, {0.1f, 5000.0f}, "Distance over which the wind has blown", "km"};

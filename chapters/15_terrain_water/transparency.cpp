@@ -6,6 +6,8 @@
 
 namespace lightwalk {
 
+Transparency::Transparency(Module& owner, std::string name) : Module(owner, std::move(name), "transparency") {}
+
 // Replacement for the end of surfaces' fragment shaders in one pass, and its resources.
 class Transparency::Stage : public PassInputs {
   public:

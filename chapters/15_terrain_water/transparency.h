@@ -14,7 +14,7 @@ namespace lightwalk {
 ///
 /// Then draw() blends transparent surfaces in that canvas by the chosen method.
 struct Transparency : Module, TransparencyMethod {
-    Transparency(Module& owner, std::string name) : Module(owner, std::move(name), "transparency") {}
+    Transparency(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

@@ -41,6 +41,13 @@ std::vector<uint32_t> ring_indices() {
 
 }  // namespace
 
+Mirror::Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
+
+Waterline::Waterline(Module& owner, std::string name) : Module(owner, std::move(name), "waterline") {}
+
+Water::Water(Module& owner, std::string name, const ImageLight& light)
+    : Drawing(owner, std::move(name), "water"), light_(light) {}
+
 glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at) {
     glm::dvec3 sum(0);
     for (const WaveData& w : waves) {

@@ -17,7 +17,7 @@ namespace lightwalk {
 /// crosses the water. A point of the water's plane is inside of an object where the ray upwards leaves it once more often
 /// than it enters. That holds for closed surfaces alone.
 struct Waterline : Module {
-    Waterline(Module& owner, std::string name) : Module(owner, std::move(name), "waterline") {}
+    Waterline(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",
@@ -60,7 +60,7 @@ struct Waterline : Module {
 /// record() before the water is drawn; then image() holds the reflection of the level water at each pixel, counted
 /// from the opposite edge. Water among the drawings is omitted: a mirror does not see itself.
 struct Mirror : Module {
-    Mirror(Module& owner, std::string name) : Module(owner, std::move(name), "mirror") {}
+    Mirror(Module& owner, std::string name);
 
     Knob<float> scale{*this, "scale", 0.5f, {0.1f, 1.0f}, "Width of the mirror image, as a share of the picture's"};
 
@@ -100,8 +100,7 @@ struct WaterRays {
 ///
 /// `light`: the surroundings, for rays that leave the picture; the owner records it before.
 struct Water : Drawing, MovingSurface {
-    Water(Module& owner, std::string name, const ImageLight& light)
-        : Drawing(owner, std::move(name), "water"), light_(light) {}
+    Water(Module& owner, std::string name, const ImageLight& light);
 
     Choice method{*this,
                   "method",

@@ -60,6 +60,8 @@ bool is_glowing(const LathePanel& panel, glm::vec2 at, float cell) {
 
 }  // namespace
 
+Finish::Finish(Module& owner, std::string name) : Module(owner, std::move(name), "finish") {}
+
 void Finish::prepare(Gpu& gpu, Scene& scene) {
     std::map<std::filesystem::path, Maps> made;
     for (DrawItem& item : scene.items) {

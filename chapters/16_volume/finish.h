@@ -62,7 +62,7 @@ Model lathe_model(const Lathe& lathe, const LatheParts& parts);
 /// parts receive no light), and ambient occlusion. Occlusion is baked by rays against the item alone, since others
 /// turn; kept in the cache, and written there whole or not at all. Must be prepared before chapter 04's maps are.
 struct Finish : Module {
-    Finish(Module& owner, std::string name) : Module(owner, std::move(name), "finish") {}
+    Finish(Module& owner, std::string name);
 
     Knob<int> width{*this, "width", 2048, {64, 4096}, "Width of the maps, in texels; they are an eighth as high."};
     Knob<int> bake_rays{*this, "bake_rays", 48, {1, 256}, "Rays per texel of the baked occlusion"};

@@ -33,6 +33,8 @@ const glm::mat3 to_scan{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 
 }  // namespace
 
+Volume::Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}
+
 NoiseMoment noise_moment(double cells, int seed) {
     const double skewed = cells * (std::sqrt(5.0) - 1) / 4;
     const double whole = std::floor(cells), skew_whole = std::floor(skewed);

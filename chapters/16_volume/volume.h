@@ -28,7 +28,7 @@ float thinnest_layer(const std::vector<glm::vec4>& transfer);
 /// Drawn after all solid objects; their depth ends its rays. Transparent: it writes no depth. The box of its field
 /// stands around the world's origin, its longest edge 2 m long.
 struct Volume : Drawing {
-    Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}
+    Volume(Module& owner, std::string name);
 
     Choice method{*this,
                   "method",

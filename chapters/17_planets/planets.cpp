@@ -60,6 +60,8 @@ Rectangle pixels_of(const View& view, glm::dvec3 center, double reach_m) {
 
 }  // namespace
 
+Planets::Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
+
 void Planets::prepare(Gpu& gpu, Scene&) {
     pool_ = std::make_unique<ImagePool>(gpu);
     maps_.clear();

@@ -22,7 +22,7 @@ struct BodyAir : Module {
 /// Draws over the background (the stars), where no depth was drawn. Scenes place the camera in metres from the centre
 /// of the body `at`; +z points from it to the Sun (the Sun's own to the Earth) and +y as far north as that allows.
 struct Planets : Drawing {
-    Planets(Module& owner, std::string name) : Drawing(owner, std::move(name), "planets") {}
+    Planets(Module& owner, std::string name);
 
     Choice at{*this, "at", body_names(), "saturn", "Body at the origin of the scene"};
     Choice method{

@@ -58,6 +58,9 @@ double travelled_at(double s, double near_a, double near_b, double way) {
 
 }  // namespace
 
+Stars::Stars(Module& owner, std::string name, const Planets& planets)
+    : Drawing(owner, std::move(name), "stars"), planets_(planets) {}
+
 Flight::Moment Flight::at(double time_s, double days) const {
     const double stay = static_cast<double>(stay_s), travel = static_cast<double>(travel_s);
     const double turn = stay + travel, all = turn * static_cast<double>(body_count);

@@ -10,8 +10,7 @@ namespace lightwalk {
 /// Draws before all others: it overwrites the whole canvas. 8,777 stars of a catalogue as points, each of the same light
 /// however many pixels the picture has, over the Milky Way of a map.
 struct Stars : Drawing {
-    Stars(Module& owner, std::string name, const Planets& planets)
-        : Drawing(owner, std::move(name), "stars"), planets_(planets) {}
+    Stars(Module& owner, std::string name, const Planets& planets);
 
     Knob<float> brightness{
         *this, "brightness", 6.0f, {0.0f, 1e4f}, "Radiance in the middle of a star of magnitude 0; 0: no stars"};

@@ -4,6 +4,8 @@
 
 namespace lightwalk {
 
+Picker::Picker(Module& owner, std::string name) : Module(owner, std::move(name), "picker") {}
+
 // [record]
 void Picker::record(Frame& frame, const View& view, const Scene& scene, const Maps& maps) {
     if (method.is("ids")) return draw_ids(frame, scene, maps);

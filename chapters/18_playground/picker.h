@@ -10,7 +10,7 @@ namespace lightwalk {
 
 /// Finds the items under all pixels of a view, or under one: record(), then pick(), and a frame later picked().
 struct Picker : Module {
-    Picker(Module& owner, std::string name) : Module(owner, std::move(name), "picker") {}
+    Picker(Module& owner, std::string name);
 
     Choice method{
         *this,

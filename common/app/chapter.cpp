@@ -59,6 +59,10 @@ bool expose(Chapter& chapter, Gpu& gpu) {
 
 }  // namespace
 
+Chapter::Chapter() = default;
+
+Chapter::~Chapter() = default;
+
 void load_scene(Chapter& chapter, Gpu& gpu, const std::filesystem::path& given, const Loading& loading) {
     const std::filesystem::path file = find_asset(given);
     const bool is_scene = file.extension() == ".json";

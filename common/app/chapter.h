@@ -23,6 +23,9 @@ struct Command {
 
 class Chapter : public Module {
   public:
+    Chapter();
+    ~Chapter() override;
+
     std::string name;
     std::string method_knob = "method";  ///< knob that a study and --method auto vary
     std::vector<Command> commands;

@@ -4,6 +4,8 @@
 
 namespace lightwalk {
 
+EnvironmentLight::EnvironmentLight(Module& owner, std::string name) : Module(owner, std::move(name), "environment") {}
+
 const Image& EnvironmentLight::picture_of(Frame& frame, const Scene& scene) {
     if (scene.environment) return *scene.environment;
     if (!even_made_.is_current(scene.file.ambient)) {

@@ -27,7 +27,7 @@ EnvironmentScale environment_scale(const Scene& scene, float intensity, float tu
 ///
 /// A scene without a picture has its `ambient` as radiance from everywhere.
 struct EnvironmentLight : Module {
-    EnvironmentLight(Module& owner, std::string name) : Module(owner, std::move(name), "environment") {}
+    EnvironmentLight(Module& owner, std::string name);
 
     Knob<float> intensity{*this,
                           "intensity",

@@ -6,8 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "common/base/files.h"
-
 namespace lightwalk {
 
 /// Macros, substituted files and a hash of both. Copy-on-write.
@@ -15,19 +13,11 @@ class Macros {
   public:
     using Texts = std::map<std::string, std::string>;
     Macros() = default;
-    Macros(std::initializer_list<std::pair<const std::string, std::string>> list) {
-        for (const auto& [name, value] : list) set(name, value);
-    }
+    Macros(std::initializer_list<std::pair<const std::string, std::string>> list);
     void set(const std::string& name, const std::string& value) { put(own().values, name, value); }
     /// Includes shaders/`other`, possibly of a later chapter, wherever shaders/`file` is included.
-    Macros& replace_file(const std::string& file, const std::string& other) {
-        put(own().files, file, other);
-        return *this;
-    }
-    void add(const Macros& other) {
-        for (const auto& [name, value] : other.values()) set(name, value);
-        for (const auto& [file, replacement] : other.files()) replace_file(file, replacement);
-    }
+    Macros& replace_file(const std::string& file, const std::string& other);
+    void add(const Macros& other);
     const Texts& files() const { return texts().files; }
     const Texts& values() const { return texts().values; }
     uint64_t hash() const { return hash_; }
@@ -42,29 +32,9 @@ class Macros {
         Texts values, files;
         bool operator==(const Both&) const = default;
     };
-    const Both& texts() const {
-        static const Both no_texts;
-        return both_ ? *both_ : no_texts;
-    }
-    Both& own() {
-        if (!both_ || both_.use_count() > 1) both_ = std::make_shared<Both>(texts());
-        return *both_;
-    }
-    void put(Texts& texts, const std::string& name, const std::string& value) {
-        auto [it, added] = texts.try_emplace(name, value);
-        if (!added) {
-            hash_ -= of(name, it->second);
-            it->second = value;
-        }
-        hash_ += of(name, value);
-    }
-    // MurmurHash3's finalizer, variant 13 (D. Stafford, 2011): without it, changes of two macros can cancel.
-    static uint64_t of(const std::string& name, const std::string& value) {
-        uint64_t hash = hash_bytes(value, hash_bytes(name + "="));
-        hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
-        hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
-        return hash ^ hash >> 31;
-    }
+    const Both& texts() const;
+    Both& own();
+    void put(Texts& texts, const std::string& name, const std::string& value);
     std::shared_ptr<Both> both_;
     uint64_t hash_ = 0;
 };
