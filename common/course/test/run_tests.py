@@ -29,6 +29,8 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test --changed [COMMIT]    the tests of first and engine that the files changed since then reach, by includes, shaders,
                                  shots and scenes, and those of platform that they concern; by default since the branch left
                                  the main one, on that since its parent
+  ./course test --with-changed [COMMIT]    all of first and engine, and those of platform that these files concern, if they are
+                                 few: what a CI runs
   ./course test --sanitize       these tests under the sanitizers of addresses and of undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --device NAME    every shot and every check on one device, such as a graphics card (hardware), within limits of
@@ -45,15 +47,17 @@ The suites, by what they prove (tests/suites.txt lists their tests):
 The last line counts all tests that ran; the lines before say how long each suite took, which tests were slowest, and which
 took over a minute without a reason in tests/suites.txt."""
 PASSES_OPTIONS = True
+FEW = 16  # tests of platform beside first and engine: about four minutes
 MANY = 40  # tests whose names would fill the screen
 RASTER_THREADS = "LP_NUM_THREADS"  # lavapipe's: 0 draws in the thread that asks
 
 
 def add_arguments(parser):
-    parser.usage = ("./course test [PATTERN | --all | --changed [COMMIT] | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
+    parser.usage = ("./course test [PATTERN | --all | --changed [COMMIT] | --with-changed [COMMIT] | --device NAME] [--on SYSTEM] [--sanitize] [--shard K/N [--out FOLDER]] "
                     "[--merge FILE...] [OPTIONS OF CTEST]")
     parser.add_argument("--all", action="store_true", help="all four suites")
     parser.add_argument("--changed", nargs="?", const="", metavar="COMMIT", help="the tests that changed files reach")
+    parser.add_argument("--with-changed", nargs="?", const="", metavar="COMMIT", help="first, engine, and what changed files concern")
     parser.add_argument("--on", metavar="SYSTEM", help="test on a bare bookworm or trixie, in a container")
     shards.add_arguments(parser)
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the file of a shard (build/shards)")
@@ -84,7 +88,8 @@ def run(arguments, rest) -> int:
     if not selection:  # as many programs as processors draw: threads of the rasteriser's own cost 3 to 18% of their time, and gain nothing
         os.environ.setdefault(RASTER_THREADS, "0")
     if not selection and not arguments.all:
-        selection = EVERY_COMMIT if arguments.changed is None else of_changes(arguments.changed)
+        given = arguments.changed if arguments.changed is not None else arguments.with_changed
+        selection = EVERY_COMMIT if given is None else of_changes(given, reduced=arguments.changed is not None)
 
     def of_shard(folder, chosen):
         return test_shards.words(folder, chosen, arguments.shard)
@@ -105,17 +110,22 @@ def run(arguments, rest) -> int:
     return 1 if failed else 0
 
 
-def of_changes(commit: str) -> list[str]:
-    """ctest's options for the tests that the files changed since a commit reach or concern, which two lines say."""
+def of_changes(commit: str, reduced: bool) -> list[str]:
+    """ctest's options for the tests that the files changed since a commit reach or concern, which two lines say. Not reduced: all
+    of first and engine, and of platform only a few."""
     files = changed_since(since := commit or branch_base())
     if commit and files is None:
-        raise UsageError(f"--changed {commit}: git knows no such commit")
+        raise UsageError(f"{commit}: git knows no such commit")
     folder = build(NOTHING)
     more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
     why = f"changes since {since} concern" if files is not None else f"git knows no {since}, so these are all"
-    say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else ""))
+    left = not reduced and len(more) > FEW
+    say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else "") +
+        (", more than a run of each commit has time for: ./course test -L platform" if left else ""))
+    if left:
+        more = []
     every = [name for _, name in selected(folder, EVERY_COMMIT)]
-    if files is not None:
+    if files is not None and reduced:
         every = reached(every, files)
     say(f"first and engine: {len(every)} tests" + (": " + " ".join(every) if len(every) < MANY else ""))
     return ["-R", f"^({'|'.join(map(re.escape, [*every, *more]))})$"]
