@@ -12,13 +12,11 @@ Surroundings::Surroundings(Module& owner, Music* heard)
     music.in_use = [this, heard] { return !heard && sphere.shown; };
 }
 
-// [frame]
 void Surroundings::record(Frame& frame) {
     // Cubes of light, made once from the picture of the surroundings, or from six views of the scene itself.
     light.record(frame, scene());
     probe.record(frame, scene(), light, {backdrop, objects});
 }
-// [/frame]
 
 namespace {
 

@@ -100,7 +100,6 @@ struct Geodesic {
 /// An icosahedron with each edge divided into `parts` (1 to 1000): 20 parts^2 triangles, each vertex once.
 Geodesic geodesic_sphere(uint32_t parts);
 
-// [surroundings]
 struct Surroundings : World {
     /// `heard`: the sphere's music; null: the scene's own.
     explicit Surroundings(Module& owner, Music* heard = nullptr);
@@ -114,7 +113,6 @@ struct Surroundings : World {
 
     Drawings drawings() override { return {backdrop, objects, sphere}; }
     std::vector<std::pair<std::string, std::string>> look() const override { return {{"bloom.method", "none"}}; }
-    // [/surroundings]
 
   protected:
     void record(Frame& frame) override;

@@ -8,7 +8,6 @@
 
 namespace lightwalk {
 
-// [volume_world]
 struct VolumeWorld : World {
     explicit VolumeWorld(Module& owner) : World(owner) { objects.maps.method.change_default("flat"); }
 
@@ -28,6 +27,5 @@ struct VolumeWorld : World {
         draw(frame, view, canvas, {volume});
     }
 };
-// [/volume_world]
 
 }  // namespace lightwalk

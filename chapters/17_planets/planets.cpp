@@ -173,12 +173,10 @@ BodyNow Planets::now(const Shown& one, const Outlook& look, const Frame& frame, 
     return now;
 }
 
-// [draw]
 void Planets::draw(Frame& frame, const View& view, Canvas& canvas) {
     const Outlook look = outlook(frame, view);
     for (const Shown& one : shown(look)) draw_body(frame, view, canvas, one, look);
 }
-// [/draw]
 
 void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Shown& one, const Outlook& look) {
     BodyNow now = this->now(one, look, frame, view);

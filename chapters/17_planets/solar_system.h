@@ -80,7 +80,6 @@ struct Flight : Module {
     Planets& planets_;
 };
 
-// [solar_system]
 struct SolarSystem : World {
     using World::World;
     Planets planets{*this, "planets"};
@@ -101,6 +100,5 @@ struct SolarSystem : World {
         return {flight.camera(moment, given), moment.eye_m};
     }
 };
-// [/solar_system]
 
 }  // namespace lightwalk

@@ -39,7 +39,6 @@ vec3 prefiltered_along(vec3 position, vec3 direction, float roughness) {
            textureLod(image_light_prefiltered, cube_space(position, direction), level).rgb;
 }
 
-// [sh9]
 // Irradiance over pi from nine coefficients of radiance: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for
 // Irradiance Environment Maps", SIGGRAPH 2001, equation 13, with its constants c1 to c5 over pi.
 vec3 sh_irradiance(vec3 n) {
@@ -51,7 +50,6 @@ vec3 sh_irradiance(vec3 n) {
                          image_light_sh[5].rgb * n.y * n.z);
     return light;
 }
-// [/sh9]
 
 // Irradiance over pi: the radiance of a white matt surface.
 vec3 diffuse_light(vec3 position, vec3 normal) {
@@ -72,14 +70,12 @@ vec2 split_sum_at(float n_dot_v, float alpha) {
     return textureLod(image_light_table, (vec2(n_dot_v, alpha) * (size - 1.0) + 0.5) / size, 0.0).rg;
 }
 
-// [dominant]
 // The direction from which most of a rough reflection comes: between the mirror's and the normal. S. Lagarde and C. de
 // Rousiers, "Moving Frostbite to Physically Based Rendering", SIGGRAPH course, 2014, section 4.9.3.
 vec3 dominant_direction(vec3 normal, vec3 mirrored, float alpha) {
     float smooth_share = clamp(1.0 - alpha, 0.0, 1.0);
     return mix(normal, mirrored, smooth_share * (sqrt(smooth_share) + alpha));
 }
-// [/dominant]
 
 struct FromAround {
     vec3 specular;       // radiance towards the eye

@@ -13,7 +13,6 @@ vec3 to_texture(vec3 position) { return 0.5 + 0.5 * (volume_now.to_volume * posi
 
 float stored_density(vec3 at) { return density_of(textureLod(volume_field, at, 0.0).r); }
 
-// [waves]
 // Three sums of sines displace the place that is sampled, 0 to 1 in the volume. The CPU keeps time in double precision and
 // passes each phase as an angle from 0 to 2 pi.
 vec3 waved(vec3 at) {
@@ -23,7 +22,6 @@ vec3 waved(vec3 at) {
                                        sin(2.0 * turn.z + volume_now.wave_phase.y) + 0.5 * sin(5.0 * turn.x - volume_now.wave_phase.z),
                                        sin(2.0 * turn.x + volume_now.wave_phase.z) + 0.5 * sin(5.0 * turn.y - volume_now.wave_phase.x));
 }
-// [/waves]
 
 float density_at(vec3 position) { return stored_density(waved(to_texture(position))); }
 

@@ -5,7 +5,6 @@
 // (1 - e^-x) / x, also near 0.
 float mean_of_exp(float x) { return x < 0.02 ? 1.0 - x * (0.5 - x / 6.0) : (1.0 - exp(-x)) / x; }
 
-// [single]
 // On the side that the sun lights.
 float scattered_back(float depth, float mu0, float mu) {
     float way = depth * (1.0 / mu + 1.0 / mu0);
@@ -18,7 +17,6 @@ float scattered_through(float depth, float mu0, float mu) {
     float a = depth / mu0, b = depth / mu;
     return 0.25 * b * exp(-min(a, b)) * mean_of_exp(abs(a - b));
 }
-// [/single]
 
 // [more]
 // Light scattered more often, as an addition to the phase function, the same in all directions. Fitted at one pair of

@@ -14,9 +14,9 @@ namespace lightwalk::exercise {
 // "Far" is the distance from the eye in any direction, not the depth along the view: when the
 // camera turns where it stands, the order must not change, or panes pop. Surfaces that are
 // equally far keep the order in which they came, so that it does not change from frame to frame
-// either. Of two whose distances differ by less than a millionth either may come first. Up to
-// 10,000 surfaces are sorted in each frame: an algorithm whose comparisons grow with the square
-// of their number is too slow.
+// either. Of two whose distances differ by less than a millionth of the distance either may come
+// first. Up to 10,000 surfaces are sorted in each frame: an algorithm whose comparisons grow with
+// the square of their number is too slow.
 // [/sort_back_to_front]
 std::vector<uint32_t> sort_back_to_front(const std::vector<glm::vec3>& middles, glm::vec3 eye) {
     (void)eye;

@@ -18,7 +18,7 @@ namespace lightwalk::exercise {
 //   3. The slopes of the sum h are its central differences per texel: dx = (h(x + 1, y) - h(x -
 //      1, y)) / 2 towards the east, and dy = (h(x, y - 1) - h(x, y + 1)) / 2 towards the north,
 //      which is the row above. The normal is normalize(-f dx, -f dy, 1) with f = slope /
-//      octaves.
+//      octaves; `slope` sets the height of the relief.
 // The map is equirectangular, row 0 at the north pole: rows go around the planet, so that x
 // wraps, and columns end at the poles, where y is clamped to the map. `brightness` has width
 // times height numbers, row by row. `octaves` is 1 to 8. Returns as many normals: x east, y
