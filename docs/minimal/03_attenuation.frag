@@ -15,9 +15,9 @@ layout(location = 0) out vec4 color;
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(push_constant) uniform Material { vec4 albedo; };
 
-// Light spreads over spheres of growing area: 1 / d². Two changes keep this usable. One square metre more stands for the
-// size of the lamp, so that the light has a limit; and a window brings light and its slope to 0 at the range, so that
-// the end of the light leaves no edge. Per square metre.
+// Light spreads over spheres of growing area: 1 / d². Two changes keep this usable. One square metre more stands for
+// the size of the lamp, so that the light has a limit; and a window brings light and its slope to 0 at the range, so
+// that the end of the light leaves no edge. Per square metre.
 float distance_falloff(float distance_m, float range_m) {
     float square = distance_m * distance_m, share = square / (range_m * range_m);
     float inside = max(1.0 - share * share, 0.0);
