@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 #include "05_shadow_maps/exercises.h"
 
@@ -89,6 +90,19 @@ Ball ball_around_slice(const Camera& camera, float near, float far) {
 }
 // [/cascade_ball]
 
+// Nearest and farthest distance of the scene along a light's direction, with a gap.
+std::pair<float, float> range_along(const glm::mat4& turn, const Bounds& scene) {
+    float near = 1e30f, far = -1e30f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+        const float depth = -(turn * glm::vec4(glm::mix(scene.lower, scene.upper, pick), 1.0f)).z;
+        near = std::min(near, depth);
+        far = std::max(far, depth);
+    }
+    const float gap = std::max(1e-3f * (far - near), 1e-3f);
+    return {near - gap, far + gap};
+}
+
 // [snap]
 // View of a sphere, from outside the scene. `snap`: its centre moves by whole texels along the light's axes, so that
 // texel edges stay fixed in the world.
@@ -98,16 +112,7 @@ LightView parallel_view(glm::vec3 direction, Ball ball, const Bounds& scene, con
     const glm::mat4 turn = look_along(glm::vec3(0.0f), direction, any_across(direction));
     glm::vec3 middle(turn * glm::vec4(ball.center, 1.0f));
     if (options.snap) middle = glm::vec3(glm::floor(glm::vec2(middle) / texel) * texel, middle.z);
-    float near = 1e30f, far = -1e30f;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 pick(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-        const float depth = -(turn * glm::vec4(glm::mix(scene.lower, scene.upper, pick), 1.0f)).z;
-        near = std::min(near, depth);
-        far = std::max(far, depth);
-    }
-    const float gap = std::max(1e-3f * (far - near), 1e-3f);
-    near -= gap;
-    far += gap;
+    const auto [near, far] = range_along(turn, scene);
     const glm::mat4 move = glm::translate(glm::mat4(1.0f), {-middle.x, -middle.y, 0.0f});
     LightView v{.view = {parallel(half_width, near, far) * move * turn, -near * direction}, .casters{}, .data = {}};
     v.casters = v.view.view_projection;

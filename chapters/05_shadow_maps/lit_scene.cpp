@@ -50,7 +50,6 @@ void LitScene::draw_visible(Frame& frame, Canvas& canvas, const std::function<vo
                   surfaces.given(), shading.reads);
 }
 
-// [casters]
 // Solid casters need no maps; casters with holes are drawn with theirs.
 Shadow::Casters LitScene::casters(const Frame& frame) const {
     const Scene& scene = surfaces.scene();
@@ -69,6 +68,5 @@ Shadow::Casters LitScene::casters(const Frame& frame) const {
     if (!scene.items.empty()) casting_.add_to(all);  // an empty scene receives no shadows
     return all;
 }
-// [/casters]
 
 }  // namespace lightwalk

@@ -207,14 +207,14 @@ def house(p, place):
 
 
 @figure("00_spaces", 1080, 330,
-        "A house in its own space, in the world beside a camera, in the camera's space, in clip space after the division, and "
-        "in pixels")
+        "A house in its own space, in the world beside a camera, in the camera's space, in normalised device coordinates, "
+        "and in pixels")
 def draw_spaces(drawing: Drawing):
     """The spaces that a vertex passes through on its way to a pixel."""
     board = drawing.panel()
     lefts = [110, 320, 540, 755, 970]
-    names = ["object space", "world space", "view space", "clip space", "pixels"]
-    steps = ["model\nmatrix", "view\nmatrix", "projection,\ndivision", "viewport"]
+    names = ["object space", "world space", "view space", "NDC", "screen space"]
+    steps = ["model\nmatrix", "view\nmatrix", "projection to\nclip space, ÷ w", "viewport"]
     for left, name in zip(lefts, names):
         board.text((left, 295), name, INK, SMALL, bold=True)
     for left, step in zip(lefts, steps):

@@ -1,6 +1,7 @@
 // A triangle in Vulkan 1.3 without a framework: into a picture file, or into a window.
 //     00_vulkan SHADERS picture.ppm     draws once, reads the picture back, writes it
 //     00_vulkan SHADERS window [N]      opens a window; with N, closes it after N frames
+//     00_vulkan SHADERS time [N]        draws N times in a frame and prints how long the GPU takes
 // SHADERS is the folder with 00_vulkan.vert.spv and 00_vulkan.frag.spv.
 // Exit code 1: a failure, or a message of the validation layer.
 // Several fields a line keep the structs of Vulkan short:
@@ -376,9 +377,10 @@ void write_picture(const std::string& shaders, VkBuffer vertices, const char* fi
 // [/picture]
 
 #include "00_window.h"  // step two: the same triangle in a window
+#include "00_timing.h"  // step three: its time
 
 int main(int argc, char** argv) try {
-    if (argc < 3 || argc > 4) throw std::runtime_error("usage: 00_vulkan SHADERS picture.ppm|window [FRAMES]");
+    if (argc < 3 || argc > 4) throw std::runtime_error("usage: 00_vulkan SHADERS picture.ppm|window|time [N]");
     if (std::strcmp(argv[2], "window") == 0) open_window();
     make_instance();
     if (window) make_surface();
@@ -386,6 +388,8 @@ int main(int argc, char** argv) try {
     const Buffer vertices = make_buffer("vertices", sizeof triangle, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     std::memcpy(vertices.bytes, triangle, sizeof triangle);
     if (window) show_window(argv[1], vertices.handle, argc == 4 ? std::atoi(argv[3]) : 0);
+    else if (std::strcmp(argv[2], "time") == 0)
+        time_passes(argv[1], vertices.handle, argc == 4 ? std::atoi(argv[3]) : 1);
     else write_picture(argv[1], vertices.handle, argv[2]);
     vkDeviceWaitIdle(device);
     for (; !cleanup.empty(); cleanup.pop_back()) cleanup.back()();

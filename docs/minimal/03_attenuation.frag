@@ -15,17 +15,18 @@ layout(location = 0) out vec4 color;
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(push_constant) uniform Material { vec4 albedo; };
 
-// Light spreads over spheres of growing area: 1 / d². Two changes keep this usable. Below 1 cm the light no longer
-// grows, because it would have no limit; and a window brings light and its slope to 0 at the range, so that the end of
-// the light leaves no edge. Per square metre.
+// Light spreads over spheres of growing area: 1 / d². Two changes keep this usable. One square metre more stands for
+// the size of the lamp, so that the light has a limit; and a window brings light and its slope to 0 at the range, so
+// that the end of the light leaves no edge. Per square metre.
 float distance_falloff(float distance_m, float range_m) {
-    float inside = max(1.0 - (distance_m * distance_m) / (range_m * range_m), 0.0);
-    return inside * inside / max(distance_m * distance_m, 1e-4);
+    float square = distance_m * distance_m, share = square / (range_m * range_m);
+    float inside = max(1.0 - share * share, 0.0);
+    return inside * inside / (square + 1.0);
 }
 
-// 1 in the inner cone, 0 outside the outer one, smooth between them. `cosine` is that of the angle to the axis.
+// 1 in the inner cone, 0 outside the outer one, linear between them. `cosine` is that of the angle to the axis.
 float cone_falloff(float cosine, float cos_inner, float cos_outer) {
-    return smoothstep(cos_outer, cos_inner, cosine);
+    return clamp((cosine - cos_outer) / (cos_inner - cos_outer), 0.0, 1.0);
 }
 
 // The irradiance (W/m²) of one light at a point of a surface.

@@ -46,7 +46,7 @@ def codes(said: str) -> list[str]:
 
 class Vulkan(unittest.TestCase):
     def test_each_file_is_short_and_its_parts_are_quoted(self):
-        for name, most in (("00_vulkan.cpp", 400), ("00_window.h", 150)):
+        for name, most in (("00_vulkan.cpp", 400), ("00_window.h", 150), ("00_timing.h", 60)):
             text = (FOLDER / name).read_text()
             self.assertLessEqual(len(text.splitlines()), most, name)
             for part in re.findall(r"// \[(\w+)\]", text):
@@ -68,6 +68,31 @@ class Vulkan(unittest.TestCase):
                 for i, expected in enumerate(share if min(share) > 0 else BACKGROUND):
                     self.assertAlmostEqual(pixels[3 * (SIDE * y + x) + i], srgb(expected), delta=1.5, msg=f"pixel {x}, {y}")
         self.assertAlmostEqual(inside / SIDE ** 2, 0.28, delta=0.01)  # 1.6 · 1.4 / 2 of 4
+
+    def test_the_gpu_is_timed_and_validation_is_silent(self):
+        done = run(BUILD / "00_vulkan", "time", 3)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        median, low, high = map(float, re.fullmatch(r".*, 3 passes: median ([\d.]+) us, quartiles ([\d.]+) and ([\d.]+) us\n",
+                                                    done.stdout).groups())
+        self.assertTrue(0 < low <= median <= high, done.stdout)
+
+    def test_the_depth_buffer_hides_what_is_farther_and_was_drawn_later(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, program, file = Path(folder, "00_depth.cpp"), Path(folder, "00_depth"), Path(folder, "depth.ppm")
+            subprocess.run(["patch", "-s", "-o", source, FOLDER / "00_vulkan.cpp", FOLDER / "00_depth.patch"], check=True)
+            subprocess.run(["c++", "-std=c++20", "-I", FOLDER, source, "-o", program, "-lvulkan", "-lglfw"], check=True)
+            done = run(program, file)
+            self.assertEqual((done.returncode, done.stdout), (0, ""))
+            pixels = file.read_bytes()[-3 * SIDE * SIDE:]
+        for y in range(SIDE):
+            for x in range(SIDE):
+                at = (x + 0.5) / SIDE * 2 - 1, (y + 0.5) / SIDE * 2 - 1
+                near, far = weights(*at), weights(at[0], -at[1])
+                if min(abs(min(near)), abs(min(far))) < 1e-3:
+                    continue  # on an edge
+                colour = near if min(near) > 0 else (1, 1, 1) if min(far) > 0 else BACKGROUND
+                for i, expected in enumerate(colour):
+                    self.assertAlmostEqual(pixels[3 * (SIDE * y + x) + i], srgb(expected), delta=1.5, msg=f"pixel {x}, {y}")
 
     def test_the_window_shows_it_and_validation_is_silent(self):
         server = XServer()

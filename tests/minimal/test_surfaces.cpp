@@ -46,24 +46,26 @@ TEST_CASE("02: no light from behind, and the same both ways") {
     CHECK(found[2][0] == 0);
 }
 
-TEST_CASE("03: the minimal light falls off with the square, ends at its range and is cut by its cone") {
+TEST_CASE("03: the minimal light falls off as the windowed inverse square and is cut by its cone") {
     const Table falloff = results_of("03_attenuation.frag", "float distance_falloff(float distance_m, float range_m)",
                                      {{1, 100}, {2, 100}, {50, 100}, {99.9, 100}, {100, 100}, {200, 100}, {0, 100}}, 1);
-    CHECK(falloff[0][0] == Approx(1).epsilon(1e-3));
-    CHECK(falloff[1][0] == Approx(0.25).epsilon(1e-3));
-    CHECK(falloff[2][0] == Approx(0.5625 / 2500).epsilon(1e-5));
-    CHECK(falloff[3][0] < 1e-9);
+    CHECK(falloff[0][0] == Approx(0.5).epsilon(1e-5));
+    CHECK(falloff[1][0] == Approx(0.2).epsilon(1e-5));
+    CHECK(falloff[2][0] == Approx(0.9375 * 0.9375 / 2501).epsilon(1e-5));
+    CHECK(falloff[3][0] < 2e-9);
     CHECK(falloff[4][0] == 0);
     CHECK(falloff[5][0] == 0);
-    CHECK(falloff[6][0] == Approx(1e4));
-    // A lamp two metres over a floor, 8 W/sr downwards, with a cone from 0.8 to 0.9.
+    CHECK(falloff[6][0] == Approx(1));
+    // A lamp two metres over a floor, 8 W/sr downwards, with a cone from 0.8 to 0.9; x = 1.25 lies between the two.
     const std::string call =
         "\nvec3 lit(float x) { return irradiance(Light(vec3(0, 2, 0), 1000.0, vec3(0, -1, 0), 0.9, vec3(8), 0.8), "
         "vec3(x, 0, 0), vec3(0, 1, 0)); }\n";
-    const Table lit = results_of("03_attenuation.frag", "vec3 lit(float x)", {{0}, {0.5}, {1.6}}, 3, "", call);
-    CHECK(lit[0][0] == Approx(2).epsilon(1e-3));
-    CHECK(lit[1][0] == Approx(8 * 2 / std::pow(4.25, 1.5)).epsilon(1e-3));
+    const Table lit = results_of("03_attenuation.frag", "vec3 lit(float x)", {{0}, {0.5}, {1.6}, {1.25}}, 3, "", call);
+    CHECK(lit[0][0] == Approx(8.0 / 5).epsilon(1e-5));
+    CHECK(lit[1][0] == Approx(8 * 2 / std::sqrt(4.25) / 5.25).epsilon(1e-5));
     CHECK(lit[2][0] == 0);
+    const double cosine = 2 / std::sqrt(2 * 2 + 1.25 * 1.25);
+    CHECK(lit[3][0] == Approx(8 * cosine * (cosine - 0.8) / 0.1 / (2 * 2 + 1.25 * 1.25 + 1)).epsilon(1e-4));
 }
 
 TEST_CASE("04: the minimal parallax stops where ray and height map meet") {

@@ -20,8 +20,9 @@
 // for them.
 //
 // The function is called for one group after the other. As soon as it returns to an
-// invocation, that invocation reads all of tile_masks, so they must be complete. They must
-// not change before every invocation has called the function for the next group.
+// invocation, that invocation reads all of tile_masks, so they must be complete. It goes on
+// reading until it calls the function for the next group: clear no mask before all
+// invocations have done so.
 // [/tile_lights]
 shared uint farthest_bits, nearest_bits;  // atomicMin and atomicMax work on integers; see floatBitsToUint
 shared uint tile_masks[32];

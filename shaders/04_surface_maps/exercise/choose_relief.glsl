@@ -10,9 +10,10 @@
 //
 // Returns the method and its number of layers n, 1 to 64. Methods, and their reads at most:
 // - 1: parallax offset, the depth where the ray enters is that of the hit, 1 read;
-// - 2: n layers, the hit is the first end of one that is not above the surface, n + 1 reads;
-// - 3: n layers, and a straight line between the last two ends of them, n + 1 reads;
-// - 4: n layers, and the last one is halved five times, n + 6 reads.
+// - 2: of the depths 0, 1/n, 2/n ... 1 on the ray, the hit is the first that is not above the
+//   surface, n + 1 reads;
+// - 3: as 2, then a straight line between this depth and the one before, n + 1 reads;
+// - 4: as 2, then the interval between these two is halved five times, n + 6 reads.
 //
 // Limits: ripples may cost 2 reads and err by 0.5%, grooves 24 reads and 0.1%, ramps 16 reads and
 // 0.05%. The error is the mean difference in depth between the hit found and the right one, for
