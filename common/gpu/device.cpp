@@ -47,6 +47,16 @@ bool has_layer(const char* name) {
     return std::any_of(all.begin(), all.end(), [&](const auto& l) { return !std::strcmp(l.layerName, name); });
 }
 
+// Vulkan's loader takes no other drivers than those of the variables, where one of these is set.
+InputError no_driver() {
+    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
+        if (const char* value = std::getenv(name))
+            return InputError("no Vulkan driver is found by {}={}; type unset {}", name, value, name);
+    return InputError(
+        "no Vulkan driver is installed; a graphics card's own, or for software rendering, as root: apt-get install "
+        "mesa-vulkan-drivers");
+}
+
 VkInstance make_instance(const DeviceOptions& options) {
     const VkApplicationInfo app{
         .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pApplicationName = "Lightwalk", .apiVersion = VK_API_VERSION_1_3};
@@ -69,7 +79,7 @@ VkInstance make_instance(const DeviceOptions& options) {
                                       .ppEnabledExtensionNames = extensions.data()};
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&create, nullptr, &instance);
-    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw InputError(no_driver_message);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw no_driver();
     check(result, "vkCreateInstance");
     return instance;
 }
@@ -79,7 +89,7 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
     vkEnumeratePhysicalDevices(instance, &count, nullptr);
     std::vector<VkPhysicalDevice> all(count);
     vkEnumeratePhysicalDevices(instance, &count, all.data());
-    if (all.empty()) throw InputError(no_driver_message);
+    if (all.empty()) throw no_driver();
     std::stable_sort(all.begin(), all.end(), [](auto a, auto b) { return device_rank(a) < device_rank(b); });
     return all;
 }
@@ -113,8 +123,9 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, VkInstance ins
             "lavapipe: {}",
             known);
     if (!passed.empty())
-        throw InputError("no device can draw into this window, neither {}; --screenshot FILE writes the picture",
-                         passed);
+        throw InputError(
+            "no device can draw into this window, neither {}; without one: ./course run 02 --screenshot picture.png",
+            passed);
     if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }

@@ -5,6 +5,7 @@ import fcntl
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import time
 from pathlib import Path
@@ -154,10 +155,12 @@ def begins_as_written(path: Path) -> bool:
 
 
 def configure(preset: str, folder: Path, lock: int | None = None, again: bool = False):
-    """Runs cmake; `again` keeps what is built, where --fresh starts anew in a tree that was moved or half configured."""
+    """Runs cmake; without `again` anew, in a tree that was moved or half configured. CMake before 3.24 has no --fresh."""
     if not again:
+        (folder / "CMakeCache.txt").unlink(missing_ok=True)
+        shutil.rmtree(folder / "CMakeFiles", ignore_errors=True)
         warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
-    done = subprocess.run(["cmake", *["--fresh"] * (not again), "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
+    done = subprocess.run(["cmake", "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:
         warn(done.stdout.rstrip())
