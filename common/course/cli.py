@@ -101,4 +101,4 @@ if __name__ == "__main__":
         closed = error.errno in CLOSED
         advice = copy_words() if closed and Path(str(error.filename)).is_relative_to(ROOT) else ""
         warn(f"course: {where}{error.strerror or error}{advice}")
-        sys.exit(2 if closed or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)
+        sys.exit(2 if closed and error.errno != errno.ENOSPC or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)

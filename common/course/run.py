@@ -50,7 +50,7 @@ def start(chapter: str, options: list[str]) -> int:
 
 
 def is_built(targets: list[str], program: Path) -> bool:
-    """Builds. False where the folder is another's, and the program is there as its owner has built it."""
+    """Builds. False where the folder cannot be written, as another's, and the program is there as it was built before."""
     try:
         build(targets)
     except OSError as error:

@@ -43,7 +43,7 @@ def keep_environment():
         del os.environ[name]
 
 
-CLOSED = (errno.EROFS, errno.EACCES, errno.EPERM)  # of a folder that cannot be written
+CLOSED = (errno.EROFS, errno.EACCES, errno.EPERM, errno.ENOSPC)  # of a folder that cannot be written
 
 
 class UsageError(Exception):
@@ -77,7 +77,7 @@ def machine_words() -> str:
 
 
 def copy_words() -> str:
-    """What to type where the course's folder is another's."""
+    """What to type where the course's folder cannot be written, or its disc is full."""
     home = Path(os.path.expanduser("~"))  # as it is where there is none
     place = home if os.access(home, os.W_OK) else Path(tempfile.gettempdir())
     copy = next(path for number in range(1, 1000) if not (path := place / f"lightwalk{number if number > 1 else ''}").exists())

@@ -1,6 +1,7 @@
 """Configures and builds the C++ side: nothing is said where nothing is to do."""
 
 import contextlib
+import errno
 import fcntl
 import os
 import re
@@ -58,7 +59,13 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
             configure(preset, folder, lock)
         elif not is_linked(folder):
             configure(preset, folder, lock, again=True)
-        built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
+        try:
+            built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
+        except BuildFailure:
+            at = os.statvfs(folder)
+            if at.f_bavail * at.f_frsize < 1 << 16 or at.f_files and not at.f_favail:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder)) from None
+            raise
         if built:
             trim(SHADER_CACHE)
     return folder if ended else None
