@@ -12,10 +12,11 @@ import importlib
 import os
 import signal
 import sys
+from pathlib import Path
 
 from build.build import alone
 from commands import COMMANDS, MOVED, names, selected
-from tree import BUILD, Failure, Unjudged, UsageError, keep_environment, nearest, warn
+from tree import BUILD, CLOSED, ROOT, Failure, Unjudged, UsageError, copy_words, keep_environment, nearest, warn
 
 
 class Parser(argparse.ArgumentParser):
@@ -97,7 +98,7 @@ if __name__ == "__main__":
     except OSError as error:  # a disk that is full, a folder that is another's: no fault of the course
         where = f"{error.filename}: " if error.filename is not None else ""
         forget_output()
-        closed = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
-        advice = "; what is built goes below the course, so copy it to a folder of yours" if closed else ""
+        closed = error.errno in CLOSED
+        advice = copy_words() if closed and Path(str(error.filename)).is_relative_to(ROOT) else ""
         warn(f"course: {where}{error.strerror or error}{advice}")
-        sys.exit(2 if closed or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)
+        sys.exit(2 if closed and error.errno != errno.ENOSPC or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)

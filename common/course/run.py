@@ -8,7 +8,7 @@ from build.build import alone, build
 from build.options import check_options
 from build.programs import Programs, unbuilt
 from gallery import draw_gallery, gallery_in_shards
-from tree import (BUILD, Failure, UsageError, chapter_program, chapters, find_chapter, has_display, relative, say, warn,
+from tree import (BUILD, CLOSED, Failure, UsageError, chapter_program, chapters, find_chapter, has_display, relative, say, warn,
                   write_atomically)
 
 HELP = """Builds the course and starts it.
@@ -45,14 +45,25 @@ def run_words(words: list[str]) -> int:
 
 def start(chapter: str, options: list[str]) -> int:
     check_options(chapter, options)
-    build([chapter])
+    is_built([chapter], chapter_program(chapter))
     return execute(chapter_program(chapter), options)
+
+
+def is_built(targets: list[str], program: Path) -> bool:
+    """Builds. False where the folder cannot be written, as another's, and the program is there as it was built before."""
+    try:
+        build(targets)
+    except OSError as error:
+        if error.errno not in CLOSED or not program.exists():
+            raise
+        warn(f"{relative(BUILD)} cannot be written: {program.name} is started as it was built")
+        return False
+    return True
 
 
 def open_menu(options: list[str]) -> int:
     """The menu, as soon as the first chapter stands; the others are built beside it, the one that was clicked first."""
-    build([chapters()[0], "menu"])
-    if not unbuilt():
+    if not is_built([chapters()[0], "menu"], BUILD / "menu") or not unbuilt():
         return execute(BUILD / "menu", options)
     folder = BUILD / "menu_of_chapters"
     folder.mkdir(parents=True, exist_ok=True)

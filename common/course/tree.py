@@ -2,10 +2,12 @@
 
 import contextlib
 import difflib
+import errno
 import functools
 import json
 import os
 import re
+import shlex
 import socket
 import subprocess
 import sys
@@ -41,6 +43,9 @@ def keep_environment():
         del os.environ[name]
 
 
+CLOSED = (errno.EROFS, errno.EACCES, errno.EPERM, errno.ENOSPC)  # of a folder that cannot be written
+
+
 class UsageError(Exception):
     """An impossible command: one line with the remedy. Exit code 2."""
 
@@ -69,6 +74,14 @@ def machine_words() -> str:
     except OSError:
         pass
     return found
+
+
+def copy_words() -> str:
+    """What to type where the course's folder cannot be written, or its disc is full."""
+    home = Path(os.path.expanduser("~"))  # as it is where there is none
+    place = home if os.access(home, os.W_OK) else Path(tempfile.gettempdir())
+    copy = next(path for number in range(1, 1000) if not (path := place / f"lightwalk{number if number > 1 else ''}").exists())
+    return f"; what is built goes below the course; for a copy of your own, type cp -r {shlex.quote(str(ROOT))} {shlex.quote(str(copy))}"
 
 
 SOURCE = re.compile(r"[A-Za-z0-9]\w*(\.[A-Za-z0-9]+)+")

@@ -1,9 +1,14 @@
 #include "common/gpu/device.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/shared_lock.h"
@@ -47,6 +52,34 @@ bool has_layer(const char* name) {
     return std::any_of(all.begin(), all.end(), [&](const auto& l) { return !std::strcmp(l.layerName, name); });
 }
 
+// The first manifest of a driver or a layer that is no JSON: for one of them some releases of the loader load nothing.
+std::filesystem::path broken_manifest() {
+    const char* const home = std::getenv("HOME");
+    const std::string own = std::string(home ? home : "") + "/.local/share";
+    for (const char* root : {"/etc", "/usr/local/etc", "/usr/local/share", "/usr/share", own.c_str()})
+        for (const char* kind : {"icd.d", "implicit_layer.d"}) {
+            std::error_code none;
+            for (const auto& entry : std::filesystem::directory_iterator(root + std::string("/vulkan/") + kind, none))
+                if (std::ifstream file(entry.path());
+                    entry.path().extension() == ".json" && !nlohmann::json::accept(file))
+                    return entry.path();
+        }
+    return {};
+}
+
+// Vulkan's loader takes no other drivers than those of the variables, where one of these is set.
+InputError no_driver() {
+    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
+        if (const char* value = std::getenv(name))
+            return InputError("no Vulkan driver is found by {}={}; type unset {}", name, value, name);
+    if (const std::string file = broken_manifest().string(); !file.empty())
+        return InputError("{} is no JSON, and for that the Vulkan loader refuses all drivers; type{} mv {} {}.broken",
+                          file, access(file.substr(0, file.rfind('/')).c_str(), W_OK) ? ", as root:" : "", file, file);
+    return InputError(
+        "no Vulkan driver is installed; a graphics card's own, or for software rendering, as root: apt-get install "
+        "mesa-vulkan-drivers");
+}
+
 VkInstance make_instance(const DeviceOptions& options) {
     const VkApplicationInfo app{
         .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pApplicationName = "Lightwalk", .apiVersion = VK_API_VERSION_1_3};
@@ -69,7 +102,7 @@ VkInstance make_instance(const DeviceOptions& options) {
                                       .ppEnabledExtensionNames = extensions.data()};
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&create, nullptr, &instance);
-    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw InputError(no_driver_message);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_OUT_OF_HOST_MEMORY) throw no_driver();
     check(result, "vkCreateInstance");
     return instance;
 }
@@ -79,7 +112,7 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
     vkEnumeratePhysicalDevices(instance, &count, nullptr);
     std::vector<VkPhysicalDevice> all(count);
     vkEnumeratePhysicalDevices(instance, &count, all.data());
-    if (all.empty()) throw InputError(no_driver_message);
+    if (all.empty()) throw no_driver();
     std::stable_sort(all.begin(), all.end(), [](auto a, auto b) { return device_rank(a) < device_rank(b); });
     return all;
 }
@@ -113,8 +146,9 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, VkInstance ins
             "lavapipe: {}",
             known);
     if (!passed.empty())
-        throw InputError("no device can draw into this window, neither {}; --screenshot FILE writes the picture",
-                         passed);
+        throw InputError(
+            "no device can draw into this window, neither {}; without one: ./course run 02 --screenshot picture.png",
+            passed);
     if (wanted.empty()) throw InputError("no device has what the course needs: {}", known);
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }

@@ -11,9 +11,6 @@
 
 namespace lightwalk {
 
-constexpr const char* no_driver_message =
-    "no Vulkan driver is installed; a graphics card's own, or for software rendering: apt install mesa-vulkan-drivers";
-
 struct DeviceFeatures {
     explicit DeviceFeatures(VkPhysicalDevice physical);
     DeviceFeatures(const DeviceFeatures&) = delete;

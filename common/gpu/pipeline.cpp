@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <unordered_set>
 
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
@@ -242,7 +243,20 @@ bool PipelineLibrary::forget_changed_files(std::chrono::milliseconds rest) {
     return changed;
 }
 
-void PipelineLibrary::rebuild() { known_.clear(); }
+// Pipelines that nothing has used since the last edit are of earlier texts: they are destroyed.
+void PipelineLibrary::rebuild() {
+    std::unordered_set<const BuiltPipeline*> used;
+    for (const auto& [hash, known] : known_) used.insert(known.built);
+    for (const auto& [same, key] : last_good_)
+        if (const auto good = variants_.find(key); good != variants_.end()) used.insert(good->second.built.get());
+    known_.clear();
+    const auto is_gone = [&](const auto& entry) {
+        return entry.second.built && !used.contains(entry.second.built.get());
+    };
+    if (std::ranges::none_of(variants_, is_gone)) return;
+    vkDeviceWaitIdle(device_.handle);  // a frame in flight may have one
+    std::erase_if(variants_, is_gone);
+}
 
 void PipelineLibrary::clear() {
     known_.clear();

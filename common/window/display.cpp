@@ -83,6 +83,16 @@ void watch_x_server() {
 
 float limited_scale(float scale) { return std::clamp(scale, 1.0f, 4.0f); }
 
+// Of Debian 12's two builds of GLFW 3.3 each knows one kind of display. Empty where this one knows the session's.
+std::string other_library() {
+    const std::string known = glfwGetVersionString();
+    if (std::getenv("WAYLAND_DISPLAY") && known.find("Wayland") == std::string::npos)
+        return "this GLFW knows X11 alone, and the session is Wayland's: as root, apt-get install libglfw3-wayland; ";
+    if (std::getenv("DISPLAY") && known.find("X11") == std::string::npos)
+        return "this GLFW knows Wayland alone: as root, apt-get install libglfw3; ";
+    return {};
+}
+
 // From GLFW 3.4 on a program chooses between X11 and Wayland when it starts, and Wayland's library complains on the
 // terminal where no session of it can be.
 void choose_platform() {
@@ -104,12 +114,14 @@ int key_by_letter(int key, int scancode) {
     return letter >= 'a' && letter <= 'z' ? letter - 'a' + GLFW_KEY_A : letter;
 }
 
-Display::Display(const std::string& title, WindowSize size, const std::string& without) : title_(title) {
+Display::Display(const std::string& title, WindowSize size, const std::string& instead)
+    : without("without a window: " + instead), title_(title) {
     choose_platform();
     if (!glfwInit()) {
         const char* why = nullptr;
         glfwGetError(&why);
-        throw InputError("no display" + (why ? " (" + std::string(why) + ")" : std::string()) + "; " + without);
+        throw InputError("no display" + (why ? " (" + std::string(why) + ")" : std::string()) + "; " + other_library() +
+                         without);
     }
     watch_x_server();
     if (!glfwVulkanSupported()) {

@@ -38,12 +38,13 @@ struct WindowSize {
 
 class Display {
   public:
-    /// Throws InputError if there is no display; `without` suggests an alternative.
-    Display(const std::string& title, WindowSize size, const std::string& without);
+    /// Throws InputError if there is no display; `instead` is a command that needs none.
+    Display(const std::string& title, WindowSize size, const std::string& instead);
     ~Display();
     Display(const Display&) = delete;
 
     GLFWwindow* window = nullptr;
+    const std::string without;  ///< words for an error: what to type instead
 
     static std::vector<const char*> surface_extensions();
     VkSurfaceKHR make_surface(VkInstance instance) const;

@@ -243,7 +243,7 @@ int run_menu(std::vector<std::string> options) {
         return std::string();
     };
     log_events(value_of("--events") == "on");
-    Display display("Lightwalk", {.scaled = {1040, 720}}, "without one: ./course run draws every chapter's pictures");
+    Display display("Lightwalk", {.scaled = {1040, 720}}, "./course run --gallery");
     Gpu gpu({.name = value_of("--device"),
              .validate = value_of("--validate") == "on",
              .surface_extensions = Display::surface_extensions(),

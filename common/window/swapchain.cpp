@@ -27,8 +27,7 @@ Swapchain::Swapchain(Gpu& gpu, Display& display) : gpu_(gpu), display_(display) 
     if (!supported) {
         vkDestroySurfaceKHR(gpu.device.instance, surface_, nullptr);
         throw InputError(gpu.device.info.name +
-                         " cannot draw into this window; choose another with --device, "
-                         "or use --screenshot FILE");
+                         " cannot draw into this window; leave --device out to have one that can; " + display.without);
     }
     choose_format();
     for (VkSemaphore& one : acquired_) one = make_semaphore(gpu.device.handle);
@@ -47,7 +46,9 @@ void Swapchain::choose_format() {
     vkGetPhysicalDeviceSurfaceFormatsKHR(gpu_.device.physical, surface_, &count, nullptr);
     std::vector<VkSurfaceFormatKHR> all(count);
     vkGetPhysicalDeviceSurfaceFormatsKHR(gpu_.device.physical, surface_, &count, all.data());
-    if (all.empty()) throw Failure("the window's surface offers no format");
+    if (all.empty())
+        throw InputError("{} has no picture format for this screen, of 16 bits a pixel perhaps; {}",
+                         gpu_.device.info.name, display_.without);
     // The picture is sRGB-encoded already, so a format that would encode once more is the last choice.
     const auto rank = [](const VkSurfaceFormatKHR& f) {
         return f.format == VK_FORMAT_B8G8R8A8_UNORM ? 0 : f.format == VK_FORMAT_R8G8B8A8_UNORM ? 1 : 2;

@@ -45,7 +45,7 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
     const WindowSize size =
         options.size_given ? WindowSize{panels, glm::ivec2(options.size)} : WindowSize{.scaled = default_size};
     Display display("Lightwalk " + chapter.name.substr(0, 2) + " · " + chapter_title(chapter.name), size,
-                    "without one: --screenshot FILE writes the picture");
+                    "./course run " + chapter.name.substr(0, 2) + " --screenshot picture.png");
     holder = std::make_unique<Gpu>(
         DeviceOptions{.name = options.device,
                       .validate = options.validate,

@@ -31,6 +31,14 @@ void vkGetPhysicalDeviceProperties2(VkPhysicalDevice device, VkPhysicalDevicePro
     REAL(vkGetPhysicalDeviceProperties2)(device, out);
     if (plays("old", &calls)) out->properties.apiVersion = VK_API_VERSION_1_2;
 }
+VkResult vkGetPhysicalDeviceSurfaceSupportKHR(VkPhysicalDevice device, uint32_t family, VkSurfaceKHR surface, VkBool32* out) {
+    static VkPhysicalDevice first;
+    static int calls;
+    const VkResult result = REAL(vkGetPhysicalDeviceSurfaceSupportKHR)(device, family, surface, out);
+    if (!first) first = device;
+    if (device == first && plays("blind", &calls)) *out = VK_FALSE;
+    return result;
+}
 VkResult vkCreateDevice(VkPhysicalDevice device, const VkDeviceCreateInfo* info, const VkAllocationCallbacks* memory,
                         VkDevice* out) {
     static int calls;
@@ -58,15 +66,18 @@ SAYS = {"old": "lacks Vulkan 1.3", "taken": "vkCreateDevice", "full": "memory of
         "never told": "the frame did not end within"}
 
 
+def shim(folder: Path) -> Path:
+    (folder / "shim.c").write_text(SHIM)
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", folder / "shim.so", folder / "shim.c"], check=True)
+    return folder / "shim.so"
+
+
 class Drivers(BadInput):
     @classmethod
     def setUpClass(cls):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
-        cls.shim = Path(scratch.name, "shim.so")
-        source = Path(scratch.name, "shim.c")
-        source.write_text(SHIM)
-        subprocess.run(["cc", "-shared", "-fPIC", "-o", cls.shim, source], check=True)
+        cls.shim = shim(Path(scratch.name))
 
     def playing(self, fault: str, calls: int) -> dict[str, str]:
         # A sanitizer's library wants to be the first of all.

@@ -102,7 +102,7 @@ class Refused(BadInput):
             self.draw("02", says=f"LIGHTWALK_TIMEOUT_S is '{limit}'; it takes a number of seconds", LIGHTWALK_TIMEOUT_S=limit)
         self.draw("02", LIGHTWALK_ROOT=str(self.folder), says="LIGHTWALK_ROOT=.*shaders/common")
         nothing = {"VK_DRIVER_FILES": "/nonexistent", "VK_ICD_FILENAMES": "/nonexistent"}
-        self.draw("02", says="driver.*install", **nothing)
+        self.draw("02", says="no Vulkan driver is found by VK_DRIVER_FILES=/nonexistent; type unset VK_DRIVER_FILES", **nothing)
         for name, value in (("longest_m", 0), ("shortest_m", "inf"), ("waves", 17), ("slope", -1)):
             self.draw("15", "--set", f"water.{name}={value}", says=rf"water\.{name}")
 

@@ -12,7 +12,7 @@ from small_course import REAL, Course
 
 sys.path.insert(0, str(REAL / "common/course"))
 from test import container  # noqa: E402
-from test_course_trouble import AS_OTHER, can  # noqa: E402
+from test_course_trouble import AS_OTHER, READ_ONLY, can  # noqa: E402
 
 
 class Refusals(Course):
@@ -58,6 +58,24 @@ class Refusals(Course):
             shutil.rmtree(self.root / "build/packages", ignore_errors=True)
             printed = self.run_program([self.root / "course", "test", *words], 1, PATH=path)
             self.assertEqual(printed.splitlines()[0], f"course: installing {wanted}")
+
+    @unittest.skipIf(os.geteuid(), "as root")
+    @unittest.skipUnless(can(*READ_ONLY, "true"), "another system's name is mounted")
+    def test_another_release_is_asked_for_what_it_has(self):
+        """By the names in its lists: what it lacks is left out, and said where only its apt knows."""
+        apt = 'case "$*" in *"install "*unheard*) exit 1 ;; esac; echo "$@" >>OUT/asked'.replace("OUT", str(self.outside))
+        path = self.only(**{"dpkg-query": "", "apt-get": apt, "apt-cache": '[ "$2" != unheard ]'}) + ":/usr/bin:/bin"
+        self.put("common/course/packages/browsers", "firefox-esr\nunheard\nxvfb\n")
+        self.put("common/course/packages/base", "python3\n")
+        (self.outside / "release").write_text("ID=ubuntu\nVERSION_ID=22.04\n")
+        shutil.rmtree(self.root / "build/packages", ignore_errors=True)
+        self.put("course", (self.root / "course").read_text().replace('format) groups="base format"', 'format) groups="base browsers"'))
+        printed = self.run_program([*READ_ONLY, "--ro-bind", str(self.outside / "release"), "/usr/lib/os-release", self.root / "course", "format", "--check"],
+                                   None, PATH=path)
+        self.assertIn("this is ubuntu 22.04, whose packages are known by name alone; the course was run on Debian 12 and 13", printed)
+        self.assertIn("course: installing python3 unheard xvfb\n", printed)
+        self.assertIn("course: ubuntu 22.04 has no package unheard\n", printed)
+        self.assertRegex((self.outside / "asked").read_text(), r"install python3 xvfb\n\Z")
 
 
 class Tree(Course):

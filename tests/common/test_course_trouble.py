@@ -5,6 +5,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -55,7 +56,12 @@ class Trouble(Course):
         self.try_all(*READ_ONLY, "--ro-bind", str(self.root), str(self.root))
         for folder in (self.root, self.root / "build"):
             printed = self.run_program([*READ_ONLY, "--ro-bind", str(folder), str(folder), self.root / "course", "check"], 2)
-            self.assertRegex(printed, r"\Acourse: .*Read-only file system; what is built goes below the course.*\n\Z")
+            self.assertRegex(printed, r"\Acourse: .*Read-only file system; what is built goes below the course; for a copy of your own, type .*\n\Z")
+        with tempfile.TemporaryDirectory() as home:
+            printed = self.run_program([*READ_ONLY, "--ro-bind", str(self.root), str(self.root), self.root / "course", "check"], 2, HOME=home)
+            subprocess.run(printed.partition(" type ")[2], shell=True, check=True)
+            self.assertIn("open  01.one", self.run_program([Path(home) / "lightwalk/course", "check", "01"], 1))
+            self.assertIn("01_obj in", self.run_program([*READ_ONLY, "--ro-bind", str(self.root), str(self.root), self.root / "course", "run", "01"], HOME=home))
 
     @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
     def test_a_tree_of_another_user(self):

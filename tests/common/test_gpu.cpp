@@ -12,6 +12,7 @@
 #include "common/base/kept.h"
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
+#include "common/gpu/gpu_work.h"
 #include "common/image/mip_levels.h"
 
 using namespace lightwalk;
@@ -201,6 +202,20 @@ void main() {
     CHECK(own);
     CHECK(get("1") == own);
     Exercises::use("solution");
+
+    // Texts that nothing has used since the edit before are gone.
+    const auto builds = [&](const char* text) {
+        const auto before = gpu_work.pipelines;
+        CHECK(get(text));
+        return gpu_work.pipelines - before;
+    };
+    CHECK(builds("00") == 1);
+    CHECK(builds("0x0") == 1);
+    library.rebuild();
+    CHECK(builds("0x0") == 0);
+    library.rebuild();
+    CHECK(builds("0x0") == 0);
+    CHECK(builds("00") == 1);
 }
 
 // IEEE 754: what is .5 as half, as float and as a byte, at the same place in memory.

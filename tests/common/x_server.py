@@ -11,15 +11,15 @@ from pathlib import Path
 class XServer:
     """Xvfb on a free display. Its screen lies in a file, in the format of xwd."""
 
-    def __init__(self, width: int = 1400, height: int = 900):
+    def __init__(self, width: int = 1400, height: int = 900, depth: int = 24):
         missing = [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
         if missing:  # a window that nobody has tried is not a window that works
             raise AssertionError(f"not installed: {', '.join(missing)}; apt install xvfb xdotool")
         self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_x_")
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name,
-             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x{depth}", "-fbdir", self.folder.name,
+             "-nolisten", "tcp", "-noreset", "-ac"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
             number = answer.readline().strip()

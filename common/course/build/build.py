@@ -1,10 +1,12 @@
 """Configures and builds the C++ side: nothing is said where nothing is to do."""
 
 import contextlib
+import errno
 import fcntl
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import time
 from pathlib import Path
@@ -57,7 +59,13 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
             configure(preset, folder, lock)
         elif not is_linked(folder):
             configure(preset, folder, lock, again=True)
-        built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
+        try:
+            built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
+        except BuildFailure:
+            at = os.statvfs(folder)
+            if at.f_bavail * at.f_frsize < 1 << 16 or at.f_files and not at.f_favail:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder)) from None
+            raise
         if built:
             trim(SHADER_CACHE)
     return folder if ended else None
@@ -154,10 +162,12 @@ def begins_as_written(path: Path) -> bool:
 
 
 def configure(preset: str, folder: Path, lock: int | None = None, again: bool = False):
-    """Runs cmake; `again` keeps what is built, where --fresh starts anew in a tree that was moved or half configured."""
+    """Runs cmake; without `again` anew, in a tree that was moved or half configured. CMake before 3.24 has no --fresh."""
     if not again:
+        (folder / "CMakeCache.txt").unlink(missing_ok=True)
+        shutil.rmtree(folder / "CMakeFiles", ignore_errors=True)
         warn(f"configuring {relative(folder)}; the first build compiles all that the chapters share, which takes about a minute")
-    done = subprocess.run(["cmake", *["--fresh"] * (not again), "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
+    done = subprocess.run(["cmake", "--preset", preset], cwd=ROOT, text=True, errors="replace", env=os.environ | SPEAKING,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, pass_fds=() if lock is None else (lock,))
     if done.returncode:
         warn(done.stdout.rstrip())

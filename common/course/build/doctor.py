@@ -1,6 +1,8 @@
 """Capabilities of this machine, and missing ones."""
 
+import contextlib
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -43,13 +45,24 @@ def packages() -> str:
     """Which packages are missing, by the list that has them."""
     if not shutil.which("dpkg-query"):
         return "not a Debian system: the lists in common/course/packages say what is needed"
-    groups = {path.name: path.read_text(encoding="utf-8").split() for path in sorted(PACKAGES.iterdir())}
+    here = names_here()
+    groups = {path.name: [name for package in path.read_text(encoding="utf-8").split() if (name := here.get(package, package)) != "-"]
+              for path in sorted(PACKAGES.iterdir())}
     named = sorted({package for group in groups.values() for package in group})
     asked = output(["dpkg-query", "-W", "-f", "${db:Status-Status} ${Package}\\n", *named])
     there = {line.split()[1] for line in asked.splitlines() if line.startswith("installed ")}
     missing = {name: [package for package in group if package not in there] for name, group in groups.items()}
     lines = [f"{name} lacks {' '.join(lacking)}" for name, lacking in missing.items() if lacking]
     return "all installed" if not lines else "missing\n" + "\n".join(f"{'':10} {line}" for line in lines)
+
+
+def names_here() -> dict[str, str]:
+    """What this system calls packages that Debian calls otherwise; "-" where it has none. As ./course reads it."""
+    with contextlib.suppress(OSError):
+        system = platform.freedesktop_os_release()
+        rows = [line.split() for line in (PACKAGES.parent / "releases").read_text(encoding="utf-8").splitlines()]
+        return {name: here for *release, name, here in rows if release == [system.get("ID"), system.get("VERSION_ID")]}
+    return {}
 
 
 def output(command: list) -> str:
