@@ -144,6 +144,7 @@ foreach(script ${scripts})
     endif()
     if(name MATCHES "equal_methods$")
       set_tests_properties(python.${name} PROPERTIES COST 800 TIMEOUT 900)  # minutes: beside all others, not behind them
+      lightwalk_test_needs(python.${name} compare ${LIGHTWALK_CHAPTERS})
     endif()
   endif()
 endforeach()

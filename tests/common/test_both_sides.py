@@ -1,4 +1,4 @@
-"""Each branch by device, both ways on one device: the same pictures to the byte, with validation silent (docs/framework.md)."""
+"""Each branch by device, both ways on one device: the same pictures to the byte, with validation silent (docs/devices.md)."""
 # Builds: 07_mipmaps 09_post_effects 11_fractals
 import json
 import subprocess

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from small_course import REAL, Course, clean_environment
 
+from build.build import included, is_linked  # noqa: E402
 from build.options import check_options  # noqa: E402
 from test.lesson_commands import printed  # noqa: E402
 from tree import UsageError, chapters, walk  # noqa: E402
@@ -68,6 +69,18 @@ class Options(unittest.TestCase):
                 check_options(one.chapter, list(one.words))
 
 
+class Links(unittest.TestCase):
+    def test_a_file_that_includes_a_further_chapter_makes_cmake_run_again(self):
+        links = {chapter: included(chapter) for chapter in chapters()}
+        self.assertIn("05_shadow_maps", links["06_deferred"])
+        with tempfile.TemporaryDirectory() as folder:
+            def is_linked_as(links: dict) -> bool:
+                Path(folder, "chapters.links").write_text("".join(" ".join([name, *sorted(others)]) + "\n" for name, others in links.items()))
+                return is_linked(Path(folder))
+            self.assertTrue(is_linked_as(links))
+            self.assertFalse(is_linked_as(links | {"06_deferred": links["06_deferred"] - {"05_shadow_maps"}}))
+
+
 # The arguments after it run with a layer over the course's folder ($0), kept in a folder ($1): the build of this tree goes on from
 # where it is, and neither tree nor build is changed.
 LAYERED = """set -e
@@ -90,6 +103,7 @@ def can_be_layered() -> bool:
 
 
 @unittest.skipUnless(any(REAL.glob("shaders/*/solution")), "needs the reference solutions")
+@unittest.skipUnless((REAL / ".git").exists(), "git says what has changed")
 @unittest.skipUnless(can_be_layered(), "this system mounts no layer over a folder for a user (unshare, overlay)")
 class Scaffold(unittest.TestCase):
     def test_it_builds_draws_and_passes(self):
@@ -102,8 +116,18 @@ class Scaffold(unittest.TestCase):
         self.assertFalse([path for path in REAL.glob("chapters/*_caustics")])
 
 
+def commands_of_framework(number: str, name: str) -> list[list[str]]:
+    """The words behind ./course of the commands in docs/framework.md, for a chapter."""
+    text = (REAL / "docs/framework.md").read_text().partition("## A chapter of your own")[2].partition("\n## ")[0]
+    text = text.replace("20_caustics", name).replace("course run 20", f"course run {number}").replace("accept 20", f"accept {number}")
+    return [line.split()[1:] for line in text.splitlines() if line.startswith("    ./course ")]
+
+
 def write_two_chapters():
-    """Within the layer."""
+    """Within the layer: what docs/framework.md tells, for a chapter with names of its own."""
+    def git(*words) -> str:
+        return subprocess.run(["git", *words], cwd=REAL, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
     def course(*words, code=0):
         done = subprocess.run([REAL / "course", *words], stdin=subprocess.DEVNULL, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         expect(done.returncode == code, done.stdout)
@@ -114,14 +138,20 @@ def write_two_chapters():
             sys.exit(said)
     last = int(chapters()[-1][:2])
     number, name = f"{last + 1:02}", f"{last + 1:02}_caustics"
-    expect(f"./course accept {number}.corners" in (said := course("new", name)), said)
+    before = git("stash", "create") or "HEAD"  # where files are edited, theirs is not the chapter's change
+    new, run, accept, test = commands_of_framework(number, name)
+    expect(f"./course accept {number}.corners" in (said := course(*new)), said)
     rename_example(REAL, name)
     course("docs", "--quote")
+    course(*run)
     expect(f"./course accept {number}.edges" in (said := course("test", rf"^shots\.{number}$", code=1)), said)
-    course("accept", f"{number}.edges", "--yes")
+    course(*(word.replace("corners", "edges") for word in accept), "--yes")
+    said = course(*(word.replace("HEAD", before) for word in test))
+    expect("100% tests passed" in said and f"shots.{number}" in said and "text.tree" in said, said)
+    expect(not re.search(r"knobs|equal_methods .* Passed|text\.pages.* Passed", said), said)
     course("new", f"{last + 2:02}_second")
-    said = course("test", rf"^(check|shots|wrong_picture|unit|study)\.{number}|^unsolved\.{number}|^text\.tree$")
-    expect("100% tests passed, 0 tests failed out of 7" in said, said)
+    said = course("test", rf"^(wrong_picture|study)\.{number}|^text\.tree$")
+    expect("100% tests passed, 0 tests failed out of 3" in said, said)
 
 
 if __name__ == "__main__":

@@ -88,6 +88,16 @@ class Text(Course):
         self.put("docs/02_lambert.md", "# Two\n\n    ./course check 01.one --hint   # a word\n    ./course grade --merge\n    ./course accept 20.new\n")
         self.assertEqual(self.wrong(), "")
 
+    def test_the_way_of_a_pixel_quotes_its_files(self):
+        walk = "# Way\n\n**1. [chapters/01_obj/main.cpp](../chapters/01_obj/main.cpp)**: `{}`, not `--show`.\n"
+        self.put("chapters/01_obj/main.cpp", (self.root / "chapters/01_obj/main.cpp").read_text() + "int pixel(int a,\n          int b);\n")
+        self.put("docs/pixel.md", walk.format("int pixel(int a, int\nb);"))
+        self.assertEqual(self.wrong(), "")
+        self.put("docs/pixel.md", walk.format("int pixel(int a)"))
+        self.assertEqual(self.wrong(), "docs/pixel.md: chapters/01_obj/main.cpp has no 'int pixel(int a)'\n")
+        self.put("docs/pixel.md", "# Way\n" + 16 * ("\n" + walk.format("int pixel(")[6:]))
+        self.assertIn("docs/pixel.md: 16 files, at most 15", self.wrong())
+
     def test_lessons_that_are_ahead_of_the_course(self):
         self.put("docs/02_lambert.md", "# Two\nAs in chapter 01.\nMore in chapters 02 and 14.\n`chapter 15`\n")
         self.assertEqual(self.wrong(), "docs/02_lambert.md:3: there is no chapter 14\n")

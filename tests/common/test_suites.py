@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "common" / "course"))
 
 from test import suites  # noqa: E402
-from test.reached import reached  # noqa: E402
+from test.reached import is_of_chapters, reached  # noqa: E402
 from tree import Failure  # noqa: E402
 
 JUNIT = """<testsuite><testcase name="shots.01" time="2.4"/><testcase name="unit.common" time="1"/>
@@ -40,19 +40,28 @@ class Suites(unittest.TestCase):
         self.assertEqual(suites.concerned(tests, None), tests)
 
     def test_a_change_reaches_what_includes_or_draws_it(self):
-        tests = ["check.08", "shots.02", "shots.05", "shots.06", "shots.08", "unit.08_bloom", "unit.common", "figures.08", "text.tree"]
+        equal = "python.common.equal_methods"
+        tests = ["check.08", "shots.02", "shots.05", "shots.06", "shots.08", "shots.19", "unit.08_bloom", "unit.common", "figures.08", "text.tree",
+                 equal]
         for changed, expected in (
-                ("chapters/08_bloom/main.cpp", ["check.08", "shots.08", "unit.08_bloom", "figures.08", "text.tree"]),
-                ("shaders/05_shadow_maps/shadow.glsl", ["shots.05", "shots.06", "text.tree"]),
+                ("chapters/08_bloom/exercises.h", ["check.08", "shots.08", "shots.19", "unit.08_bloom", "figures.08", "text.tree", equal]),
+                ("chapters/19_ambiance/main.cpp", ["shots.19", "text.tree"]),
+                ("shaders/05_shadow_maps/shadow.glsl", ["shots.05", "shots.06", "shots.19", "text.tree", equal]),
                 ("chapters/04_surface_maps/maps.cpp", [test for test in tests if test not in ("shots.02", "unit.common")]),
-                ("tests/05_shadow_maps/shots.json", ["shots.05", "text.tree"]),
-                ("assets/scenes/colonnade.json", ["shots.05", "text.tree"]),
+                ("tests/05_shadow_maps/shots.json", ["shots.05", "text.tree", equal]),
+                ("assets/scenes/colonnade.json", ["shots.05", "text.tree", equal]),
                 ("docs/08_bloom.md", ["figures.08", "text.tree"]),
                 ("common/window/panel.cpp", ["unit.common", "text.tree"]),
                 ("tests/common/test_flip.cpp", ["unit.common", "text.tree"]),
                 ("common/gpu/frame.h", tests)):
             with self.subTest(changed):
                 self.assertEqual(reached(tests, [changed]), expected)
+
+    def test_a_change_of_chapters_alone_is_known(self):
+        chapter = ["chapters/08_bloom/main.cpp", "shaders/08_bloom/bright.comp", "tests/08_bloom/shots.json", "docs/08_bloom.md", "tests/starters.txt", ""]
+        self.assertTrue(is_of_chapters(chapter))
+        for more in ("common/app/knob.h", "common/course/new.py", "shaders/common/srgb.glsl", "tests/common/test_flip.cpp", "tests/build.cmake"):
+            self.assertFalse(is_of_chapters([*chapter, more]), more)
 
     def test_what_changed_is_asked_of_git(self):
         self.assertIsNone(suites.changed_since("no such commit"))

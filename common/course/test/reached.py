@@ -52,6 +52,11 @@ def chapter_of(path: Path) -> str | None:
     return path.parts[1] if path.parts[0] in ("chapters", "shaders", "tests") and len(path.parts) > 2 and path.parts[1] in chapters() else None
 
 
+def is_of_chapters(changed: list[str]) -> bool:
+    """Whether all changed files are chapters' or texts: no other part of the tree has changed."""
+    return all(chapter_of(Path(name)) or name.startswith(("docs/", "assets/", "tests/starters.txt")) for name in changed if name)
+
+
 def draws(chapter: str, assets: list[str]) -> bool:
     """Whether a shot or the code of a chapter names a file of assets, itself or by a scene."""
     names = {Path(name).name for name in assets}
@@ -78,6 +83,6 @@ def reached(tests: list[str], changed: list[str]) -> list[str]:
         words = set(test.split("."))
         return bool(words & of or words & numbers or words & scripts) or test in ("text.tree", "python.common.lint") or \
             test == "unit.common" and units or test.startswith("figures.") and bool(words & lessons) or \
-            test == "python.common.equal_methods" and bool(of)
+            test == "python.common.equal_methods" and bool(of - {chapters()[-1]})  # nobody draws by the last one's methods
 
     return [test for test in tests if is_reached(test)]

@@ -14,10 +14,10 @@ from pages.report import write_report
 from test import test_shards
 from test.container import test_on
 from test.needs import NOTHING, build_for, selected
-from test.reached import reached
+from test.reached import is_of_chapters, reached
 from test.suites import EVERY_COMMIT, branch_base, changed_since, concerned, times
 from test.test_shards import closing_line
-from tree import BUILD, Failure, UsageError, relative, say
+from tree import BUILD, Failure, UsageError, chapters, relative, say
 
 ALONE = True
 HELP = """Builds what the tests need, runs them and writes build/report/index.html.
@@ -28,7 +28,8 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
   ./course test shots.02         the tests whose name matches this regular expression
   ./course test --changed [COMMIT]    the tests of first and engine that the files changed since then reach, by includes, shaders,
                                  shots and scenes, and those of platform that they concern; by default since the branch left
-                                 the main one, on that since its parent
+                                 the main one, on that since its parent. Where no more than chapters has changed, of platform
+                                 theirs alone.
   ./course test --with-changed [COMMIT]    all of first and engine, and those of platform that these files concern, if they are
                                  few: what a CI runs
   ./course test --sanitize       these tests under the sanitizers of addresses and of undefined behaviour
@@ -118,11 +119,15 @@ def of_changes(commit: str, reduced: bool) -> list[str]:
         raise UsageError(f"{commit}: git knows no such commit")
     folder = build(NOTHING)
     more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
+    if reduced and files is not None and is_of_chapters(files):
+        more, left = [[test for test in more if bool(set(test.split(".")) & set(chapters())) == own] for own in (True, False)]
+        if left:
+            say(f"left to ./course test -L platform, as no more than chapters has changed: {' '.join(left)}")
     why = f"changes since {since} concern" if files is not None else f"git knows no {since}, so these are all"
-    left = not reduced and len(more) > FEW
+    too_many = not reduced and len(more) > FEW
     say(f"platform: {why} {len(more)} tests" + (": " + " ".join(more) if more else "") +
-        (", more than a run of each commit has time for: ./course test -L platform" if left else ""))
-    if left:
+        (", more than a run of each commit has time for: ./course test -L platform" if too_many else ""))
+    if too_many:
         more = []
     every = [name for _, name in selected(folder, EVERY_COMMIT)]
     if files is not None and reduced:

@@ -180,6 +180,29 @@ def check_paths(name: Path) -> list[str]:
     return wrong
 
 
+STATION = re.compile(r"\*\*\d+\. \[(\S+)\]\(")
+WALK, MOST_STATIONS = Path("docs/pixel.md"), 15
+
+
+def check_walk() -> list[str]:
+    """The way of a pixel leads through few files: a paragraph "**N. [FILE](...)**" quotes lines of its file, each but a command."""
+    if not (ROOT / WALK).exists():
+        return []
+    text = (ROOT / WALK).read_text(encoding="utf-8")
+    stations = [(paragraph, STATION.match(paragraph)[1]) for paragraph in re.split(r"\n{2,}", text) if STATION.match(paragraph)]
+    wrong = [f"{WALK}: {len(stations)} files, at most {MOST_STATIONS}"] * (len(stations) > MOST_STATIONS)
+    for paragraph, file in stations:
+        if not (ROOT / file).is_file():
+            wrong.append(f"{WALK}: there is no {file}")
+            continue
+        code = " ".join((ROOT / file).read_text(encoding="utf-8").split())
+        spans = [" ".join(span.split()) for span in re.findall(r"`([^`]+)`", paragraph) if not span.startswith("-")]
+        if not spans:
+            wrong.append(f"{WALK}: of {file} it quotes nothing")
+        wrong += [f"{WALK}: {file} has no '{span}'" for span in spans if span not in code]
+    return wrong
+
+
 def check_chapters() -> list[str]:
     """Each chapter has a lesson and tests; its shots name existing files; one of them rejects an earlier chapter."""
     wrong = []
@@ -372,7 +395,7 @@ def check_all() -> list[str]:
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     wrong += advice.check_page()
-    return wrong + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
+    return wrong + check_walk() + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
 
 
 if __name__ == "__main__":

@@ -28,9 +28,9 @@ struct Parts : ModelChapter {
     Pipeline light = compute({.shader = "06_deferred/light.comp"});
 
     Parts() {
-        // [alone]
+        // [preferred]
         bloom.method.preferred = true;  // --set method=exact means bloom.method; gbuffer.method needs its whole path
-        // [/alone]
+        // [/preferred]
         // [in_use]
         terrain.in_use = [this] { return background.is("hills"); };  // otherwise neither prepared nor drawn
         // [/in_use]
