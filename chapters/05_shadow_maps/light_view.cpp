@@ -46,7 +46,7 @@ LightView finish(LightView v) {
 LightView perspective_view(glm::vec3 eye, glm::vec3 direction, glm::vec3 up, float tan_half, float far,
                            const LightViewOptions& options) {
     // Margin around the view, so that filters at its edge read its own depths.
-    const float wide = tan_half / (1.0f - 2.0f * MAP_MARGIN), near = std::min(options.near_m, 0.5f * far);
+    const float wide = tan_half / (1.0f - 2.0f * MAP_MARGIN), near = std::min(options.near_m, 0.02f * far);
     const glm::mat4 look = look_along(eye, direction, up);
     LightView v{.view = {perspective(wide, near, far) * look, eye},
                 .casters = perspective(wide, 1e-3f * near, far) * look,  // casters in front of the near plane count too

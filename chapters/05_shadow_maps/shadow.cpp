@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 
@@ -17,6 +18,29 @@ void Shadow::prepare(Gpu&, Scene&) {
     held_.clear();
     for (auto& [id, of_view] : by_view_) of_view.found_made.forget();
 }
+
+namespace {
+
+// Said once where all objects of more than 8 pixels that the camera sees lie beyond the cascades, but for the ground.
+void warn_of_end(const std::string& path, const Scene& scene, const View& view, float end_m) {
+    float farthest_m = 0;
+    const DrawList seen = scene.opaque().inside(view.view_projection);
+    for (const uint32_t i : seen.items()) {
+        const Bounds& box = scene.items[i].bounds;
+        const float near_m = glm::length(glm::clamp(view.eye, box.lower, box.upper) - view.eye);
+        const float size_m = glm::length(box.extent());
+        if (near_m <= end_m && size_m < end_m) return;
+        if (near_m > end_m && size_m > 8.0f * view.pixel_rad() * near_m)
+            farthest_m = std::max(farthest_m, farthest_corner(box, view.eye));
+    }
+    if (farthest_m > 0)
+        warn_once(
+            fmt::format("{0}.distance_m: shadows end {1:g} m from the camera, before the objects that it sees; "
+                        "set {0}.distance_m={2:.0f}",
+                        path, end_m, std::ceil(farthest_m)));
+}
+
+}  // namespace
 
 // Views of all lights that cast shadows.
 void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
@@ -29,13 +53,16 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     // Unless somebody has said how far, cascades reach beyond what the camera looks at.
     LightViewOptions options = view_options();
     const float target_m = glm::length(view.camera.target - view.camera.position);
-    if (options.distance_m == 30.0f) options.distance_m = std::max(30.0f, 1.25f * target_m);
+    const bool is_initial = options.distance_m == 30.0f;
+    if (is_initial) options.distance_m = std::max(30.0f, 1.25f * target_m);
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     for (const Light& light : lights) {
         ShadowLight& shadow = now_->shadow_lights.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(maps.size())};
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, options);
+        if (is_initial && light.kind == Light::Kind::directional && !seen.back().whole)
+            warn_of_end(path(), scene, view, options.distance_m);
         for (auto one = seen.begin(); one != seen.end(); ++one) {
             // Skips casters whose shadows only finer cascades show. The whole scene's map keeps all, since it does not
             // depend on the camera.

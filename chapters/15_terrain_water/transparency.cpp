@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "15_terrain_water/exercises.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 
@@ -76,7 +77,6 @@ void Transparency::record(Frame& frame, const View& view, Canvas& canvas,
     now_ = {.near_m = near_m,
             .far_m = std::max(std::min(view.camera.far_m, 4.0f * farthest), 2.0f * near_m),
             .width = canvas.size().x,
-            .capacity = canvas.size().x * canvas.size().y * static_cast<uint32_t>(list_fragments),
             .moment_bias = moment_bias,
             .overestimation = overestimation};
     Targets& t = targets_[view.id];
@@ -178,29 +178,53 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
     });
 }
 
+// The frame waits for the number of fragments, and lists them again if they had no room.
 void Transparency::mix_lists(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                              Targets& t) {
     const glm::uvec2 size = canvas.size();
+    const auto most = static_cast<uint32_t>(
+        std::min(frame.gpu.device.properties.limits.maxStorageBufferRange, 1u << 30) / sizeof(ListedFragment));
+    t.room = std::clamp(size.x * size.y * static_cast<uint32_t>(list_fragments), t.room, most);
     make_buffer(frame, t.heads, "list heads", VkDeviceSize(size.x) * size.y * sizeof(uint32_t));
-    make_buffer(frame, t.fragments, "listed fragments", VkDeviceSize(now_.capacity) * sizeof(ListedFragment));
     make_buffer(frame, t.count, "list count", 16);
-    frame.compute("clear lists", {.writes = {t.heads, t.count}}, [&](Compute& pass) {
-        pass.use(clear_lists_).set("list_heads", t.heads).set("list_count", t.count);
-        pass.dispatch_threads(glm::uvec3(size.x * size.y, 1, 1));
-    });
-    Stage stage("15_terrain_water/put_listed.glsl", now_);
-    stage.buffer("list_heads", t.heads).buffer("listed", t.fragments).buffer("list_count", t.count);
-    draw_stage(frame, "lists",
-               {.depth = canvas.depth_read_only(),
-                .reads = {t.heads, t.fragments, t.count},
-                .writes = {t.heads, t.fragments, t.count},
-                .blend_override = BlendOverride{}},
-               stage, surfaces);
+    while (true) {
+        now_.capacity = t.room;
+        make_buffer(frame, t.fragments, "listed fragments", VkDeviceSize(t.room) * sizeof(ListedFragment));
+        frame.compute("clear lists", {.writes = {t.heads, t.count}}, [&](Compute& pass) {
+            pass.use(clear_lists_).set("list_heads", t.heads).set("list_count", t.count);
+            pass.dispatch_threads(glm::uvec3(size.x * size.y, 1, 1));
+        });
+        Stage stage("15_terrain_water/put_listed.glsl", now_);
+        stage.buffer("list_heads", t.heads).buffer("listed", t.fragments).buffer("list_count", t.count);
+        draw_stage(frame, "lists",
+                   {.depth = canvas.depth_read_only(),
+                    .reads = {t.heads, t.fragments, t.count},
+                    .writes = {t.heads, t.fragments, t.count},
+                    .blend_override = BlendOverride{}},
+                   stage, surfaces);
+        frame.read_back(t.count, t.counted);
+        frame.finish();
+        listed_ = t.counted.as<uint32_t>()[0];
+        if (listed_ <= t.room) break;
+        if (t.room == most) {
+            warn_once(
+                fmt::format("{}: the lists have room for {} fragments on this device, and the others are not drawn; "
+                            "draw a smaller picture, or set {}.method=peeling",
+                            path(), most, path()));
+            break;
+        }
+        t.room = std::min(most, listed_ + listed_ / 8);
+    }
     const ImageView color = canvas.color(frame);
     frame.compute("mix", {.reads = {t.heads, t.fragments, color}, .writes = {color}}, [&](Compute& pass) {
         pass.use(mix_lists_).set("list_heads", t.heads).set("listed", t.fragments).set("picture", color);
         pass.dispatch_threads(size);
     });
+}
+
+std::vector<std::string> Transparency::status() const {
+    if (!method.is("lists") || listed_ == 0) return {};
+    return {fmt::format("{} fragments of transparent surfaces", listed_)};
 }
 
 void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t) {

@@ -48,16 +48,19 @@ struct Transparency : Module, TransparencyMethod {
     Knob<float> overestimation{
         *this, "overestimation", 0.25f, {0.0f, 1.0f}, "Share of a fragment's own absorbance that lies before it"};
     Knob<int> list_fragments{
-        *this, "list_fragments", 8, {1, 64}, "Room for fragments in the lists: mean number per pixel"};
+        *this, "list_fragments", 8, {1, 64}, "Initial room for fragments in the lists: mean number per pixel"};
     Knob<int> peels{*this, "peels", 16, {1, 128}, "Number of layers that are peeled off, nearest first"};
 
     void record(Frame& frame, const View& view, Canvas& canvas,
                 const std::vector<TransparentSurface>& surfaces) override;
+    std::vector<std::string> status() const override;
 
   private:
     struct Targets {  ///< of a view
         Image sum, share, moments, absorbance, layer, layer_depth[2], peeled;
         Buffer heads, fragments, count;
+        ReadBack counted;
+        uint32_t room = 0;  ///< fragments
         Buffer indices;
     };
     class Stage;
@@ -75,6 +78,7 @@ struct Transparency : Module, TransparencyMethod {
 
     std::map<uint32_t, Targets> targets_;
     TransparencyNow now_{};
+    uint32_t listed_ = 0;  ///< fragments of the last lists
     Pipeline mix_weighted_ = compute({.shader = "15_terrain_water/mix_weighted.comp"});
     Pipeline mix_moments_ = compute({.shader = "15_terrain_water/mix_moments.comp"});
     Pipeline clear_lists_ = compute({.shader = "15_terrain_water/clear_lists.comp"});

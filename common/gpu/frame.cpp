@@ -17,6 +17,7 @@ Frame::Frame(Gpu& owner, const FrameWatch& watch) : gpu(owner), watch_(watch) {
 }
 
 Frame::~Frame() {
+    if (!recording().ends_at) recording().passes.clear();  // recorded, but not to be submitted
     try {
         finish();
     } catch (const std::exception&) {  // device lost
@@ -55,12 +56,7 @@ void Frame::begin(glm::uvec2 size_in_pixels, float time_in_seconds) {
 
 // Splits frames with more passes than one submission can time, such as a thousand lens samples.
 void Frame::make_room() {
-    if (recording().has_room()) return;
-    submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
-    wait_for(recording());
-    recording().read_times();
-    recording().ends_at = 0;
-    recording().restart();
+    if (!recording().has_room()) finish();
 }
 
 VkCommandBuffer Frame::begin_pass(const std::string& name, const char* stage) {

@@ -24,7 +24,16 @@ void Frame::end(VkSemaphore wait, VkSemaphore signal) {
             retire(one);
 }
 
+// Passes of a frame that is still being recorded are submitted and waited for, too; their read-backs have arrived.
 void Frame::finish() {
+    if (Recording& now = recording(); now.use && !now.ends_at && !now.passes.empty()) {
+        submit(VK_NULL_HANDLE, VK_NULL_HANDLE);
+        wait_for(now);
+        now.read_times();
+        now.ends_at = 0;
+        now.deliver();
+        now.restart();
+    }
     for (size_t i = 1; i <= recordings_.size(); ++i)
         if (Recording& one = *recordings_[(current_ + i) % recordings_.size()]; one.ends_at) retire(one);
 }

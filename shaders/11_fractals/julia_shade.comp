@@ -19,8 +19,8 @@ vec3 julia_gradient(vec3 position) {
     vec4 by_x = vec4(1.0, 0.0, 0.0, 0.0), by_y = vec4(0.0, 1.0, 0.0, 0.0), by_z = vec4(0.0, 0.0, 1.0, 0.0);
     for (int i = 0; i < julia.iterations; ++i) {
         float square = dot(z, z);
-        if (square > julia.escape * julia.escape) break;
-        float scale = inversesqrt(max(square, 1e-20));
+        if (square > julia.escape * julia.escape || square < 1e-20) break;  // a hit within the set may run into 0
+        float scale = inversesqrt(square);
         by_x = scale * square_change(z, by_x);
         by_y = scale * square_change(z, by_y);
         by_z = scale * square_change(z, by_z);

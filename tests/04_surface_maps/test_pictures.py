@@ -116,6 +116,29 @@ class PicturesTest(ChapterPictures):
                 self.assertGreater(self.largest_difference(by_node, even), 15)
                 self.assertLessEqual(self.largest_difference(by_node, self.shown(joint, "--time", "0.5")), 6)
 
+    def test_the_place_of_a_skin_s_node_says_nothing(self):
+        """glTF 2.0, 3.7.3.3: the transform of the node with the mesh is ignored."""
+        image, material = self.waves(), {**self.PLAIN, "normalTexture": {"index": 0}}
+        far = {"translation": [3, 2, -4], "scale": [2, 0.2, -1], "rotation": [0, 0.6, 0, 0.8]}
+        at_home, elsewhere = (self.shown(self.square(f"{name}.gltf", image=image, material=material, uv=self.UPRIGHT,
+                                                     joint={"scale": [1, 1, 1]}, node=node), "--time", "0.5")
+                              for name, node in (("home", {}), ("elsewhere", far)))
+        self.assertLessEqual(self.largest_difference(at_home, elsewhere), 1)
+
+    def test_a_mask_with_a_factor_keeps_its_share_however_small_it_is_seen(self):
+        """Alpha .8 times .7 is below a cutoff of .6, alpha 1 times .7 above it: half of the stripes stay."""
+        image = Image.new("RGBA", (64, 64))
+        image.putdata([(255, 0, 0, 255 if x // 4 % 2 else 204) for _ in range(64) for x in range(64)])
+        image.save(self.folder / "stripes.png")
+        material = {"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.7], "baseColorTexture": {"index": 0}},
+                    "alphaMode": "MASK", "alphaCutoff": 0.6, "extensions": {"KHR_materials_unlit": {}}}
+        for repeats in (1, 4, 8, 24):
+            model = self.square("mask.gltf", image="stripes.png", material=material, uv=[repeats * x for x in self.UPRIGHT])
+            pixels = list(self.shown(model).getdata())
+            kept = sum(r - (g + b) / 2 for r, g, b in pixels) / (255 * len(pixels))
+            with self.subTest(repeats=repeats):
+                self.assertAlmostEqual(kept, 0.5, delta=0.1)
+
     # --- hits
 
     def test_exact_hits_look_like_the_displaced_mesh(self):

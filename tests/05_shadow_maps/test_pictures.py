@@ -115,8 +115,35 @@ class LowPolyTest(ChapterPictures):
 
 
 class ScaleTest(ChapterPictures):
-    """Scenes of unusual scale."""
+    """Maps show the shadows that rays find, whatever the scale of the scene and however far it is from the camera."""
     chapter = "05_shadow_maps"
+
+    def codes(self, scale, away=1.0, light="directional", visibility="maps"):
+        matt = {"diffuse": [0.7, 0.7, 0.7], "specular": [0, 0, 0]}
+        at = lambda *place: [scale * x for x in place]  # noqa: E731
+        intensity = 0.9 if light == "directional" or scale < 1 else min(6 * scale * scale, 1e6)
+        light = {"type": light, "intensity": intensity, "shadow": True} | (
+            {"direction": [-0.5, -0.8, -0.3]} if light == "directional" else {"position": at(1, 3, 0.5), "range_m": 1e5})
+        scene = {"camera": {"position": at(0, 2.4 * away, 5 * away), "target": at(0, 0.5, 0), "fov_deg": 40 / away,
+                            "near_m": 0.05 * scale * away, "far_m": 100 * scale * away}, "lights": [light],
+                 "objects": [{"model": "models/plane.obj", "scale": at(9, 1, 9), "material": matt},
+                             {"model": "models/cube.obj", "scale": scale, "position": at(0, 0.5, 0), "material": matt}]}
+        (self.folder / "scene.json").write_text(json.dumps(scene))
+        picture = self.folder / "picture.png"
+        falloff = "falloff=" + ("range_fade" if scale < 1 else "inverse_square")  # the inverse square has a least distance
+        self.run_program("--scene", self.folder / "scene.json", "--set", falloff, "--set", f"visibility={visibility}", "--size", "120x90",
+                         "--screenshot", picture, silent=False)
+        return list(Image.open(picture).convert("L").getdata())
+
+    def test_shadows_scale_with_the_scene(self):
+        for light in ("directional", "point"):
+            for scale in (0.001, 1, 100, 1000):
+                with self.subTest(light=light, scale=scale):
+                    right = self.codes(scale, light=light, visibility="rays")
+                    dark, bright = min(right), max(right)
+                    self.assertGreater(bright - dark, 20, "there is a shadow")
+                    off = [abs(a - b) for a, b in zip(self.codes(scale, light=light), right)]
+                    self.assertLess(sum(one > 0.25 * (bright - dark) for one in off), 0.01 * len(off))
 
     def test_coordinates_far_from_the_origin_are_named(self):
         """Floats at 5,000,000 are 0.5 apart (IEEE 754)."""
@@ -131,6 +158,21 @@ class ScaleTest(ChapterPictures):
                                     GALLIVM_PERF="nopt")
             self.assertIn(said, done.stderr)
             self.assertEqual("m apart" in done.stderr, bool(said))
+
+    def test_a_caster_200_m_away_has_its_shadow(self):
+        self.assertGreater(sum(code < 40 for code in self.codes(1, away=36)), 200)
+
+    def test_objects_beyond_the_shadows_are_named(self):
+        """Not where the distance reaches them, nor where one map holds the whole scene."""
+        boxes = lambda *places: [{"model": "models/cube.obj", "scale": 10, "position": [0, 0, z]} for z in places]  # noqa: E731
+        file, picture = self.folder / "scene.json", self.folder / "picture.png"
+        for objects, options, said in ((boxes(-10, -210), (), True), (boxes(-10, -210), ("--shadow.distance_m", "300"), False),
+                                       (boxes(-10), (), False)):
+            file.write_text(json.dumps({"camera": {"position": [25, 15, 0], "target": [24, 14.6, -5]}, "objects": objects,
+                                        "lights": [{"type": "directional", "direction": [-1, -1, 0], "shadow": True}]}))
+            done = self.run_program("--scene", file, *options, "--size", "240x180", "--screenshot", picture, silent=False,
+                                    GALLIVM_PERF="nopt")
+            self.assertEqual("shadow.distance_m: shadows end 30 m" in done.stderr, said, done.stderr)
 
 
 if __name__ == "__main__":

@@ -250,6 +250,29 @@ TEST_CASE_METHOD(OnJulia, "normals: analytic ones are those of double precision,
     for (const auto& difference : {fine, middle, coarse}) CHECK(difference.first > 2 * analytic.first);
 }
 
+TEST_CASE_METHOD(OnJulia, "the set of the constant 0 is the unit ball, and so are its normals in each slice",
+                 "[11.ball]") {
+    julia.constant.set("custom");
+    julia.c_xyz.value = glm::vec3(0);
+    julia.c_k.value = 0;
+    julia.show.set("normals");
+    julia.normal.set("analytic");
+    for (const float slice : {0.0f, 0.6f}) {  // of radius 1 and 0.8
+        julia.slice.value = slice;
+        draw();
+        const auto all = marched();
+        const ImageRgb seen = picture();
+        size_t hits = 0;
+        for (size_t i = 0; i < all.size(); ++i) {
+            if (all[i].z != 1) continue;
+            const glm::dvec3 right = glm::normalize(glm::dvec3(camera.position) + double(all[i].x) * direction(i));
+            CHECK(glm::length(2.0 * glm::dvec3(seen.pixels[i]) - 1.0 - right) < 0.01);
+            ++hits;
+        }
+        CHECK(hits > 50);
+    }
+}
+
 TEST_CASE_METHOD(OnJulia, "the constant's way through the gallery is smooth, passes through it, and closes") {
     julia.constant.set("morph");
     const glm::vec4 first = julia.constant_at(0);

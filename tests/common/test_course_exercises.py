@@ -35,7 +35,7 @@ class Exercises(Course):
                       "      one(0) gave 1, expected 0", printed)
         self.assertNotIn("think", printed)
         self.assertIn("hint: think", self.course("check", "01.one", "--hint", code=1))
-        self.assertIn("1 of 2 exercises are right; next: 01.one", self.course("check", code=1))
+        self.assertIn("1 of 2 exercises are solved; next: 01.one", self.course("check", code=1))
         lines = self.course("check", "--json", code=1).splitlines()
         self.assertEqual([json.loads(line)["ok"] for line in lines if line[0] == "{"], [False, True])
         self.assertIn("02_lambert               [#] 1 of 1", self.course("check", "--progress", code=1))

@@ -60,9 +60,13 @@ class Verdicts(unittest.TestCase):
             fit = in_browser.write(Path(folder))
             self.assertGreaterEqual(len(fit), LEAST)
             rows = compared(Path(folder), fit[::8])
+            endless = Variant("lambert.endless.glsl", "", "wrong: a loop",
+                              "float lambert(vec3 n, vec3 l) { float s = 0.0; while (true) s += 1.0; return s; }")
+            loop, = said(Path(folder), [("02.lambert", endless)], lambda: Browser(webgl=True))
         write_atomically(BUILD / "report" / "verdicts.md", table(rows))
         self.assertGreater(len(rows), 2 * len(fit[::8]))
         self.assertEqual([row for row in rows if not row["same_verdict"]], [])
+        self.assertRegex(loop["first_failure"], r"^lambert\(.*\) does not return: does a loop never end\?$")
 
 
 if __name__ == "__main__":

@@ -40,8 +40,8 @@ from pathlib import Path
 
 from build.build import build
 from check.glsl_answer import Refused, plain
-from check.starters import untouched
-from check.verdicts import Verdicts, version
+from check.starters import digest, untouched
+from check.verdicts import Verdicts
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
@@ -85,7 +85,7 @@ def run(arguments, _rest) -> int:
         for number, (chapter, exercise) in enumerate(selected):
             if progress.terminal or arguments.progress:  # elsewhere each result is a line
                 progress.show(number, len(selected), exercise)
-            of = version(exercises(chapter)[exercise].read_bytes())
+            of = digest(exercises(chapter)[exercise].read_bytes())
             results.append(judged(chapter, exercise))
             verdicts.keep(exercise, of, results[-1])
             if not arguments.progress:
@@ -375,7 +375,7 @@ def show_progress(named: list[str], results: list[dict], as_json: bool):
 
 def summary(results: list[dict]) -> str:
     opened = [result["exercise"] for result in results if not result["ok"]]
-    return f"{len(results) - len(opened)} of {len(results)} exercises are right" + \
+    return f"{len(results) - len(opened)} of {len(results)} exercises are solved" + \
         (f"; next: {opened[0]}" if opened else "")
 
 
@@ -391,7 +391,7 @@ def next_step() -> int:
                 solved = verdicts.is_solved(exercise, path)
                 if solved is None:
                     build([f"check_{chapter}"])
-                    of = version(path.read_bytes())
+                    of = digest(path.read_bytes())
                     found = judged(chapter, exercise)
                     verdicts.keep(exercise, of, found)
                     solved = found["ok"]

@@ -8,6 +8,7 @@ import signal
 import stat
 
 from check.check import TIMEOUT_S, grades, in_order
+from check.starters import digest
 from check.verdicts import Verdicts, version  # noqa: F401  (the server keeps them)
 from pages.made import cells, made
 from tree import PYTHON, BUILD, ROOT, chapters, exercises, has_solutions, relative, shots, write_atomically
@@ -116,7 +117,8 @@ def course(*words: str) -> list:
 async def check(exercise: str, say, build: bool = True) -> dict:
     """Runs ./course check on an exercise: its protocol's object, with "version", that of the checked file."""
     chapter, path = file_of(exercise)
-    of = version(path.read_bytes())
+    data = path.read_bytes()
+    of = {"version": version(data), "digest": digest(data)}
     if build:
         words = []
         code, out = await run(course("check", exercise, "--json"), lambda line: (words.append(line), say(line)))
@@ -134,9 +136,9 @@ async def check(exercise: str, say, build: bool = True) -> dict:
         except ValueError:
             continue
         if isinstance(result, dict) and result.get("exercise") == exercise:
-            return result | {"ok": result.get("ok") is True and code == 0, "version": of}
-    return {"exercise": exercise, "ok": False, "version": of, "passed": 0, "failed": 0, "hint": None,
-            "first_failure": (out.strip().splitlines() or [f"the check ended with {code}"])[-1]}
+            return result | {"ok": result.get("ok") is True and code == 0} | of
+    return {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "hint": None,
+            "first_failure": (out.strip().splitlines() or [f"the check ended with {code}"])[-1]} | of
 
 
 async def build_chapter(chapter: str, say) -> bool:

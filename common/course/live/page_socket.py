@@ -181,7 +181,7 @@ class Work:
             if kind == "check":
                 result = await answers.check(exercise, say, self.build)
                 if not self.application.closing:
-                    self.application.verdicts.keep(exercise, result["version"], result)
+                    self.application.verdicts.keep(exercise, result["digest"], result)
                 self.tell({"event": "checked", "result": result, "progress": self.application.verdicts.progress()})
             else:
                 chapter, _ = answers.file_of(exercise)

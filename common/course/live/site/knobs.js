@@ -40,15 +40,17 @@ const Knobs = {
       field.onchange = () => change(field.value, true);
       row.set = text => { field.value = text; };
       if (Knobs.is_number(knob)) {
-        const scale = Knobs.scale(knob), range = make("input", {type: "range", min: 0, max: 1000, value: scale.place(+value)});
-        range.oninput = () => { field.value = scale.text(+range.value); change(field.value, false); };
-        range.onchange = () => { field.value = scale.text(+range.value); change(field.value, true); };
-        row.set = text => { field.value = text; range.value = scale.place(+text); };
+        const scale = Knobs.scale(knob), range = make("input", {type: "range", min: 0, max: 1000});
+        const show = text => { field.value = text; range.setAttribute("aria-valuetext", knob.unit ? `${text} ${knob.unit}` : text); };
+        range.oninput = () => { show(scale.text(+range.value)); change(field.value, false); };
+        range.onchange = () => { show(scale.text(+range.value)); change(field.value, true); };
+        row.set = text => { show(text); range.value = scale.place(+text); };
+        row.set(value);
         row.append(range);
       }
       row.append(field);
     }
-    row.querySelector("select, input").setAttribute("aria-label", knob.name);
+    for (const one of row.querySelectorAll("select, input")) one.setAttribute("aria-label", knob.name);
     return row;
   },
 

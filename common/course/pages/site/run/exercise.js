@@ -99,7 +99,8 @@ class Exercise {
   show_verdict(result) {
     this.status.textContent = this.file;
     const counted = `${result.passed} of ${result.passed + result.failed} checks`, paragraph = textContent => make("p", {textContent});
-    const words = [make("b", {textContent: result.ok ? `solved: ${counted}` : `open: ${counted}`})];
+    const invalid = result.first_failure?.startsWith("it does not compile");
+    const words = [make("b", {textContent: invalid ? "does not compile" : `${result.ok ? "solved" : "open"}: ${counted}`})];
     if (!result.ok && result.first_failure) words.push(paragraph(result.first_failure));
     if (result.note) words.push(paragraph(result.note));
     if (!result.ok && result.hint) words.push(make("details", {}, make("summary", {textContent: "hint"}), paragraph(result.hint)));

@@ -31,6 +31,7 @@ class States {
     this.rows.set(one.knob, value => {
       control.value = one.number ? values.indexOf(value) : value;
       number.textContent = `${value}${one.unit ? ` ${one.unit}` : ""}`;
+      if (one.number) control.setAttribute("aria-valuetext", number.textContent);
     });
     this.rows.get(one.knob)(one.base);
     return make("label", {}, name, control, ...one.number ? [number] : []);

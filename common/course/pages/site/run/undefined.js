@@ -4,6 +4,8 @@
 // result GLSL leaves open are noted, and a loop without an end has one.
 class Undefined {
   static TURNS = "int probe_turns = 0;\nbool probe_turn() { return ++probe_turns < 100000; }\n";
+  static ENDLESS = 99; // as a noted operation: the loop that had to be ended
+  static NOTED_TURNS = Undefined.TURNS.replace("return", `if (probe_turns >= 99999) undefined_what = ${Undefined.ENDLESS};\n    return`);
 
   // With the calls, and behind `defines`, by which pow, sqrt, ... mean others. Throws where a bracket is not closed.
   static instrumented(text, defines) {
