@@ -1,14 +1,10 @@
 """Pictures of chapter 05: the sky of its first scene, and shadows on models of few polygons."""
 import json
 import math
-import pathlib
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures
 
 SCENE = ROOT / "assets/scenes/colonnade_evening.json"
 SIDES = 5  # pictures of 80 degrees each
@@ -131,7 +127,3 @@ class ScaleTest(ChapterPictures):
                                     GALLIVM_PERF="nopt")
             self.assertIn(said, done.stderr)
             self.assertEqual("m apart" in done.stderr, bool(said))
-
-
-if __name__ == "__main__":
-    unittest.main()

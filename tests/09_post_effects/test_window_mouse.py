@@ -1,12 +1,9 @@
-#!/usr/bin/env python3
 """The mouse in chapter 09's window: the radial blur's centre is where it is. Under Xvfb."""
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from window_session import BUILD, Session, XServer  # noqa: E402
+from window_session import BUILD, Session, XServer
 
 WIDTH, HEIGHT = 320, 400
 
@@ -35,7 +32,3 @@ class Mouse(unittest.TestCase):
         self.assertTrue(with_mouse_at(40, 200) == left, "the same place gives another picture")
         session.key("Escape")
         self.assertEqual(session.end(), 0, session.errors)
-
-
-if __name__ == "__main__":
-    unittest.main()
