@@ -8,7 +8,8 @@ import unittest
 from pathlib import Path
 
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION
-from window_session import ROOT, Session, XServer
+from window_case import StartedTest
+from window_session import ROOT
 
 FILM = Path(__file__).resolve().parent / "short.film"
 WIDTH, HEIGHT = 600, 320
@@ -16,17 +17,13 @@ STRIP = 116  # pixels of the strip's height
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
-class FilmWindow(unittest.TestCase):
+class FilmWindow(StartedTest):
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_film_window_")))
         self.film = self.folder / "own.film"
         self.film.write_text(FILM.read_text())
-        server = XServer(1400, 900)
-        self.addCleanup(server.close)
-        self.session = Session(server, BUILD / "chapters" / "19_ambiance",
-                               ["--validate", "on", "--scene", str(self.film), "--size", f"{WIDTH}x{HEIGHT}"], self.folder,
-                               LIGHTWALK_ROOT=str(ROOT))
-        self.addCleanup(self.session.close)
+        self.session = self.start(BUILD / "chapters" / "19_ambiance", "--validate", "on", "--scene", str(self.film),
+                                  "--size", f"{WIDTH}x{HEIGHT}", LIGHTWALK_ROOT=str(ROOT))
 
     def say(self, pattern: str, since: int) -> re.Match:
         return self.session.wait_for_line(pattern, since)
@@ -136,8 +133,7 @@ class FilmWindow(unittest.TestCase):
         session.move(self.bar_x(4.5), session.areas["strip.bar"][1] + 10)
         session.wait(lambda: f"strip.name.{name}" in session.places, "the whole name")
 
-        session.key("Escape")
-        self.assertEqual((session.end(), session.errors), (0, []))
+        self.end(session)
 
     @staticmethod
     def difference(a: bytes, b: bytes) -> list[int]:
