@@ -4,14 +4,11 @@ import json
 import pathlib
 import statistics
 import subprocess
-import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
-from test.results import table  # noqa: E402
-from tree import BUILD, chapter_program, say  # noqa: E402
+from test.results import table
+from tree import BUILD, ROOT, chapter_program, say
 
 FILES = ["cube", "head", "statue", "car"]
 BUDGETS_ULP = [0, 1]
@@ -72,7 +69,3 @@ class NeedTest(unittest.TestCase):
     def test_a_scene_of_other_files_has_nothing_to_choose(self):
         said = json.loads(self.explained(ROOT / "assets/models/suzanne_family.glb", 0, "--json"))
         self.assertEqual((said["candidates"], said["choice"]["method"], said["none_would_do"]), ([], "textbook", False))
-
-
-if __name__ == "__main__":
-    unittest.main()

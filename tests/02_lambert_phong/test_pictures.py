@@ -1,13 +1,9 @@
 """Pictures of chapter 02 that must be equal to others."""
 import json
-import pathlib
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import LINEAR, ChapterPictures, to_code  # noqa: E402
+from pictures import LINEAR, ChapterPictures, to_code
 
 WIDTH, HEIGHT, SAMPLES = 12, 8, 8
 MODEL = """v -9 -3 0
@@ -82,7 +78,3 @@ class PicturesTest(ChapterPictures):
             own = self.draw(4, "--method", method)
             self.assertEqual(self.draw(4, "--method", method, "--shininess", "250", shininess=3), own)
             self.assertNotEqual(self.draw(4, "--method", method, shininess=3), own)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,15 +2,11 @@
 import base64
 import json
 import math
-import pathlib
 import struct
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import LINEAR, ChapterPictures  # noqa: E402
+from pictures import LINEAR, ChapterPictures
 
 METHODS = ("every_light", "per_object", "tiled", "clustered")
 FLOOR = {"model": "models/plane.obj", "scale": 20,
@@ -157,7 +153,3 @@ class PunctualTest(ChapterPictures):
             math.cos(math.radians(10)) - math.cos(math.radians(40)))
         spot = self.middle({"type": "spot", "intensity": 1, "spot": cone}, slant=25)
         self.assertAlmostEqual(spot / bare, share ** 2, delta=0.02)
-
-
-if __name__ == "__main__":
-    unittest.main()

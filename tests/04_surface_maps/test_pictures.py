@@ -4,13 +4,10 @@ import json
 import math
 import pathlib
 import struct
-import sys
-import unittest
 
 from PIL import Image, ImageChops
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures
 
 TEXTURES = ROOT / "assets" / "textures"
 
@@ -247,7 +244,3 @@ class PicturesTest(ChapterPictures):
         renormalised = self.flip(truth, self.draw(floor, "--filter", "renormalised"))
         self.assertLess(self.flip(truth, fewer), 0.25 * renormalised)
         self.assertLess(toksvig, 0.75 * renormalised)
-
-
-if __name__ == "__main__":
-    unittest.main()

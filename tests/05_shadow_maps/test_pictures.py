@@ -1,14 +1,10 @@
 """Pictures of chapter 05: the sky of its first scene, and shadows on models of few polygons."""
 import json
 import math
-import pathlib
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures
 
 SCENE = ROOT / "assets/scenes/colonnade_evening.json"
 SIDES = 5  # pictures of 80 degrees each
@@ -173,7 +169,3 @@ class ScaleTest(ChapterPictures):
             done = self.run_program("--scene", file, *options, "--size", "240x180", "--screenshot", picture, silent=False,
                                     GALLIVM_PERF="nopt")
             self.assertEqual("shadow.distance_m: shadows end 30 m" in done.stderr, said, done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,15 +1,11 @@
 """Pictures of chapter 06 that must agree with others, or differ by a known amount."""
 import json
-import pathlib
 import subprocess
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
-from shots.rendering import render_many  # noqa: E402
+from pictures import BUILD, ROOT, ChapterPictures
+from shots.rendering import render_many
 
 SCENES = ROOT / "assets" / "scenes"
 FLOOR = {"model": "models/plane.obj", "scale": 12,
@@ -158,7 +154,3 @@ class PicturesTest(ChapterPictures):
         self.assertEqual(done.returncode, 2)
         self.assertIn("add an object 'camera a'", done.stderr)
         self.assertFalse((self.folder / "no.png").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

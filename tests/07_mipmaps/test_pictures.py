@@ -1,11 +1,8 @@
 """Pictures of chapter 07 that must agree with others, or differ by a known amount; how much they flicker; its bench."""
 import json
 import pathlib
-import sys
-import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from pictures import ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures
 
 SCENES = ROOT / "assets" / "scenes"
 
@@ -51,7 +48,3 @@ class PicturesTest(ChapterPictures):
         self.assertLess(points[even, "single_pass"]["level_rmse"], points[even, "box"]["level_rmse"])
         self.assertLess(points["normals, 512x512, RGBA8", "box"]["level_rmse"],
                         0.1 * points["normals, 512x512, RGBA8", "blit"]["level_rmse"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,25 +1,14 @@
-#!/usr/bin/env python3
 """The mouse in chapter 09's window: the radial blur's centre is where it is. Under Xvfb."""
-import sys
-import tempfile
-import unittest
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from window_session import BUILD, Session, XServer  # noqa: E402
+from window_case import StartedTest
+from window_session import BUILD
 
 WIDTH, HEIGHT = 320, 400
 
 
-class Mouse(unittest.TestCase):
+class Mouse(StartedTest):
     def test_radial_blur_follows_the_mouse(self):
-        folder = tempfile.TemporaryDirectory(prefix="lightwalk_mouse_")
-        self.addCleanup(folder.cleanup)
-        server = XServer()
-        self.addCleanup(server.close)
-        session = Session(server, BUILD / "chapters" / "09_post_effects",
-                          ["--validate", "on", "--size", f"{WIDTH}x{HEIGHT}", "--source", "chart", "--post.radial_blur", "on",
-                           "--post.blur_by", "0.8", "--post.blur_taps", "16"], Path(folder.name))
+        session = self.start(BUILD / "chapters" / "09_post_effects", "--validate", "on", "--size", f"{WIDTH}x{HEIGHT}",
+                             "--source", "chart", "--post.radial_blur", "on", "--post.blur_by", "0.8", "--post.blur_taps", "16")
         session.park()
         aside = session.settled(0, 0, WIDTH, HEIGHT)
 
@@ -33,9 +22,4 @@ class Mouse(unittest.TestCase):
         self.assertTrue(left != aside, "the picture does not follow the mouse")
         self.assertTrue(left != right, "it is the same wherever the mouse is")
         self.assertTrue(with_mouse_at(40, 200) == left, "the same place gives another picture")
-        session.key("Escape")
-        self.assertEqual(session.end(), 0, session.errors)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.end(session)

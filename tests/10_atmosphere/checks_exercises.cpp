@@ -147,7 +147,6 @@ CHECK_EXERCISE("10.in_scatter", "The light of a part passes through the parts be
                     },
                 .bound = {.absolute = 1e-5, .relative = 2e-3},
                 .macros = known_air(air),
-                .words = {},
                 .hint = [](auto in, auto out) -> std::string {
                     if (out[3] == 1 && out[5] == 1)
                         return "Air attenuates light: the transmittance is exp(-depth) of all parts together.";

@@ -49,11 +49,7 @@ TEST_CASE("sunlight by a formula: within 0.5% of the depth, from the ground to 6
                     .before = with_known_air,
                     .signature = "vec3 closed_depth(float height, float slope)",
                     .inputs = inputs,
-                    .truth = {},
-                    .bound = {},
-                    .macros = known_air(air),
-                    .words = {},
-                    .hint = {}};
+                    .macros = known_air(air)};
         const Table found = run_probe(validated_device(), probe, 3);
         double worst = 0;
         for (size_t i = 0; i < inputs.size(); ++i) {

@@ -24,11 +24,7 @@ Probe of_air(const std::string& include, const std::string& signature, Table inp
             .before = with_known_air,
             .signature = signature,
             .inputs = std::move(inputs),
-            .truth = {},
-            .bound = {},
-            .macros = known_air(earth_air()),
-            .words = {},
-            .hint = {}};
+            .macros = known_air(earth_air())};
 }
 
 }  // namespace
@@ -304,17 +300,9 @@ TEST_CASE("map coordinates are right to a hundredth of a texel of 8192, also whe
         inputs.push_back({float(d.x), float(d.y), float(d.z)});
     }
     double worst_u = 0, worst_v = 0;
-    const auto found = run_probe(validated_device(),
-                                 {.include = "10_atmosphere/map_uv.glsl",
-                                  .before = "",
-                                  .signature = "vec2 map_uv(vec3 direction)",
-                                  .inputs = inputs,
-                                  .truth = {},
-                                  .bound = {},
-                                  .macros = {},
-                                  .words = {},
-                                  .hint = {}},
-                                 2);
+    const auto found = run_probe(
+        validated_device(),
+        {.include = "10_atmosphere/map_uv.glsl", .signature = "vec2 map_uv(vec3 direction)", .inputs = inputs}, 2);
     for (size_t i = 0; i < inputs.size(); ++i) {
         const double x = float(inputs[i][0]), y = float(inputs[i][1]), z = float(inputs[i][2]);
         const double u = 0.5 + std::atan2(x, z) / 6.283185307179586;

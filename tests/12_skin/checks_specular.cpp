@@ -102,7 +102,6 @@ CHECK_EXERCISE("12.kelemen_szirmay_kalos",
                "h = (l + v) / |l + v|; D(n·h) F(v·h) / |l + v|², times n·l, if both are above the horizon.") {
     Probe probe{.include = "12_skin/kelemen_szirmay_kalos.glsl",
                 .signature = "float kelemen_szirmay_kalos(vec3 n, vec3 l, vec3 v, float m, float f0)",
-                .inputs = {},
                 .truth =
                     [](std::span<const double> in) {
                         return Row{truth::kelemen_szirmay_kalos(vector3(in), vector3(in.subspan(3)),

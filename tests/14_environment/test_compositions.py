@@ -1,14 +1,12 @@
 """Drawings of many chapters in one frame (compositions/everything.cpp), at the first try: a cold start, an odd size,
 validation. The picture is the same for any order, drawn twice, on a screen within the picture or into a cube."""
 # Builds: 14_environment everything everything_deferred compare
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps  # noqa: E402
-from window_session import Session, XServer  # noqa: E402
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps
+from window_session import Session, XServer
 
 SCENES = Path(__file__).resolve().parent / "compositions"
 PROGRAMS = ("everything", "everything_deferred")
@@ -85,7 +83,3 @@ class Compositions(unittest.TestCase):
                                   Path(self.folder.name))
                 session.key("Escape")
                 self.assertEqual((session.end(), session.errors), (0, []))
-
-
-if __name__ == "__main__":
-    unittest.main()

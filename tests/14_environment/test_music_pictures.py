@@ -1,12 +1,9 @@
 """Pictures with music: functions of time alone, silent or not."""
-import pathlib
 import shutil
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
-from bad_input import BUILD, ROOT, BadInput  # noqa: E402
+from bad_input import BUILD, ROOT, BadInput
 
 CHAPTER = BUILD / "chapters" / "14_environment"
 SMALL = ("--size", "96x54", "--environment.prefilter.samples", "4")
@@ -38,7 +35,3 @@ class Music(BadInput):
         """They take 12 ms to load; only a window with music does."""
         libraries = subprocess.run(["ldd", CHAPTER], capture_output=True, text=True, check=True).stdout
         self.assertNotIn("SDL2", libraries)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,13 +1,11 @@
 """The chapter that docs/framework.md shows (compositions/glass_valley.cpp) draws at the first try, and each of its parts is in
 the picture."""
 # Builds: glass_valley compare
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps  # noqa: E402
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION, Drawing, sets, steps
 
 SCENE = Path(__file__).resolve().parent / "compositions" / "glass_valley.json"
 CHEAP = ("shadow.resolution=256", "atmosphere.table_scale=0.25")
@@ -33,7 +31,3 @@ class Framework(unittest.TestCase):
             for setting, least in PARTS.items():
                 with self.subTest(set=setting):
                     self.assertGreaterEqual(steps(whole, draw(setting)), least)
-
-
-if __name__ == "__main__":
-    unittest.main()

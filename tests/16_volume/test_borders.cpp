@@ -6,9 +6,7 @@
 using namespace lightwalk;
 
 TEST_CASE_METHOD(OnVolume, "simplex noise has no steps: along lines it changes by what its slope allows") {
-    Probe probe{.include = "16_volume/simplex_4d.glsl",
-                .signature = "float simplex_4d(vec3 at, NoiseMoment moment)",
-                .inputs = {}};
+    Probe probe{.include = "16_volume/simplex_4d.glsl", .signature = "float simplex_4d(vec3 at, NoiseMoment moment)"};
     Random random(31);
     const size_t points = 400;
     for (int line = 0; line < 60; ++line) {
@@ -125,7 +123,6 @@ TEST_CASE_METHOD(OnVolume, "noise that changes along the radius alone makes no b
     Probe probe{.include = "16_volume/shell.glsl",
                 .before = "#include \"../tests/16_volume/known_shell.glsl\"\n",
                 .signature = "vec3 shell_over(vec3 light, vec3 position, vec3 along)",
-                .inputs = {},
                 .truth =
                     [](auto in) {
                         return Row{0.04 * in[3], 0.04 * in[4], 0.04 * in[5]};

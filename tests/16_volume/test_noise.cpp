@@ -71,9 +71,7 @@ TEST_CASE_METHOD(OnVolume, "a hash by sine differs between float and double, eve
 
 // Kernels (0.6 - r²)⁴ times gradients of length sqrt(3), sqrt(5) in a unit of volume: 3/4 π² 0.6¹¹ B(3, 9).
 TEST_CASE_METHOD(DeviceTest, "simplex noise varies as the kernels of its lattice sum to", "[16.simplex]") {
-    Probe probe{.include = "16_volume/simplex_4d.glsl",
-                .signature = "float simplex_4d(vec3 at, NoiseMoment moment)",
-                .inputs = {}};
+    Probe probe{.include = "16_volume/simplex_4d.glsl", .signature = "float simplex_4d(vec3 at, NoiseMoment moment)"};
     Random random(32);
     for (int i = 0; i < 20000; ++i) {
         const NoiseMoment moment = noise_moment(random.uniform(0, 1000), 5);
@@ -210,8 +208,7 @@ TEST_CASE_METHOD(OnVolume, "each moment reads the texture of noise at a place of
                     "#define textureLod(map, at, level) vec4(dot(floor(at), vec3(10000.0, 100.0, 1.0)))\n"
                     "#include \"16_volume/noise_methods.glsl\"\n"
                     "float place_of(float moment) { return at_moment(vec3(50.0), int(moment), 3); }\n",
-                .signature = "float place_of(float moment)",
-                .inputs = {}};
+                .signature = "float place_of(float moment)"};
     for (int moment = 0; moment < 400; ++moment) probe.inputs.push_back({double(moment)});
     const Table found = run_probe(gpu, probe, 1);
     std::vector<glm::dvec3> shifts;

@@ -12,7 +12,6 @@ TEST_CASE_METHOD(DeviceTest, "opacities near 0 become depths and back to the las
                     "vec4 exactly_classified(float density) { return vec4(0.0); }\n"
                     "vec3 radiance_at(vec3 at, vec3 along, vec3 color) { return color; }\n",
                 .signature = "float depth_of_opacity(float opacity)",
-                .inputs = {},
                 .truth = [](auto in) { return Row{-std::log1p(-in[0])}; },
                 .bound = {.relative = 1e-6}};
     Probe back = probe;

@@ -12,7 +12,6 @@ TEST_CASE_METHOD(DeviceTest, "air lets through the same in both directions, from
                           "vec3 let_through(vec3 from, vec3 direction, float way) { return air_before(from, direction, "
                           "vec3(0.0, 1.0, 0.0), way, 128).transmittance; }\n",
                 .signature = "vec3 let_through(vec3 from, vec3 direction, float way)",
-                .inputs = {},
                 .macros = known_air(air)};
     for (const double height : {100.0, 9e3, 3e4})
         for (const double slope : {1.0, 0.5, 0.1}) {
@@ -36,7 +35,6 @@ TEST_CASE_METHOD(DeviceTest,
     Probe probe{.include = "common/srgb.glsl",
                 .before = std::string(with_known_air) + "#include \"17_planets/air_shell.glsl\"\n",
                 .signature = "vec3 with_more_orders(vec3 light, float sun_cosine)",
-                .inputs = {},
                 .macros = known_air(air_of(BodyId::earth, glm::vec3(1.0f), 0.0047f))};
     const std::vector<double> cosines{-1, -0.06, 0, 0.1, 0.2, 0.31, 1};
     for (const glm::dvec3 light : {glm::dvec3(3, 1.2, 0.2), glm::dvec3(0.2, 0.5, 1.5), glm::dvec3(0.7)})
@@ -86,7 +84,6 @@ TEST_CASE_METHOD(DeviceTest, "a ring's shadow is as soft as the sun's disc is wi
                     "float shadow(vec3 point, vec3 to_sun, float sun_rad) { Rings rings; rings.inner = 1e8; "
                     "rings.outer = 2e8; return ring_shadow(rings, point, to_sun, sun_rad); }\n",
                 .signature = "float shadow(vec3 point, vec3 to_sun, float sun_rad)",
-                .inputs = {},
                 .truth =
                     [](auto in) {
                         const double sine = std::fabs(in[4]), way = -in[1] / in[4];

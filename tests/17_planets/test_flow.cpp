@@ -19,11 +19,7 @@ Probe flow_probe(int method, const std::string& function, const std::string& sig
     return {.include = "common/srgb.glsl",
             .before = flow_before + "#define PLANETS_FLOW " + std::to_string(method) + "\n" +
                       "#include \"17_planets/flow.glsl\"\n" + function,
-            .signature = signature,
-            .inputs = {},
-            .truth = {},
-            .bound = {},
-            .macros = {}};
+            .signature = signature};
 }
 
 constexpr double around_m = 2 * 3.14159265358979 * 71.492e6;  // Jupiter's equator
@@ -161,12 +157,7 @@ TEST_CASE_METHOD(OnPlanets, "the Earth's clouds drift east at 45 degrees as fast
 
 TEST_CASE_METHOD(DeviceTest, "the Sun's network changes a tenth as fast as its granules, and neither jumps") {
     Probe probe{.include = "17_planets/sun_surface.glsl",
-                .before = "",
-                .signature = "vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad)",
-                .inputs = {},
-                .truth = {},
-                .bound = {},
-                .macros = {}};
+                .signature = "vec3 sun_surface(vec3 place, float mu, float moment, float footprint_rad)"};
     // Light of the same 300 points at a moment, averaged over a pixel of that angle.
     const auto light = [&](double moment, double footprint) {
         probe.inputs.clear();
@@ -202,7 +193,6 @@ TEST_CASE_METHOD(DeviceTest,
                  "the Sun's edge is as dark in each colour as Hestroffer and Magnan measured it, and not black",
                  "[17.sun_limb]") {
     Probe probe{.include = "17_planets/sun_surface.glsl",
-                .before = "",
                 .signature = "vec3 limb_darkening(float mu)",
                 .inputs = {{1}, {0.5}, {0.1}, {1e-3}, {1e-4}, {0}},
                 .truth =
@@ -212,8 +202,7 @@ TEST_CASE_METHOD(DeviceTest,
                         for (const double um : {0.65, 0.55, 0.45}) row.push_back(std::pow(mu, 0.292 / um - 0.023));
                         return row;
                     },
-                .bound = {.absolute = 1e-3, .relative = 5e-3},
-                .macros = {}};
+                .bound = {.absolute = 1e-3, .relative = 5e-3}};
     CHECK(worst_of(probe, run_probe(gpu, probe, 3)) == "");
 }
 

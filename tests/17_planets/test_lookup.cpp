@@ -14,7 +14,6 @@ TEST_CASE_METHOD(DeviceTest, "a map is read no nearer to its poles than half a t
                     "#include \"17_planets/map_lookup.glsl\"\n"
                     "vec3 read_at(vec2 uv, float footprint_rad) { return map_texel(0, uv, footprint_rad).xyz; }\n",
                 .signature = "vec3 read_at(vec2 uv, float footprint_rad)",
-                .inputs = {},
                 .truth =
                     [](auto in) {
                         const double lod = std::max(std::log2(in[2] * 100 / glm::pi<double>()), 0.0);
@@ -44,7 +43,6 @@ Probe slanting(const std::string& kind, const std::string& covered) {
                           "#include \"17_planets/body.glsl\"\nfloat covered(float mu, float pixel) { " + covered +
                           " }\n",
                 .signature = "float covered(float mu, float pixel)",
-                .inputs = {},
                 .truth = [](auto in) { return Row{covered_rad(in[1], in[0])}; },
                 .bound = {.relative = 0.01},
                 .macros = known_air(earth_air())};
@@ -84,7 +82,6 @@ TEST_CASE_METHOD(DeviceTest, "a cloud's shadow falls where the ray to the sun me
                   "#include \"17_planets/body.glsl\"\nfloat shadow(float across, float high) { "
                   "check_known_body(6378e3); return cloud_shadow(check_overhead, vec3(across, 0.0, high), 0.001); }\n",
         .signature = "float shadow(float across, float high)",
-        .inputs = {},
         .truth =
             [](auto in) {
                 // The triangle of the centre, the place and the cloud: its sides are the two radii.

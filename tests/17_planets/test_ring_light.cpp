@@ -161,8 +161,7 @@ std::vector<RingCase> ring_cases() {
 Probe walks_probe() {
     return {
         .include = "17_planets/ring_walks.glsl",
-        .signature = "vec3 scattered_often(float depth, vec3 albedo, vec3 to_sun, vec3 to_eye, uint walks, uint seed)",
-        .inputs = {}};
+        .signature = "vec3 scattered_often(float depth, vec3 albedo, vec3 to_sun, vec3 to_eye, uint walks, uint seed)"};
 }
 
 Row walks_row(const RingCase& c, double walks, double seed) {

@@ -158,22 +158,6 @@ TEST_CASE("where another scene cannot be opened, or one's own not loaded again, 
     CHECK(editor.named("left") != no_entry);
 }
 
-TEST_CASE("undo and redo turn the knobs back and forth, and that is no step of its own") {
-    Driven editor;
-    Choice& bloom = editor.window.bloom.method;
-    bloom.set("paired");
-    editor.draw();
-    REQUIRE(editor.document().done() == 1);
-    editor.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
-    editor.draw();
-    CHECK(bloom.is("none"));
-    CHECK(editor.document().done() == 0);
-    editor.key(GLFW_KEY_Y, GLFW_MOD_CONTROL);
-    editor.draw();
-    CHECK(bloom.is("paired"));
-    CHECK(editor.document().done() == 1);
-}
-
 TEST_CASE("a scene that is opened has its own knobs, and none of the scene before; one that fails changes none") {
     Driven editor;
     editor.window.bloom.method.set("paired");

@@ -6,15 +6,12 @@ The validator is of npm; where there is no npm, or no network, that part is pass
 import json
 import os
 import subprocess
-import sys
-import unittest
 from pathlib import Path
 
 from PIL import Image, ImageChops
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-import npm  # noqa: E402
-from pictures import BUILD, ROOT, ChapterPictures  # noqa: E402
+import npm
+from pictures import BUILD, ROOT, ChapterPictures
 
 VALIDATE = """
 const validator = require('gltf-validator'), fs = require('fs'), path = require('path');
@@ -102,7 +99,3 @@ class RoundTrip(ChapterPictures):
                 again = file.with_name("again.json")
                 again.write_text(json.dumps({**json.loads(file.read_text()), "objects": [{"model": str(out)}]}))
                 self.assertLessEqual(self.steps(file, again), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,8 +1,5 @@
-// Saving where it is hard: killed at any moment, no room, no right to write, links, a file that others change.
-#include <fcntl.h>
+// Saving where it is hard: killed at any moment, a file that others change. Full disks and links are in test_files.cpp.
 #include <signal.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,13 +19,6 @@ Document small_scene(int objects) {
     for (int i = 0; i < objects; ++i) document.add(root_entry, {.what = named(fmt::format("object {}", i))});
     document.commit();
     return document;
-}
-
-std::string said_by(const std::function<void()>& what) {
-    try {
-        what();
-    } catch (const InputError& e) { return e.what(); }
-    return "";
 }
 
 std::ptrdiff_t files_in(const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); }
@@ -117,53 +107,6 @@ TEST_CASE("killed at 60 random moments of saving by itself: what it leaves is wh
     }
     fmt::print("of 60 kills {} came while it wrote\n", killed_within);
     CHECK(killed_within > 6);
-}
-
-TEST_CASE("a full disk, a folder without the right to write: one line, and the old file stays") {
-    TestFolder folder;
-    SceneStore store;
-    store.path = folder.path / "scene.json";
-    store.save(small_scene(3));
-    const std::string before = read_file(store.path);
-    {
-        const pid_t child = fork();
-        if (child == 0) {  // the largest file that may be written is 1,000 bytes
-            signal(SIGXFSZ, SIG_IGN);
-            const rlimit most{1000, 1000};
-            setrlimit(RLIMIT_FSIZE, &most);
-            _exit(said_by([&] { store.save(small_scene(100)); }).empty() ? 1 : 0);
-        }
-        int status = 1;
-        waitpid(child, &status, 0);
-        CHECK(WEXITSTATUS(status) == 0);
-    }
-    CHECK(read_file(store.path) == before);
-    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
-    const fs::path nowhere = folder.path / "none" / "scene.json";
-    CHECK(said_by([&] { store.save_as(small_scene(1), nowhere); }).find("none") != std::string::npos);
-    CHECK(store.path == folder.path / "scene.json");
-    if (geteuid() != 0) {
-        fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
-        CHECK(said_by([&] { store.save(small_scene(5)); }) != "");
-        fs::permissions(folder.path, fs::perms::owner_all);
-    }
-    CHECK(read_file(store.path) == before);
-}
-
-TEST_CASE("a link as target stays a link; what it leads to is written; links in a circle are said") {
-    TestFolder folder;
-    fs::create_directory(folder.path / "real");
-    write_file(folder.path / "real/scene.json", "{}");
-    fs::create_symlink("real/scene.json", folder.path / "scene.json");
-    SceneStore store;
-    store.path = folder.path / "scene.json";
-    store.save(small_scene(4));
-    CHECK(fs::is_symlink(folder.path / "scene.json"));
-    CHECK(read_scene(folder.path / "real/scene.json").objects.size() == 4);
-    fs::create_symlink("b.json", folder.path / "a.json");
-    fs::create_symlink("a.json", folder.path / "b.json");
-    store.path = folder.path / "a.json";
-    CHECK(said_by([&] { store.save(small_scene(4)); }) != "");
 }
 
 TEST_CASE("a file that somebody else has written is noticed; includes are kept while nothing of them is changed") {

@@ -135,17 +135,6 @@ TEST_CASE("scaling: two go apart from their middle, one stays where it is; never
     CHECK(std::fabs(document.at(ids[1]).object()->scale.x) == least_scale);
 }
 
-TEST_CASE("scaling: two lights go apart from their middle, as objects do") {
-    Document document;
-    std::vector<EntryId> ids;
-    for (const float x : {1.0f, 3.0f})
-        ids.push_back(add_light(document, {.kind = Light::Kind::point, .position = {x, 0, 0}}));
-    Dragged drag{document, ids, view_from({2, 0, 10}, {2, 0, 0}), Tool::scale};
-    drag.by(whole, center, {center + glm::vec2(50, 0)});  // e^0.5
-    CHECK(std::fabs(document.at(ids[0]).light()->position.x - (2 - 1.648721f)) < 1e-4f);
-    CHECK(std::fabs(document.at(ids[1]).light()->position.x - (2 + 1.648721f)) < 1e-4f);
-}
-
 TEST_CASE(
     "handles: the middle of many, axes of the active one, planes filled and not from their edge, none from its end") {
     Document document;

@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 """Files of the editor in its window: autosaves after a crash, thumbnails, typed paths. Under Xvfb, validated."""
 import json
 import os
 import time
-import unittest
 
 from editor_case import ROOT, EditorTest
 
@@ -72,7 +70,3 @@ class Files(EditorTest):
 
     def test_x_it_ends_with_nothing_to_say(self):
         self.leave()
-
-
-if __name__ == "__main__":
-    unittest.main()

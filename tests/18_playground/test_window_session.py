@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 """A scene built from nothing by clicks and keys, saved, and opened by five other chapters. Under Xvfb, validated."""
 import functools
 import re
 import subprocess
-import unittest
 
 from editor_case import BUILD, EditorTest
 from window_case import read_png
@@ -114,6 +112,9 @@ class Building(EditorTest):
 
         # Textures, typed: one with Return, pressed for less than a frame; the other left by a click elsewhere. And an effect.
         session.tap("entry.cube")
+        self.type_number("numbers.position", "1.25")
+        self.assertEqual(self.saved()["objects"][0]["position"][0], 1.25)
+        self.undo()
         session.tap("section.Material")
         self.scroll_to("ball")
         since = session.said()
@@ -167,7 +168,3 @@ class Building(EditorTest):
         subprocess.run([BUILD / "chapters" / chapter, "--scene", self.scene, "--size", "160x120", *options, "--screenshot",
                         picture], check=True, env={**self.session.environment})
         return read_png(picture)[2]
-
-
-if __name__ == "__main__":
-    unittest.main()

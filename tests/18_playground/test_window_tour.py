@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 """The editor at its first start: a tour that follows what the person does, can be left, and does not come back.
 Under Xvfb, validated."""
 import json
-import unittest
 
 from editor_case import EditorTest
 from window_session import BUILD, ROOT, Session
@@ -53,7 +51,3 @@ class Tour(EditorTest):
         type(self).session = self.session = self.start(self.scene)
         self.session.read_all()
         self.assertNotIn("tool.leave the tour", self.session.areas)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -7,20 +7,17 @@ import os
 import resource
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
-import film  # noqa: E402
-from many import shards  # noqa: E402
-from many.shards import Shard  # noqa: E402
-from tree import Failure, UsageError  # noqa: E402
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION  # noqa: E402
+import film
+from many import shards
+from many.shards import Shard
+from tree import Failure, UsageError
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION
 
 PROGRAM = BUILD / "chapters" / "19_ambiance"
 FILM = Path(__file__).resolve().parent / "short.film"
@@ -32,9 +29,7 @@ WHOLE = '#!/bin/sh\nfor last; do :; done\nexec cat >"$last"\n'
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
 class Film(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="lightwalk_film_")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_film_")))
 
     def write(self, name: str, *options, ffmpeg: str | None = None, scene: Path | str = FILM,
               most_bytes: int | None = None) -> subprocess.CompletedProcess:
@@ -243,7 +238,3 @@ class Film(unittest.TestCase):
         figure = film_page.ways_chart({"device": "a", "driver": "b", "software": True, "size": [4, 3], "scenes": [scene, rough]}, "made so")
         words = {text.get_text().strip() for axes in figure.axes for text in axes.texts}
         self.assertLessEqual({"40%", "none: the truest errs 0.22", "0", "1", "2"}, words)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,18 +1,15 @@
-#!/usr/bin/env python3
 """A film's colours and loudness, as other programs read them: ffprobe, ffmpeg's frames and its EBU R 128 meter."""
 
 import json
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION  # noqa: E402
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION
+from tree import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = BUILD / "chapters" / "19_ambiance"
 CHART = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 1, 1), (0.2, 0.2, 0.2)]
 
@@ -82,7 +79,3 @@ class FilmColor(unittest.TestCase):
                                       stderr=subprocess.PIPE, text=True, check=True).stderr
                 loud[gain] = float(re.search(r"mean_volume: (\S+) dB", said)[1])
             self.assertAlmostEqual(loud[0] - loud[-12], 12, delta=0.5)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,15 +1,12 @@
 """The budgets that the lesson quotes follow from the film's ways in docs/studies/film."""
 
 import json
-import sys
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from pages.film_page import cheapest, within_budgets
+from tree import ROOT
+
 MEASURED = ROOT / "docs/studies/film"
-sys.path.insert(0, str(ROOT / "common/course"))
-
-from pages.film_page import cheapest, within_budgets  # noqa: E402
 
 
 class FilmLesson(unittest.TestCase):
@@ -26,7 +23,3 @@ class FilmLesson(unittest.TestCase):
         found = {point["method"]: point for point in within_budgets(film)["points"]}
         self.assertEqual((found["0.01"]["within"], found["0.01"]["share"]), (2, 1.0))
         self.assertEqual((found["0.05"]["within"], found["0.05"]["share"]), (2, 0.6))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,14 +3,13 @@
 import json
 import math
 import re
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, HAS_SOLUTION  # noqa: E402
-from window_session import ROOT, Session, XServer  # noqa: E402
+from picture_drawing import BUILD, BUILT, HAS_SOLUTION
+from window_case import StartedTest
+from window_session import ROOT
 
 FILM = Path(__file__).resolve().parent / "short.film"
 WIDTH, HEIGHT = 600, 320
@@ -18,19 +17,13 @@ STRIP = 116  # pixels of the strip's height
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
-class FilmWindow(unittest.TestCase):
+class FilmWindow(StartedTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="lightwalk_film_window_")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_film_window_")))
         self.film = self.folder / "own.film"
         self.film.write_text(FILM.read_text())
-        server = XServer(1400, 900)
-        self.addCleanup(server.close)
-        self.session = Session(server, BUILD / "chapters" / "19_ambiance",
-                               ["--validate", "on", "--scene", str(self.film), "--size", f"{WIDTH}x{HEIGHT}"], self.folder,
-                               LIGHTWALK_ROOT=str(ROOT))
-        self.addCleanup(self.session.close)
+        self.session = self.start(BUILD / "chapters" / "19_ambiance", "--validate", "on", "--scene", str(self.film),
+                                  "--size", f"{WIDTH}x{HEIGHT}", LIGHTWALK_ROOT=str(ROOT))
 
     def say(self, pattern: str, since: int) -> re.Match:
         return self.session.wait_for_line(pattern, since)
@@ -140,15 +133,10 @@ class FilmWindow(unittest.TestCase):
         session.move(self.bar_x(4.5), session.areas["strip.bar"][1] + 10)
         session.wait(lambda: f"strip.name.{name}" in session.places, "the whole name")
 
-        session.key("Escape")
-        self.assertEqual((session.end(), session.errors), (0, []))
+        self.end(session)
 
     @staticmethod
     def difference(a: bytes, b: bytes) -> list[int]:
         """Places where the two differ by more than rounding a key to millimetres can do; a few at edges are left out."""
         far = [i for i in range(0, len(a), 3) if max(abs(x - y) for x, y in zip(a[i:i + 3], b[i:i + 3])) > 40]
         return far if len(far) > len(a) // 300 else []
-
-
-if __name__ == "__main__":
-    unittest.main()

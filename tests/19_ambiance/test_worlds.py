@@ -4,13 +4,11 @@ film's scene, and by the editor without its marks; and chapter 15's world stands
 # Builds: 05_shadow_maps 06_deferred 08_bloom 09_post_effects 10_atmosphere 11_fractals 12_skin 13_mlaa 14_environment 15_terrain_water 16_volume 17_planets 18_playground 19_ambiance anywhere compare
 import json
 import re
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-from picture_drawing import BUILD, BUILT, CHEAP, HAS_SOLUTION, ROOT, Drawing, knobs_of, sets, steps  # noqa: E402
+from picture_drawing import BUILD, BUILT, CHEAP, HAS_SOLUTION, ROOT, Drawing, knobs_of, sets, steps
 
 # The kind of a film's scene that shows a chapter's world, and the module whose method its --method chooses. Chapters 01 to 04
 # and 07 have no world: their frames draw a scene pass by pass, which is what they teach.
@@ -165,7 +163,3 @@ class Worlds(unittest.TestCase):
             self.assertGreater(steps(plain, other), 20)
         chapter = self.draw(self.drawing("15_terrain_water"), "--scene", scene, *sets("post.tone=off"))
         self.assertEqual(steps(plain, chapter), 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -41,9 +41,7 @@ def radiance(width=64, height=8) -> bytes:
 @unittest.skipUnless(CHAPTERS["02"].exists() or "LIGHTWALK_BUILD" in os.environ, "the chapters are not built")
 class BadInput(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.picture = self.folder / "picture.png"
 
     def write(self, name, content) -> pathlib.Path:

@@ -55,9 +55,7 @@ class LivePage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         has_pages()
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.root = Path(made.name).resolve() / "course"
+        cls.root = Path(cls.enterClassContext(tempfile.TemporaryDirectory())).resolve() / "course"
         copy_of_course(cls.root)
         cls.server = Server(cls.root, refine=cls.refine, LIGHTWALK_ROOT=str(cls.root))
         cls.addClassCleanup(cls.server.__exit__)

@@ -4,18 +4,14 @@ it is not build/ in the tree.
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
+from shots.golden import compare
+from shots.rendering import Drawing
+from tree import BUILD, ROOT
 
-from shots.golden import compare  # noqa: E402
-from shots.rendering import Drawing  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 # sRGB codes as linear light.
 LINEAR = [code / 255 / 12.92 if code <= 10 else ((code / 255 + 0.055) / 1.055) ** 2.4 for code in range(256)]
 
@@ -42,9 +38,7 @@ class ChapterPictures(unittest.TestCase):
             self.skipTest("a handout has no reference")
         if not self.program.exists() and "LIGHTWALK_BUILD" not in os.environ:
             self.skipTest(f"{self.program} is not built")
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def draw(self, scene: dict | str | Path, *options, size="160x90", name="picture") -> Path:
         """A picture of a scene: JSON, the name of one of the course's, or a file."""

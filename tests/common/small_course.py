@@ -110,6 +110,13 @@ FUZZ = """#!/bin/sh
 echo stat::number_of_executed_units: 9
 ! test -e broken
 """
+TEST = """import unittest
+
+
+class Nothing(unittest.TestCase):
+    def test_nothing(self):
+        pass
+"""
 MAIN = """int x;
 // [frame]
   draw();
@@ -132,7 +139,7 @@ SHOTS_02 = {"shots": [{"name": "bunny", "caption": "Lit.", "set": {"method": "ph
                        "rejects": [{"chapter": "01_obj"}, {"set": {"method": "none"}}]}]}
 FILES = {
     "CMakeLists.txt": CMAKE, "CMakePresets.json": json.dumps(PRESETS), "compile": COMPILE,
-    ".clang-format": "DisableFormat: true\n", ".gitignore": "/build/\n__pycache__/\n", "tests/common/test_course.py": "",
+    ".clang-format": "DisableFormat: true\n", ".gitignore": "/build/\n__pycache__/\n", "tests/common/test_course.py": TEST,
     "programs/compare": COMPARE, "programs/tests/fuzz_obj": FUZZ, "tests/01_obj/fuzz/fuzz_obj.cpp": "",
     "programs/chapters/01_obj": CHAPTER, "programs/chapters/02_lambert": CHAPTER,
     "programs/tests/check_01_obj": CHECK, "programs/tests/check_02_lambert": CHECK,
@@ -149,7 +156,7 @@ FILES = {
 def make_tree(root: Path):
     shutil.copytree(REAL / "common/course", root / "common/course",
                     ignore=shutil.ignore_patterns("*.h", "*.cpp", "__pycache__"))
-    for name in ("course", "tests/build.cmake", "tests/needs.cmake", "tests/suites.txt"):
+    for name in ("course", "tests/build.cmake", "tests/needs.cmake", "tests/run.py", "tests/suites.txt"):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(REAL / name, root / name)
     for name, text in FILES.items():
@@ -177,9 +184,7 @@ class Course(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.outside = Path(made.name).resolve()
+        cls.outside = Path(cls.enterClassContext(tempfile.TemporaryDirectory())).resolve()
         cls.root = cls.outside / "tree"
         make_tree(cls.root)
 

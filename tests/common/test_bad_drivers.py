@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A driver that is too old, full, lost in mid-run, never done, or silent when it is: one line, no picture, never a hang.
 
 A small library between the programs and Vulkan's loader plays such a driver.
@@ -6,7 +5,6 @@ A small library between the programs and Vulkan's loader plays such a driver.
 import os
 import subprocess
 import tempfile
-import unittest
 from pathlib import Path
 
 from bad_input import BUILD, CHAPTERS, BadInput
@@ -111,7 +109,3 @@ class Drivers(BadInput):
                 if program.name == "menu" and fault == "never done":
                     continue  # it draws no passes
                 self.refuse(program, code=code, says=SAYS[fault], DISPLAY=server.display, **self.playing(fault, calls))
-
-
-if __name__ == "__main__":
-    unittest.main()

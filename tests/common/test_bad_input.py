@@ -235,7 +235,3 @@ class Refused(BadInput):
         cache.rmdir()
         self.assertNotEqual(kept(), [])
         self.assertEqual(cache.stat().st_mode & 0o777, 0o700)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -4,17 +4,17 @@ pixel in a hundred is clipped."""
 import json
 import os
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from PIL import Image, ImageChops
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
-from picture_drawing import cheap  # noqa: E402
-from shots.rendering import Drawing  # noqa: E402
-from tree import ROOT, chapter_program  # noqa: E402
+from picture_drawing import cheap
+from shots.rendering import Drawing
+from tree import ROOT, chapter_program
+
+os.environ.setdefault("GALLIVM_PERF", "nopt")
 
 CHAPTERS = ("02_lambert_phong", "03_attenuation", "04_surface_maps", "05_shadow_maps", "06_deferred", "07_mipmaps",
             "12_skin", "14_environment", "18_playground")
@@ -40,9 +40,7 @@ def holes(image) -> int:
 class BareModels(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = Path(scratch.name)
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         box = json.loads((ROOT / "assets/conformance/flat_normals.gltf").read_text())
         lamps = {**LAMPS, **{key: box[key] for key in ("buffers", "bufferViews", "accessors")}}
         primitive = box["meshes"][0]["primitives"][0]
@@ -91,8 +89,3 @@ class BareModels(unittest.TestCase):
         if model.stem == "metal":
             red = [r > 2 * max(g, b) and r > 40 for r, g, b in pixels]
             self.assertGreater(sum(red) / len(red), 0.03)
-
-
-if __name__ == "__main__":
-    os.environ.setdefault("GALLIVM_PERF", "nopt")
-    unittest.main()

@@ -16,9 +16,7 @@ SIDES = ("software", "hardware")
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
 class BothSides(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def run_program(self, chapter: str, *options):
         done = subprocess.run([BUILD / "chapters" / chapter, "--validate", "on", *map(str, options)], cwd=ROOT, text=True,
@@ -67,7 +65,3 @@ class BothSides(unittest.TestCase):
             self.run_program("07_mipmaps", "--study", found, "--study-file", study, "--device-paths", side)
             errors.append([(point["method"], point["error"]) for point in json.loads(found.read_text())["points"]])
         self.assertEqual(*errors)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -12,24 +12,20 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
+import numpy as np
 
-import numpy as np  # noqa: E402
-
-from charts import chart, chart_labels, chart_panel  # noqa: E402
-from chart_fixture import STUDY, over_lights, point, study  # noqa: E402
-from charts.said import between, said_by  # noqa: E402
-from charts.study_charts import Chart, charts_of  # noqa: E402
-from charts.study_file import Study, StudyError, load, markdown_table  # noqa: E402
-from charts.verdict import verdict_of  # noqa: E402
+from charts import chart, chart_labels, chart_panel
+from chart_fixture import STUDY, over_lights, point, study
+from charts.said import between, said_by
+from charts.study_charts import Chart, charts_of
+from charts.study_file import Study, StudyError, load, markdown_table
+from charts.verdict import verdict_of
+from tree import ROOT
 
 
 class Drawing(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def figure(self, s, which=0):
         with chart.plt.rc_context(chart.STYLE):
@@ -103,28 +99,6 @@ class Drawing(unittest.TestCase):
         self.assertFalse([text for text in self.texts(own) if "8-bit" in text])
         self.assertIn("hit texels  (↓ less is better)", self.texts(own))
 
-    def test_words_at_a_line_leave_the_points_there_alone(self):
-        def places(words, *points):
-            points = [point("other", "m", 0.3, 0.1)] + [point("s", f"m{i}", error, ms)
-                                                        for i, (error, ms) in enumerate(points)]
-            axis = self.figure(study(points=points, truth={"method": "m", "doubling_change": 0.02})).axes[1]
-            return [text.xy[0] for text in axis.texts if words in text.get_text()]
-
-        self.assertEqual(places("8-bit", (0.0312, 0.11)), [1])
-        self.assertEqual(places("8-bit", (0.0312, 3)), [0])
-        self.assertEqual(places("8-bit", (0.0312, 0.11), (0.0312, 3)), [1])
-        self.assertEqual(places("truth", (0.018, 3)), [0])
-
-    def test_words_about_a_thin_band_stand_on_it(self):
-        points = [point(scene, "m", error, ms) for scene in "ab" for error, ms in ((0.5, 0.1), (0.01, 3))]
-        for doubt in (0.00058, 0.0007, 0.0008, 0.00095):
-            doubts = {scene: {"set": {}, "doubling": {"flip_mean": error}} for scene, error in (("a", 0.00101), ("b", doubt))}
-            figure = self.figure(study(points=points, scenes=doubts))
-            axis, renderer = figure.axes[1], figure.canvas.get_renderer()
-            words, = [text for text in axis.texts if "truth" in text.get_text()]
-            below = words.get_window_extent(renderer).y0 - axis.get_window_extent(renderer).y0
-            self.assertGreaterEqual(below, 0, doubt)  # else they cover the ticks' labels
-
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))
         self.assertTrue([text for text in texts if "Truth: uncut, by definition." in text])
@@ -135,16 +109,6 @@ class Drawing(unittest.TestCase):
         axis = figure.add_subplot()
         axis.set(xlim=(0, 10), ylim=(0, 10))
         return figure, axis, chart_labels.Labels(figure.axes)
-
-    def test_a_label_stands_clear_of_its_points_bars(self):
-        figure, axis, labels = self.labels_on()
-        bar = (axis, 5, 5, (3, 8), (2, 8))
-        labels.avoid_curve([bar])
-        labels.want("only", [bar], "black", 9, "normal", True)
-        labels.write()
-        box = axis.texts[-1].get_window_extent(figure.canvas.get_renderer())
-        for at in [(5, y / 10) for y in range(20, 81)] + [(x / 10, 5) for x in range(30, 81)]:
-            self.assertFalse(box.contains(*axis.transData.transform(at)), at)
 
     def test_a_crowd_of_labels(self):
         figure, axis, labels = self.labels_on()
@@ -482,7 +446,3 @@ class Choosing(unittest.TestCase):
                 charts_of(study(charts=charts))
         with self.assertRaisesRegex(StudyError, "no axis can show"):
             charts_of(study(points=[point("s", "m", 1, 1, {"k": "fast"})], charts=[{"name": "a", "x": "knob k"}]))
-
-
-if __name__ == "__main__":
-    unittest.main()

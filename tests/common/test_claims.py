@@ -2,18 +2,14 @@
 # Builds: nothing
 
 import ast
-import sys
 import unittest
 from pathlib import Path
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
-
-from chart_fixture import point, study  # noqa: E402
-from charts.verdict import verdict_of  # noqa: E402
-from pages import advice, claims, tables  # noqa: E402
-from tree import Failure, lessons  # noqa: E402
+from chart_fixture import point, study
+from charts.verdict import verdict_of
+from pages import advice, claims, tables
+from tree import ROOT, Failure, lessons
 
 
 def small():
@@ -117,7 +113,3 @@ class Advice(unittest.TestCase):
             self.assertIn("x.md:2: the verdict 02.x is not that of its studies", advice.check_blocks(Path("x.md"), filled)[0][0])
             self.assertIn("there is no verdict 03.y", advice.check_blocks(Path("x.md"), ["<!-- verdict: 03.y -->", "<!-- /verdict -->"])[0][0])
             self.assertIn("does not end", advice.check_blocks(Path("x.md"), ["<!-- verdict: 02.x -->", "text"])[0][0])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -13,16 +13,15 @@ import unittest
 
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tree import ROOT
+
 COMPARE = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "compare"
 
 
 @unittest.skipUnless(COMPARE.exists() or "LIGHTWALK_BUILD" in os.environ, f"{COMPARE} is not built")
 class CompareTest(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.a = self.picture("a.png", (64, 48), (100, 120, 140))
         moved = Image.open(self.a).copy()
         moved.putpixel((5, 7), (110, 120, 140))
@@ -110,7 +109,3 @@ class CompareTest(unittest.TestCase):
         before = sorted(self.folder.iterdir())
         self.compare(self.a, small, "--heatmap", self.folder / "heat.png")
         self.assertEqual(sorted(self.folder.iterdir()), before)
-
-
-if __name__ == "__main__":
-    unittest.main()

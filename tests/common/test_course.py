@@ -16,11 +16,10 @@ from pathlib import Path
 
 from small_course import INTERRUPTIBLE, REAL, Course
 
-sys.path.insert(0, str(REAL / "common/course"))
-import commands  # noqa: E402
-from build.build import trim  # noqa: E402
-from progress import Progress  # noqa: E402
-from shots.golden import LIMITS, exceeded  # noqa: E402
+import commands
+from build.build import trim
+from progress import Progress
+from shots.golden import LIMITS, exceeded
 
 
 class Commands(Course):
@@ -144,7 +143,7 @@ class Cache(unittest.TestCase):
 
 class Tests(Course):
     """The small tree has unit.common, and of two chapters shots and wrong pictures, checks and unsolved exercises; and two texts, of
-    which one is this file's empty stand-in, a test of the platform."""
+    which one is this file's stand-in, a test of the platform."""
 
     def test_green_red_and_the_closing_line(self):
         self.accept()
@@ -287,7 +286,3 @@ class Shots(Course):
         self.put("drift", "!")
         self.assertIn("FLIP mean 0.500000", self.course("accept", "01.car", "--yes"))
         self.assertIn("!", (self.root / "tests/01_obj/golden/car.png").read_text())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -10,9 +10,8 @@ from unittest import mock
 
 from small_course import REAL, Course
 
-sys.path.insert(0, str(REAL / "common/course"))
-from test import container  # noqa: E402
-from test_course_trouble import AS_OTHER, READ_ONLY, can  # noqa: E402
+from test import container
+from test_course_trouble import AS_OTHER, READ_ONLY, can
 
 
 class Refusals(Course):
@@ -112,7 +111,3 @@ class Tree(Course):
         self.assertIn("build/kept", second)
         changed = {name for name in second if second[name] != first.get(name)} - {"build/kept"}
         self.assertEqual(changed, {"docs/01_obj.md"})
-
-
-if __name__ == "__main__":
-    unittest.main()

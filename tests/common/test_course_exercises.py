@@ -7,13 +7,12 @@ import sys
 import unittest
 from unittest import mock
 
-from small_course import LESSON, REAL, Course
+from small_course import LESSON, Course
 
-sys.path.insert(0, str(REAL / "common/course"))
-from check import check  # noqa: E402
-from test.check_unsolved import with_bodies  # noqa: E402
-from shots.rendering import Crashed  # noqa: E402
-from charts.study_file import Study, markdown_table  # noqa: E402
+from check import check
+from test.check_unsolved import with_bodies
+from shots.rendering import Crashed
+from charts.study_file import Study, markdown_table
 
 
 class StillOpen(unittest.TestCase):
@@ -166,7 +165,3 @@ class Exercises(Course):
                 "void g() { h(); }\n")
         self.assertEqual(with_bodies(text, " return ZERO; "), "// f(x) {\nfloat f(vec3 a,\n        float b) "
                          "{ return float(0); }\nvoid g() {}\n")
-
-
-if __name__ == "__main__":
-    unittest.main()

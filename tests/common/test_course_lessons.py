@@ -2,15 +2,12 @@
 
 import json
 import re
-import sys
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from pages.reading import minutes, sections  # noqa: E402
-from test import lesson_commands  # noqa: E402
-from tree import chapters, lesson_pages, lessons  # noqa: E402
+from pages.reading import minutes, sections
+from test import lesson_commands
+from tree import ROOT, chapters, lesson_pages, lessons
 
 PARTS = ["What you will be able to do", "The first ten minutes", "What you will see", "The smallest program", "The frame",
          "Exercises", "What goes wrong", "Speed against accuracy", "When to use which", "Recap", "Questions", "Further reading"]
@@ -116,7 +113,3 @@ or `./course run 02 --shot NAME` or (`build/chapters/03_attenuation --study FILE
         self.assertEqual({one.chapter for one in found}, set(chapters()))
         self.assertGreater(len(found), 250)
         self.assertIn(("--shot", "forge", "--set", "method=window"), [one.words for one in found if lesson_commands.is_drawn(one.words)])
-
-
-if __name__ == "__main__":
-    unittest.main()

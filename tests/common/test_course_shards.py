@@ -105,8 +105,3 @@ class Study(Course):
         self.assertRegex(printed, r"\Acourse: 02_lambert was measured in study.\d-of-3.zip on NVIDIA H100, 1 and study.\d-of-3.zip on "
                                   r"NVIDIA H200, 1: times of two machines [^\n]*\n\Z")
         self.assertFalse((out / "other").exists())
-
-
-if __name__ == "__main__":
-    import unittest
-    unittest.main()

@@ -198,7 +198,3 @@ class Text(Course):
         self.put("tests/02_lambert/shots.json", '{"shots": [{"name": "a", "caption": "", "exercises": ["02.no"]}]}')
         self.assertIn("there is no exercise 02.no", self.wrong())
         self.assertIn("no golden has to reject the picture of an earlier chapter", self.wrong())
-
-
-if __name__ == "__main__":
-    unittest.main()

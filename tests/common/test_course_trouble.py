@@ -12,9 +12,8 @@ from pathlib import Path
 
 from small_course import INTERRUPTIBLE, REAL, Course, clean_environment, make_tree
 
-sys.path.insert(0, str(REAL / "common/course"))
-from build.format_tree import formatter  # noqa: E402
-from tree import write_atomically  # noqa: E402
+from build.format_tree import formatter
+from tree import write_atomically
 
 COMMANDS = ("run 01", "run", "check", "check --progress", "test", "accept --yes", "study", "study 01 --stretch", "docs", "format --check",
             "docs --quote", "fuzz 1", "handout OUT/copy", "doctor", "clean")
@@ -171,7 +170,3 @@ class Saves(Course):
         self.assertIn("File too large", self.run_program([sys.executable, "-c", code]))
         self.assertEqual(file.read_text(), "old")
         self.assertEqual([path.name for path in Path(self.outside).glob(".full*")], [])
-
-
-if __name__ == "__main__":
-    unittest.main()

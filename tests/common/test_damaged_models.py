@@ -57,9 +57,7 @@ def variants(file: Path) -> list[bytes]:
 
 class DamagedModels(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name) / "set"
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory())) / "set"
         shutil.copytree(SET, self.folder)
         self.drawing = None
 

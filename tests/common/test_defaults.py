@@ -7,18 +7,13 @@ import functools
 import json
 import re
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "common" / "course")]
-
-from charts import measured  # noqa: E402
-from charts.study_file import load  # noqa: E402
-from charts.verdict import verdict_of  # noqa: E402
-from pages import advice, claims  # noqa: E402
-from tree import BUILD  # noqa: E402
+from charts import measured
+from charts.study_file import load
+from charts.verdict import verdict_of
+from pages import advice, claims
+from tree import BUILD, ROOT
 
 COUNTS = re.compile(r"(?:^|[._])(?:samples|steps|taps|slices|peels|levels|octaves|cells|ring_cells|reach|table_scale)$")
 
@@ -113,7 +108,3 @@ class Convergence(unittest.TestCase):
         said = {(request, name) for request in requests for name in unsteady(request)}
         self.assertEqual(wrong, [], "more samples make it worse; \"unsteady\" of study.json says why")
         self.assertEqual(said - excused, set(), "no error grows there; take the line away")
-
-
-if __name__ == "__main__":
-    unittest.main()

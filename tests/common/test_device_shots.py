@@ -6,20 +6,16 @@ import contextlib
 import io
 import json
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
+from PIL import Image, ImageOps
 
-from PIL import Image, ImageOps  # noqa: E402
-
-from shots import accept, golden  # noqa: E402
-from test import device  # noqa: E402
-from tree import UsageError, chapters, exercises, shots  # noqa: E402
+from shots import accept, golden
+from test import device
+from tree import UsageError, chapters, exercises, shots
 
 CHAPTER, SHOT = "02_lambert_phong", "02.teapot"
 H200 = {"name": "NVIDIA H200", "type": "discrete", "driver": "NVIDIA 580.159.04", "lacks": ""}
@@ -28,9 +24,7 @@ LLVMPIPE = {"name": "llvmpipe (LLVM 15.0.6, 256 bits)", "type": "software", "dri
 
 class DeviceCase(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.file = self.folder / "device.json"
         self.replace("test.device.BUILD", self.folder)
 
@@ -204,7 +198,3 @@ class Limits(DeviceCase):
         accept.keep_distances({("05_shadow_maps", "wrong"): {"avx": measured}})
         self.assertEqual(json.loads(path.read_text()), {"wrong": wrong | {"avx": measured}})
         self.assertEqual(golden.limits_of("05_shadow_maps", "wrong"), {"flip_mean": 0.003, "flip_p99": 0.05, "max_diff": 64})
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,16 +6,12 @@ import argparse
 import json
 import re
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
-REAL = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REAL / "common/course"))
-from cli import COMMANDS  # noqa: E402
-from test import run_tests  # noqa: E402
-from test.container import SYSTEMS  # noqa: E402
-from tree import chapters, lesson_pages  # noqa: E402
+from cli import COMMANDS
+from test import run_tests
+from test.container import SYSTEMS
+from tree import ROOT, chapters, lesson_pages
 
 try:
     import yaml
@@ -31,7 +27,7 @@ def commands(text: str) -> list[list[str]]:
 class Workflow(unittest.TestCase):
     @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
     def test_its_steps_are_commands_of_the_course(self):
-        said = yaml.safe_load((REAL / ".github/workflows/test.yml").read_text())
+        said = yaml.safe_load((ROOT / ".github/workflows/test.yml").read_text())
         part, report = said["jobs"]["part"], said["jobs"]["report"]
         steps = [step["run"] for job in (part, report) for step in job["steps"] if "run" in step]
         for step in steps:
@@ -54,7 +50,7 @@ class Workflow(unittest.TestCase):
 
     @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
     def test_the_workflow_of_the_site_publishes_what_it_writes(self):
-        said = yaml.safe_load((REAL / ".github/workflows/pages.yml").read_text())
+        said = yaml.safe_load((ROOT / ".github/workflows/pages.yml").read_text())
         steps = said["jobs"]["publish"]["steps"]
         for step in steps:
             self.assertEqual(len({"run", "uses"} & set(step)), 1, step)
@@ -69,7 +65,7 @@ class Workflow(unittest.TestCase):
 
     def test_an_action_is_one_commit_in_all_workflows(self):
         used = {}
-        for path in (REAL / ".github/workflows").glob("*.yml"):
+        for path in (ROOT / ".github/workflows").glob("*.yml"):
             text = path.read_text()
             for what in re.findall(r"uses: (.*)", text):  # by its commit: a tag may be moved to another one
                 self.assertRegex(what, r"^[\w./-]+@[0-9a-f]{40} # v[\d.]+$", path.name)
@@ -79,8 +75,8 @@ class Workflow(unittest.TestCase):
         self.assertGreater(len(used), 5)
 
     def test_the_container_does_what_the_readme_says(self):
-        said = json.loads((REAL / ".devcontainer/devcontainer.json").read_text())
-        first = re.findall(r"^    (\./course \w+)$", (REAL / "README.md").read_text(), re.M)[:2]
+        said = json.loads((ROOT / ".devcontainer/devcontainer.json").read_text())
+        first = re.findall(r"^    (\./course \w+)$", (ROOT / "README.md").read_text(), re.M)[:2]
         made = [words for key in ("updateContentCommand", "postCreateCommand") for words in commands(said[key])]
         self.assertEqual([f"./course {' '.join(words)}" for words in made], first)
         self.assertEqual(said["image"], "debian:12")
@@ -88,7 +84,7 @@ class Workflow(unittest.TestCase):
 
 class Editors(unittest.TestCase):
     def read(self, name: str) -> dict:
-        return json.loads((REAL / ".vscode" / name).read_text())
+        return json.loads((ROOT / ".vscode" / name).read_text())
 
     def test_each_chapter_is_started_by_a_command_of_the_course_and_debugged(self):
         tasks, launch = self.read("tasks.json"), self.read("launch.json")
@@ -107,13 +103,13 @@ class Editors(unittest.TestCase):
                            ".github/ISSUE_TEMPLATE/device.yml": {"name", "description", "body"},
                            ".github/ISSUE_TEMPLATE/lesson.yml": {"name", "description", "body"},
                            ".github/ISSUE_TEMPLATE/wrong.yml": {"name", "description", "body"}}.items():
-            self.assertLessEqual(keys, set(yaml.safe_load((REAL / name).read_text())), name)
+            self.assertLessEqual(keys, set(yaml.safe_load((ROOT / name).read_text())), name)
 
 
 class Page(unittest.TestCase):
     def test_it_names_what_the_program_asks_for(self):
-        source = (REAL / "common/gpu/device_features.cpp").read_text()
-        page = (REAL / "docs/elsewhere.md").read_text()
+        source = (ROOT / "common/gpu/device_features.cpp").read_text()
+        page = (ROOT / "docs/elsewhere.md").read_text()
         needed = re.findall(r"need\(has1\d\.(\w+)", source) + re.findall(r"FEATURE\((\w+)\)[,}]", source)
         self.assertGreater(len(needed), 12)
         for name in needed:
@@ -121,18 +117,14 @@ class Page(unittest.TestCase):
 
     def test_hours_follow_from_the_lessons(self):
         """As the page says they were estimated."""
-        rows = re.findall(r"^\| (\d\d) [^|]*\|[^|]*\| (\d+), (\d+), (\d+) \| ([\d.]+) \|$", (REAL / "docs/teaching.md").read_text(), re.M)
+        rows = re.findall(r"^\| (\d\d) [^|]*\|[^|]*\| (\d+), (\d+), (\d+) \| ([\d.]+) \|$", (ROOT / "docs/teaching.md").read_text(), re.M)
         self.assertGreater(len(rows), 15)
         for number, *counts, hours in rows:
             [name] = [chapter for chapter in chapters() if chapter.startswith(number)]
-            text = "\n".join((REAL / page).read_text() for page in lesson_pages(name))
+            text = "\n".join((ROOT / page).read_text() for page in lesson_pages(name))
             graded = [len(re.findall(rf"^### \d\d\.\w+ \({grade}\)$", text, re.M)) for grade in ("easy", "medium", "hard")]
             self.assertEqual(list(map(int, counts)), graded, name)
             text = re.sub(r"^( *)```.*?^\1```|<details>.*?</details>|<!--.*?-->", "", text, flags=re.M | re.S)
             text = re.sub(r"^\|.*$|!?\[[^\]]*\]\([^)]*\)", "", text, flags=re.M)
             estimate = len(text.split()) / 120 / 60 + (15 * graded[0] + 35 * graded[1] + 75 * graded[2]) / 60
             self.assertLess(abs(float(hours) - estimate), 0.35, name)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,6 +3,7 @@
 #include "common/app/environment.h"
 #include "common/image/image.h"
 #include "common/scene/scene_file.h"
+#include "file_fixture.h"
 #include "module_fixture.h"
 
 using namespace lightwalk;

@@ -108,9 +108,7 @@ def is_default(setting: str, knobs: dict) -> bool:
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
 class EqualMethods(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.pictures = {}
         self.scene = self.folder / "everything.json"
         self.scene.write_text(json.dumps(EVERYTHING))
@@ -187,6 +185,3 @@ class EqualMethods(unittest.TestCase):
 
 
 LENS_SHARE = 0.004  # of the pixels: measured 0.015 for 1.5 s of motion
-
-if __name__ == "__main__":
-    unittest.main()

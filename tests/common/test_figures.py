@@ -52,7 +52,3 @@ class Figures(unittest.TestCase):
         for name in ("INK", "GREY", "BLUE", "RED", "GREEN", "ORANGE", "PURPLE"):
             contrast = (background + 0.05) / (luminance(getattr(drawing, name)) + 0.05)
             self.assertGreater(contrast, 4.5, name)  # WCAG 2.1, 1.4.3
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,4 @@
-// glTF as the specification has it: numbers that follow from its text, and files that must be refused.
+// glTF as the specification has it: numbers that follow from its text, what is left out, files that must be refused.
 #include <meshoptimizer.h>
 
 #pragma GCC diagnostic push
@@ -13,11 +13,34 @@
 #include <array>
 
 #include "common/scene/bare.h"
-#include "gltf_fixture.h"
+#include "import_fixture.h"
+#include "scene_fixture.h"
 
 using namespace lightwalk;
 
 namespace {
+
+// Two floats 0 and 1, then three positions: (0, 0, 0), (1, 0, 0), (0, 1, 0).
+const std::string head =
+    R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "buffers": [{"byteLength": 44,
+    "uri": "data:application/octet-stream;base64,AAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA="}],
+    "bufferViews": [{"buffer": 0, "byteLength": 8}, {"buffer": 0, "byteOffset": 8, "byteLength": 36}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
+                  {"bufferView": 1, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "material": 0}]}], "materials": [{)";
+
+struct Gltf {
+    const FileFolder folder;
+    Model read(const std::string& material, const std::string& rest = R"("nodes": [{"mesh": 0}])") {
+        const auto file = folder / "model.gltf";
+        write_file(file, head + material + "}], " + rest + "}");
+        return import_model(file);
+    }
+    std::string error(const std::string& material, const std::string& rest = R"("nodes": [{"mesh": 0}])") {
+        return refusal_of([&] { read(material, rest); });
+    }
+};
 
 template <class T, size_t n>
 std::string encoded(const std::array<T, n>& values) {
@@ -207,4 +230,68 @@ TEST_CASE("glTF: a cutoff of 0 hides nothing", "[common.cutoff_0]") {
     CHECK(why("0", "0").empty());
     CHECK(why("0.5", "0.5").empty());
     CHECK(why("0.5", "0.4").find("transparent") != std::string::npos);
+}
+
+TEST_CASE("glTF: what is left out is named once, and counted") {
+    const Model model = Gltf().read(R"("extensions": {"KHR_materials_sheen": {}, "KHR_materials_clearcoat": {}})",
+                                    R"("nodes": [{"mesh": 0}], "extensionsUsed": ["KHR_materials_sheen", "VENDOR_x"])");
+    CHECK(left_out_text(model) == "KHR_materials_clearcoat (1 material), KHR_materials_sheen (1 material), VENDOR_x");
+}
+
+TEST_CASE("glTF: contents without a material that are left out are named") {
+    const auto said = [](const std::string& rest) { return left_out_text(Gltf().read("", rest)); };
+    CHECK(said(R"("nodes": [{"mesh": 0}], "animations": [{"channels": [], "samplers": []}, {"channels": [],
+        "samplers": []}])") == "further animations (1 animation)");
+    Gltf file;
+    const auto with = [&](const std::string& primitive) {
+        std::string text = head + R"(}], "nodes": [{"mesh": 0}]})";
+        const std::string old = R"("meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "material": 0})";
+        text.replace(text.find(old), old.size(), old + ", " + primitive);
+        write_file(file.folder / "more.gltf", text);
+        return left_out_text(import_model(file.folder / "more.gltf"));
+    };
+    CHECK(with(R"({"attributes": {"POSITION": 1}, "mode": 0}, {"attributes": {"POSITION": 1}, "mode": 1})") ==
+          "points (1 mesh), lines (1 mesh)");
+    CHECK(with(R"({"attributes": {"POSITION": 1, "COLOR_1": 1}})") == "second vertex colours (1 mesh)");
+    CHECK(with(R"({"attributes": {"POSITION": 1, "JOINTS_1": 1}})") == "more than four joints a vertex (1 mesh)");
+    std::string scenes = head + R"(}], "nodes": [{"mesh": 0}]})";
+    scenes.replace(scenes.find(R"([{"nodes": [0]}])"), 16, R"([{"nodes": [0]}, {"nodes": [0]}])");
+    write_file(file.folder / "scenes.gltf", scenes);
+    CHECK(left_out_text(import_model(file.folder / "scenes.gltf")) == "further scenes");
+    CHECK(with(R"({"attributes": {"POSITION": 1}, "targets": [{"POSITION": 1}]})").empty());
+    CHECK(with(R"({"attributes": {"POSITION": 1}, "targets": [{"COLOR_0": 1}, {"COLOR_0": 1}]})") ==
+          "morph targets of COLOR_0 (1 mesh)");
+}
+
+// glTF 2.0, 3.7.2.2: a node's weights take the place of its mesh's.
+TEST_CASE("glTF: weights of a mesh and of its node") {
+    Gltf file;
+    std::string text = head + R"(}], "nodes": [{"mesh": 0, "weights": [0.75]}]})";
+    const std::string old = R"({"POSITION": 1}, "material": 0}]})";
+    text.replace(text.find(old), old.size(), R"({"POSITION": 1}, "targets": [{"POSITION": 1}]}], "weights": [0.25]})");
+    write_file(file.folder / "morph.gltf", text);
+    CHECK(import_model(file.folder / "morph.gltf").meshes.at(0).deformation.weights == std::vector<float>{0.75f});
+    text.replace(text.find(R"(, "weights": [0.75])"), 19, "");
+    write_file(file.folder / "morph.gltf", text);
+    CHECK(import_model(file.folder / "morph.gltf").meshes.at(0).deformation.weights == std::vector<float>{0.25f});
+}
+
+TEST_CASE("glTF: what is malformed is refused in one line") {
+    Gltf file;
+    const auto refused = [&](const std::string& rest, const std::string& why) {
+        const std::string said = file.error("", rest);
+        CAPTURE(rest, said);
+        CHECK(said.find(why) != std::string::npos);
+    };
+    refused(R"("nodes": [{"mesh": 1}])", "meshes 1 is named, there is 1");
+    refused(R"("nodes": [{"mesh": "zero"}])", "not as glTF has it");
+    refused(R"("nodes": [{"mesh": 0, "children": [0]}])", "node 0 has two parents");
+    refused(R"("nodes": [{"mesh": 0}], "extensionsRequired": ["EXT_none"])", "requires the extension EXT_none");
+    refused(R"("nodes": [{"mesh": 0}], "animations": [{"channels": [{"sampler": 3, "target": {"node": 0, "path":
+        "translation"}}], "samplers": []}])",
+            "animation sampler 3 is missing");
+    refused(R"("nodes": [{"mesh": 0}], "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path":
+        "translation"}}], "samplers": [{"input": 0, "output": 1, "interpolation": "CUBICSPLINE"}]}])",
+            "numbers for 2 times");
+    CHECK(file.error(R"("normalTexture": {"index": 0})").find("textures 0 is named") != std::string::npos);
 }

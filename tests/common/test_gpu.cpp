@@ -13,7 +13,6 @@
 #include "common/check/check.h"
 #include "common/gpu/frame.h"
 #include "common/gpu/gpu_work.h"
-#include "common/image/mip_levels.h"
 
 using namespace lightwalk;
 
@@ -30,12 +29,6 @@ void main() {
 }
 )";
 
-std::vector<float> floats(const std::vector<std::byte>& bytes) {
-    std::vector<float> result(bytes.size() / 4);
-    std::memcpy(result.data(), bytes.data(), 4 * result.size());
-    return result;
-}
-
 // Without file and line of the statement.
 std::string refusal_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
     Frame frame(check_device());
@@ -49,40 +42,7 @@ std::string refusal_of(const std::function<void(Compute&)>& record, const Comput
     return text.substr(text.find(": ") + 2);
 }
 
-struct Scale {
-    float offset, factor;
-};
-
 }  // namespace
-
-TEST_CASE("a compute pass reads, writes and is timed; a later pass sees what an earlier one wrote") {
-    Gpu& gpu = check_device();
-    const Pipeline twice = compute({.shader = "doubler", .source = doubler});
-    const Buffer in = gpu.upload("in", std::vector<float>{1, 2, 3, 4, 5});
-    Buffer middle(gpu.device, {.name = "middle", .bytes = 20}), out(gpu.device, {.name = "out", .bytes = 20});
-    Frame frame(gpu);
-    frame.begin({4, 4}, 0);
-    frame.compute("first", {.writes = {middle}}, [&](Compute& pass) {
-        pass.use(twice)
-            .set("values", in)
-            .set("doubled", middle)
-            .set("scale", Scale{1, 2})
-            .dispatch_threads(glm::uvec2(5, 1));
-    });
-    frame.compute("second", {.reads = {middle}, .writes = {out}}, [&](Compute& pass) {
-        pass.use(twice)
-            .set("values", middle)
-            .set("doubled", out)
-            .set("scale", Scale{0, 10})
-            .dispatch_threads(glm::uvec2(5, 1));
-    });
-    frame.end();
-    CHECK(floats(gpu.read_back(out)) == std::vector<float>{30, 50, 70, 90, 110});
-    REQUIRE(frame.times.size() == 2);
-    CHECK(frame.times[0].name == "first");
-    CHECK(frame.times[1].stage == "compute");
-    CHECK(frame.times[0].gpu_ms >= 0);
-}
 
 TEST_CASE("buffers that a pass does not state, and blocks of another size") {
     Gpu& gpu = check_device();
@@ -97,28 +57,6 @@ TEST_CASE("buffers that a pass does not state, and blocks of another size") {
     // More than the block has would be lost without a word.
     CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
           "pass 'test': 'scale' is 16 bytes in C++ and 8 in the shader");
-}
-
-TEST_CASE("an image goes through uploads of all levels and read-back unchanged") {
-    Gpu& gpu = check_device();
-    std::vector<uint8_t> texels(4 * 5 * 3);
-    for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint8_t>(7 * i);
-    Image image(gpu.device,
-                {.name = "odd", .format = VK_FORMAT_R8G8B8A8_UNORM, .size = {5, 3}, .mips = full_mip_count({5, 3})});
-    CHECK(image.desc.mips == 3);
-    const auto levels = mip_levels(image.desc.format, {5, 3}, std::as_bytes(std::span(texels)));
-    gpu.upload(image, levels);
-    for (uint32_t mip = 0; mip < 3; ++mip) CHECK(gpu.read_back(ImageView(image).mip(mip)) == levels[mip]);
-    CHECK_THROWS_WITH(gpu.upload(image, std::span(levels[0])), Catch::Matchers::Contains("odd"));
-}
-
-TEST_CASE("a shader's error shows file, line and the line") {
-    try {
-        const FlatShader flat = flatten_text(
-            "layout(local_size_x = 1) in;\nvoid main() {\n    float x = undeclared;\n}\n", "inline.comp", "99", {});
-        compile(Stage::compute, flat.text, "inline.comp");
-        FAIL("it compiled");
-    } catch (const ShaderError& e) { CHECK_THAT(e.what(), Catch::Matchers::StartsWith("inline.comp:3: 'undeclared'")); }
 }
 
 TEST_CASE("a chapter cannot include a later one, nor a file that is not there, nor within #if") {
@@ -142,6 +80,17 @@ TEST_CASE("a test's text replaces a file that is included after it; a shader's m
                       Catch::Matchers::Contains("only tests replace a shader"));
     CHECK_THROWS_WITH(flatten_text("#pragma replaces \"common/absent.glsl\"\n", "test", "01", {}),
                       Catch::Matchers::Contains("test:1: no file shaders/common/absent.glsl"));
+}
+
+TEST_CASE("a replaced file is read in place of the one that is included, of a later chapter too") {
+    const std::string text = "#include \"common/put_surface.glsl\"\nvoid main() { put_surface(vec3(0.0), 1.0); }\n";
+    const FlatShader plain = flatten_text(text, "test", "01", {});
+    CHECK(plain.text.find("layout(location = 0) out vec4 color;") != plain.text.npos);
+    const Macros macros = Macros().replace_file("common/put_surface.glsl", "common/srgb.glsl");
+    const FlatShader other = flatten_text(text, "test", "01", macros);
+    CHECK(other.text.find("out vec4 color") == other.text.npos);
+    REQUIRE(other.files.size() == 1);
+    CHECK(other.files[0].filename() == "srgb.glsl");
 }
 
 TEST_CASE("only macros that a shader names make another variant of it") {

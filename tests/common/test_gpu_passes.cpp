@@ -1,4 +1,4 @@
-// Within a pass: arrays, indirect draws and dispatches, slots.
+// Within a pass: indirect draws and dispatches, slots, descriptor sets.
 
 #include "tests/common/gpu_fixture.h"
 
@@ -43,38 +43,6 @@ void main() {
     CHECK(gpu.pipelines.get(writes, {}, first) == built);
 }
 
-TEST_CASE_METHOD(OnDevice, "a filled image holds the value in all of its levels, and may be read") {
-    const Image twos = image({.format = one_float, .size = {4, 2}, .mips = 2});
-    frame.fill("fill", twos, glm::vec4(2));
-    ReadBack texels;
-    frame.read_back(twos.mip(1), texels);
-    frame.end();
-    CHECK(texels.as<float>() == std::vector<float>{2, 2});
-}
-
-TEST_CASE_METHOD(OnDevice, "a storage image that a shader reads stands in the pass's reads, too") {
-    const Pipeline doubles = compute_pipeline("doubles", R"(
-layout(local_size_x = 4, local_size_y = 4) in;
-layout(r32f) uniform image2D twice;
-void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    imageStore(twice, at, 2.0 * imageLoad(twice, at));
-}
-)");
-    const Image number = image({.name = "number", .format = one_float, .size = {4, 4}});
-    frame.raster("fill", {.color = {clear(number, glm::vec4(3))}}, [](Raster&) {});
-    const auto record = [&](std::vector<Resource> reads) {
-        frame.compute("doubles", {.reads = std::move(reads), .writes = {number}},
-                      [&](Compute& pass) { pass.use(doubles).set("twice", number).dispatch_threads(frame.size); });
-    };
-    CHECK(failure_of([&] { record({}); }) ==
-          "pass 'doubles': 'twice' is not writeonly in the shader, and number is stated in writes alone; declare it "
-          "writeonly, or state it in reads, too");
-    record({number});
-    frame.end();
-    CHECK(value(number) == 6);
-}
-
 TEST_CASE_METHOD(OnDevice, "what a shader declares and main() does not reach need not be set, and may be") {
     const Pipeline part = compute_pipeline("part", R"(
 layout(local_size_x = 4, local_size_y = 4) in;
@@ -103,35 +71,6 @@ void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(number)); }
     CHECK(value(into) == 2);
 }
 
-TEST_CASE_METHOD(OnDevice, "a texture that a pass writes before it reads it stands in both lists") {
-    const Pipeline fill = compute_pipeline("fill", R"(
-layout(local_size_x = 4, local_size_y = 4) in;
-layout(r32f) writeonly uniform image2D into;
-void main() { imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(2)); }
-)");
-    const Pipeline add = compute_pipeline("add", R"(
-layout(local_size_x = 4, local_size_y = 4) in;
-uniform sampler2D from;
-layout(r32f) writeonly uniform image2D into;
-void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    imageStore(into, at, 1.0 + texelFetch(from, at, 0));
-}
-)");
-    const Image before = image({.name = "before", .format = one_float, .size = {4, 4}});
-    const Image after = image({.name = "after", .format = one_float, .size = {4, 4}});
-    const auto record = [&](std::vector<Resource> reads) {
-        frame.compute("both", {.reads = std::move(reads), .writes = {before, after}}, [&](Compute& pass) {
-            pass.use(fill).set("into", before).dispatch_threads(before.desc.size).wait();
-            pass.use(add).set("from", before, nearest_clamp).set("into", after).dispatch_threads(after.desc.size);
-        });
-    };
-    CHECK(failure_of([&] { record({}); }) == "pass 'both' binds 'from' without stating it in its reads");
-    record({before});
-    frame.end();
-    CHECK(value(after) == 3);
-}
-
 TEST_CASE_METHOD(OnDevice, "what a pass discards is seen where a frame shows it") {
     const Image number = image({.name = "number", .format = one_float, .size = {4, 4}});
     frame.end();
@@ -145,33 +84,6 @@ TEST_CASE_METHOD(OnDevice, "what a pass discards is seen where a frame shows it"
         if (shows) CHECK(value(number) == 1000);
         if (shows) CHECK(value(other.depth) == 1);
     }
-}
-
-TEST_CASE_METHOD(OnDevice, "an array of textures is one binding") {
-    std::vector<Image> images;
-    for (int i = 0; i < 3; ++i) {
-        images.push_back(image({.name = "map " + std::to_string(i), .format = one_float, .size = {1, 1}}));
-        frame.raster("fill", {.color = {clear(images[i], glm::vec4(float(1 + i)))}}, [](Raster&) {});
-    }
-    const Buffer seen(gpu.device, {.name = "seen", .bytes = 32});
-    std::string look;
-    for (const char i : {'0', '1', '2', '3', '4'})
-        look += std::string("seen[") + i + "] = texelFetch(maps[" + i + "], ivec2(0), 0).r;";
-    const Pipeline look_up = compute_pipeline(
-        "array",
-        "layout(local_size_x = 1) in;\nuniform sampler2D maps[5];\nlayout(scalar) buffer SeenBuffer { float "
-        "seen[]; };\nvoid main() { " +
-            look + " }\n");
-    const std::vector<ImageView> views{images[0], images[1], images[2]};
-    frame.compute("look", {.reads = {images[0], images[1], images[2]}, .writes = {seen}}, [&](Compute& pass) {
-        pass.use(look_up).set("maps", views, nearest_clamp).set("seen", seen).dispatch({1, 1, 1});
-        CHECK(failure_of([&] { pass.set("maps", std::vector<ImageView>(6, images[0])); }) ==
-              "pass 'look': 'maps' has 5 elements in the shader and gets 6");
-    });
-    frame.end();
-    auto values = read<float>(seen);
-    values.resize(5);
-    CHECK(values == std::vector<float>{1, 2, 3, 3, 3});  // the last one fills the rest
 }
 
 TEST_CASE_METHOD(OnDevice, "a dispatch sees what the one before wrote, and how many groups it said") {
@@ -243,4 +155,41 @@ TEST_CASE_METHOD(OnDevice, "a slot stands for a name; an empty one sets nothing;
     });
     frame.end();
     CHECK(read<uint32_t>(values)[0] == 1);
+}
+
+TEST_CASE_METHOD(DeviceTest, "more draws than a pool has sets, with other buffers each, draw with their own") {
+    const Pipeline sum = quad_pipeline({.cull = VK_CULL_MODE_NONE, .blend = Blend::add}, "sum.frag");
+    const Image target = image({.format = four_floats, .size = {1, 1}});
+    const Buffer a = gpu.upload("a", std::vector<float>(4, 3)), b = gpu.upload("b", std::vector<float>(4, 4));
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        frame.begin({1, 1}, 0);
+        frame.raster("sum", {.color = {clear(target, glm::vec4(0))}}, [&](Raster& pass) {
+            pass.use(sum).set("quad", Quad{}).set("first", a);
+            for (int i = 0; i < 600; ++i) pass.set("second", i % 2 ? b : a).draw(6);
+        });
+        frame.end();
+        CHECK(read<float>(target).at(0) == 300 * (3 + 3) + 300 * (3 + 4));
+    }
+}
+
+TEST_CASE("sets follow other buffers, other pipelines, and what has the handle of something destroyed") {
+    Gpu gpu(validated());
+    const Pipeline sum = quad_pipeline({}, "sum.frag"), paint = quad_pipeline({});
+    const Image target(gpu.device, {.name = "target", .format = four_floats, .size = {1, 1}});
+    Frame frame(gpu);
+    const auto drawn = [&](float first, float second, bool paints) {
+        const Buffer a = gpu.upload("a", std::vector<float>(4, first)),
+                     b = gpu.upload("b", std::vector<float>(4, second));
+        frame.begin({1, 1}, 0);
+        frame.raster("sum", {.color = {target}}, [&](Raster& pass) {
+            if (paints) pass.use(paint).set("quad", Quad{}).set("paint", Paint{}).draw(6);
+            pass.use(sum).set("quad", Quad{}).set("first", a).set("second", b).draw(6);
+        });
+        frame.end();
+        float texel = 0;
+        std::memcpy(&texel, gpu.read_back(target).data(), 4);
+        return texel;
+    };
+    for (int i = 0; i < 8; ++i) CHECK(drawn(float(i), 10, i % 3 == 1) == float(i) + 10);
+    CHECK_NOTHROW(gpu.device.check_validation());
 }

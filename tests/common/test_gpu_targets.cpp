@@ -5,34 +5,9 @@ using namespace lightwalk;
 
 namespace {
 
-const Pipeline paint = quad_pipeline(), read_depth = quad_pipeline({}, "seen_depth.frag");
-
-// The left half of the screen.
-constexpr glm::vec4 left_half{-1, -1, 0, 1};
+const Pipeline paint = quad_pipeline();
 
 }  // namespace
-
-TEST_CASE_METHOD(OnDevice, "each target says for itself whether it is cleared or kept") {
-    const Image a = image({.name = "a", .format = four_floats, .size = {4, 4}});
-    const Image b = image({.name = "b", .format = four_floats, .size = {4, 4}});
-    const Image plain = image({.name = "plain", .format = four_floats, .size = {4, 4}});
-    const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
-    frame.raster("first",
-                 {.color = {clear(a, glm::vec4(1)), clear(b, glm::vec4(2)), plain}, .depth = clear(depth, 0.5f)},
-                 [](Raster&) {});
-    frame.raster("second", {.color = {keep(a), clear(b, glm::vec4(3)), keep(plain)}, .depth = keep(depth)},
-                 [](Raster&) {});
-    frame.end();
-    CHECK(value(a) == 1.0f);
-    CHECK(value(b) == 3.0f);
-    const auto texel = read<glm::vec4>(plain)[0];
-    CHECK(texel == glm::vec4(0, 0, 0, 1));
-    CHECK(value(depth) == 0.5f);
-    frame.begin({4, 4}, 0);
-    frame.raster("third", {.depth = depth}, [](Raster&) {});
-    frame.end();
-    CHECK(value(depth) == 0.0f);
-}
 
 TEST_CASE_METHOD(OnDevice, "targets that do not fit are refused in words") {
     const Image small = image({.name = "small", .format = four_floats, .size = {2, 2}});
@@ -86,23 +61,6 @@ TEST_CASE_METHOD(OnDevice, "alpha to coverage covers as many samples as alpha sa
     });
     frame.end();
     CHECK(read<glm::vec4>(mean)[5].r == 0.5f);
-}
-
-TEST_CASE_METHOD(OnDevice, "read-only depth is tested against and sampled at once, and stays as it is") {
-    const Image depth = image({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .size = {4, 4}});
-    const Image color = image({.name = "color", .format = four_floats, .size = {4, 4}});
-    const Pipeline depth_only = quad_pipeline({}, "depth_only.frag");
-    frame.raster("depth", {.depth = clear(depth, 0.25f)}, [&](Raster& pass) {
-        pass.use(depth_only).set("quad", Quad{.rectangle = left_half, .depth = 0.75f, .depth_right = 0.75f}).draw(6);
-    });
-    frame.raster("seen", {.color = {clear(color, glm::vec4(-1))}, .depth = read_only(depth)}, [&](Raster& pass) {
-        pass.use(read_depth).set("quad", Quad{}).set("depth", depth, nearest_clamp).draw(6);  // at 0.5
-    });
-    frame.end();
-    const auto texels = read<glm::vec4>(color);
-    CHECK(texels[0].r == -1.0f);  // hidden
-    CHECK(texels[3].r == 0.25f);  // drawn, and seen
-    CHECK(read<float>(depth)[3] == 0.25f);
 }
 
 TEST_CASE_METHOD(OnDevice, "a pass without a target draws as many pixels as it says") {
@@ -206,22 +164,4 @@ TEST_CASE_METHOD(OnDevice, "depth is compared, written, clamped and moved as the
     CHECK(clamped - straight == Approx(0.03125).epsilon(1e-3));
     CHECK(left_by({}, flat(1.5f)) == 0.5f);  // cut off at the near plane
     CHECK(left_by({.depth_clamp = true}, flat(1.5f)) == 1.0f);
-}
-
-TEST_CASE_METHOD(OnDevice, "what is mirrored shows its other side") {
-    const Image color = image({.name = "color", .format = four_floats, .size = {4, 4}});
-    const Quad mirror{.rectangle = {1, -1, -1, 1}};
-    const auto drawn = [&](const Quad& quad, bool mirrored) {
-        frame.begin({4, 4}, 0);
-        frame.raster("mirror", {.color = {clear(color, glm::vec4(0))}}, [&](Raster& pass) {
-            pass.use(paint).mirrored(true);
-            pass.use(paint).mirrored(mirrored).set("quad", quad).set("paint", Paint{}).draw(6);
-        });
-        frame.end();
-        return value(color) == 1.0f;
-    };
-    CHECK(drawn({}, false));
-    CHECK_FALSE(drawn({}, true));
-    CHECK_FALSE(drawn(mirror, false));
-    CHECK(drawn(mirror, true));
 }

@@ -1,4 +1,4 @@
-// Views: a layer, a mip, a face, a slice wherever an image goes, each with its own barriers.
+// Views: a layer, a mip, a face, a slice wherever an image goes, each with its own barriers; samplers.
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
@@ -44,20 +44,6 @@ TEST_CASE_METHOD(OnDevice, "a mip of a layer is cleared and read back alone") {
           std::vector<float>{11, 11, 11, 11, 11, 11, 11, 11, 21, 21, 21, 21, 21, 21, 21, 21});
     CHECK(failure_of([&] { map.layer(4); }) == "test has no layers 4 to 4");
     CHECK(failure_of([&] { map.layer(2).mip(3); }) == "test layer 2 has no mip 3");
-}
-
-TEST_CASE_METHOD(OnDevice, "compute passes make mip after mip of one image") {
-    const Image chain = image({.format = one_float, .size = {8, 8}, .mips = 4});
-    frame.raster("first", {.color = {clear(chain.mip(0), glm::vec4(1.0f))}}, [](Raster&) {});
-    for (uint32_t m = 1; m < 4; ++m)
-        frame.compute("halve", {.reads = {chain.mip(m - 1)}, .writes = {chain.mip(m)}}, [&](Compute& pass) {
-            pass.use(halve).set("source", chain.mip(m - 1), nearest_clamp).set("result", chain.mip(m));
-            pass.dispatch_threads(glm::uvec2(chain.mip(m).size()));
-        });
-    frame.end();
-    CHECK(value(chain.mip(1)) == 5.0f);
-    CHECK(value(chain.mip(2)) == 21.0f);
-    CHECK(value(chain.mip(3)) == 85.0f);
 }
 
 TEST_CASE_METHOD(OnDevice, "one compute pass makes the whole chain, waiting between dispatches, and is timed once") {
@@ -232,21 +218,6 @@ TEST_CASE_METHOD(OnDevice, "a geometry shader draws into several layers at once"
     for (uint32_t i = 0; i < 5; ++i) CHECK(value(map.layer(i)) == expected[i]);
 }
 
-TEST_CASE_METHOD(OnDevice, "a transfer copies from one mip to another") {
-    const Image chain = image({.format = one_float, .size = {4, 4}, .mips = 2});
-    frame.raster("first", {.color = {clear(chain.mip(0), glm::vec4(5.0f))}}, [](Raster&) {});
-    frame.transfer("half", {.reads = {chain.mip(0)}, .writes = {chain.mip(1)}}, [&](VkCommandBuffer commands) {
-        const VkImageBlit half{.srcSubresource = chain.mip(0).first_mip_layers(),
-                               .srcOffsets = {{}, {4, 4, 1}},
-                               .dstSubresource = chain.mip(1).first_mip_layers(),
-                               .dstOffsets = {{}, {2, 2, 1}}};
-        vkCmdBlitImage(commands, chain.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, chain.handle,
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &half, VK_FILTER_LINEAR);
-    });
-    frame.end();
-    CHECK(value(chain.mip(1)) == 5.0f);
-}
-
 TEST_CASE_METHOD(OnDevice, "what was uploaded may be copied from, and read again by a pass that does not say so") {
     Image source = image({.format = one_float, .size = {2, 2}});
     const std::vector<float> texels{1, 2, 3, 4};
@@ -273,35 +244,62 @@ TEST_CASE_METHOD(OnDevice, "what was uploaded may be copied from, and read again
     CHECK(value(sum) == 11.0f);
 }
 
-TEST_CASE_METHOD(OnDevice,
-                 "the codes of an sRGB image are written and read as they are, and decoded where it is sampled") {
-    const Image target = image({.format = VK_FORMAT_R8G8B8A8_SRGB, .kept = true}),
-                seen = image({.format = four_floats});
-    const ImageView codes = ImageView(target).codes();
-    CHECK(ImageView(seen).codes() == ImageView(seen));
-    CHECK(codes.mip(0) == codes);
-    const Pipeline write = compute_pipeline("write codes", R"(
-layout(local_size_x = 1) in;
-writeonly uniform image2D result;
-void main() { imageStore(result, ivec2(0), vec4(188.0 / 255.0, 0.0, 1.0, 0.5)); })");
-    const Pipeline read = compute_pipeline("read", R"(
-layout(local_size_x = 1) in;
-uniform sampler2D source;
-writeonly uniform image2D result;
-void main() { imageStore(result, ivec2(0), texelFetch(source, ivec2(0), 0)); })");
-    const auto look = [&](const ImageView& view) {
-        frame.compute("read", {.reads = {view}, .writes = {seen}, .with = {}}, [&](Compute& pass) {
-            pass.use(read).set("source", view).set("result", seen).dispatch({1, 1, 1});
+namespace {
+
+std::string reader(const std::string& declaration, const std::string& expression) {
+    return "layout(local_size_x = 1) in;\nuniform " + declaration +
+           " map;\nlayout(scalar) buffer SeenBuffer { float seen[]; };\nvoid main() { " + expression + " }\n";
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(OnDevice, "wrapping, borders, filters and levels are as the sampler says") {
+    Image map = image({.format = one_float, .size = {2, 1}, .mips = 2});
+    const auto level = [](std::initializer_list<float> values) {
+        std::vector<std::byte> bytes(4 * values.size());
+        std::memcpy(bytes.data(), values.begin(), bytes.size());
+        return bytes;
+    };
+    gpu.upload(map, {level({10, 20}), level({100})});
+    const Buffer seen(gpu.device, {.name = "seen", .bytes = 16});
+    const Pipeline look = compute_pipeline("wrap", reader("sampler2D", R"(
+    seen[0] = textureLod(map, vec2(0.5, 0.5), 0.0).r;
+    seen[1] = textureLod(map, vec2(-0.25, 0.5), 0.0).r;
+    seen[2] = textureLod(map, vec2(1.1, 0.5), 0.0).r;
+    seen[3] = textureLod(map, vec2(0.25, 0.5), 0.5).r;
+)"));
+    const auto seen_by = [&](const Sampler& sampler) {
+        frame.compute("wrap", {.writes = {seen}}, [&](Compute& pass) {
+            pass.use(look).set("map", map, sampler).set("seen", seen).dispatch({1, 1, 1});
         });
         frame.end();
-        const float red = this->read<float>(seen).at(0);
         frame.begin({4, 4}, 0);
-        return red;
+        return read<float>(seen);
     };
-    frame.compute("write", {.reads = {}, .writes = {codes}, .with = {}}, [&](Compute& pass) {
-        pass.use(write).set("result", codes).dispatch({1, 1, 1});
-    });
-    CHECK(look(codes) == Approx(188.0 / 255.0));
-    CHECK(look(target) == Approx(0.5029).margin(0.002));
-    frame.end();
+    const auto of = [&](Filter filter, Wrap wrap, Border border = Border::opaque_black) {
+        return seen_by({.filter = filter, .wrap = wrap, .border = border});
+    };
+    CHECK(of(Filter::linear, Wrap::clamp)[0] == Approx(15));
+    CHECK(of(Filter::nearest, Wrap::repeat)[1] == 20);
+    CHECK(of(Filter::nearest, Wrap::repeat)[2] == 10);
+    CHECK(of(Filter::nearest, Wrap::mirror)[1] == 10);
+    CHECK(of(Filter::nearest, Wrap::mirror)[2] == 20);
+    CHECK(of(Filter::nearest, Wrap::clamp)[1] == 10);
+    CHECK(of(Filter::nearest, Wrap::border)[1] == 0);
+    CHECK(of(Filter::nearest, Wrap::border, Border::opaque_white)[2] == 1);
+    CHECK(of(Filter::nearest, Wrap::clamp)[3] == Approx(55));
+    CHECK(seen_by({.mip_filter = Filter::nearest, .wrap = Wrap::clamp, .min_lod = 1})[0] == 100);
+    CHECK(seen_by({.wrap = Wrap::clamp, .max_lod = 0})[3] == 10);
+    CHECK(seen_by(nearest_repeat)[1] == 20);
+    CHECK(seen_by(nearest_clamp)[1] == 10);
+}
+
+TEST_CASE_METHOD(OnDevice, "samplers that are equal are one") {
+    Samplers samplers(gpu.device);
+    const VkSampler first = samplers[linear_repeat];
+    CHECK(samplers[Sampler{}] == first);
+    CHECK(samplers[linear_clamp] != first);
+    CHECK(samplers[Sampler{.anisotropy = 4}] != first);
+    CHECK(samplers[Sampler{.wrap = Wrap::clamp}] == samplers[linear_clamp]);
+    CHECK(samplers.size() == 3);
 }

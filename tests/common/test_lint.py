@@ -5,14 +5,10 @@ import ast
 import re
 import shutil
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from build.format_tree import unformatted  # noqa: E402
-from tree import files  # noqa: E402
+from build.format_tree import unformatted
+from tree import ROOT, files
 
 PYFLAKES = shutil.which("pyflakes3")
 
@@ -52,7 +48,3 @@ def reads_text(call: ast.Call) -> bool:
     given = call.args[at] if len(call.args) > at else next((word.value for word in call.keywords if word.arg == "mode"), None)
     mode = given.value if isinstance(given, ast.Constant) else "b" if given or "emporary" in name else "r"
     return "b" not in str(mode)
-
-
-if __name__ == "__main__":
-    unittest.main()

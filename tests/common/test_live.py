@@ -13,10 +13,9 @@ from pathlib import Path
 from unittest import mock
 
 from live_server import DRAW, Live, Server, frame, is_there, receive, until
-from small_course import REAL, clean_environment
+from small_course import clean_environment
 
-sys.path.insert(0, str(REAL / "common/course"))
-from live import programs, serve  # noqa: E402
+from live import programs, serve
 
 
 class Opening(unittest.TestCase):
@@ -272,41 +271,6 @@ class Exercises(Live):
                         f"Cookie: {self.server.cookie}\r\nContent-Length: 100000000\r\n\r\n".encode())
             self.assertIn(one.recv(1000).split()[1:2], ([b"400"], [b"413"], []))
 
-    def test_checked_from_starter_to_solved(self):
-        file = self.root / "chapters/01_obj/exercise/one.cpp"
-        self.restore_afterwards(file)
-
-        async def talk():
-            page = await self.server.socket()
-            await page.write_message(json.dumps({"do": "check", "exercise": "01.one"}))
-            return await self.verdict(page)
-        event = self.server.run(talk)
-        self.assertEqual((event["result"]["ok"], event["result"]["first_failure"], event["result"]["hint"]),
-                         (False, "one(0) gave 1, expected 0", "think"))
-        self.server.ask("live/exercise/01.one", "PUT", {"text": "right", "base": self.read()["version"]})
-        event = self.server.run(talk)
-        self.assertEqual((event["result"]["ok"], event["progress"]["01_obj"]["solved"]), (True, ["01.one"]))
-        file.write_text("right no more")
-        progress = json.loads(self.server.ask("live/course")[1])["progress"]
-        self.assertEqual(progress["01_obj"], {"exercises": 1, "solved": [], "untouched": []})
-
-    async def verdict(self, page) -> dict:
-        while True:
-            event, _ = await receive(page)
-            if event["event"] == "checked":
-                return event
-
-    def test_an_edit_on_disk_is_told(self):
-        async def talk():
-            page = await self.server.socket()
-            await page.write_message(json.dumps({"do": "watch", "exercise": "01.one"}))
-            await asyncio.sleep(0.3)
-            self.put("chapters/01_obj/exercise/one.cpp", "theirs")
-            return await receive(page)
-        event, _ = self.server.run(talk)
-        self.assertEqual((event["event"], event["text"]), ("disk", "theirs"))
-
-
 class Hostile(Live):
     def test_a_message_of_100_mb_is_not_taken(self):
         async def talk():
@@ -383,7 +347,3 @@ class Chapters(Live):
     def test_one_that_is_not_built_says_how_to(self):
         answers, _ = self.draw(("03_none", "draw"))
         self.assertIn("chapter 03 is not built: ./course run 03 builds it", answers[0]["error"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -259,7 +259,3 @@ def is_ours(path: Path, parent: int) -> bool:
 
 def is_zombie(pid: int) -> bool:
     return "State:\tZ" in Path(f"/proc/{pid}/status").read_text()
-
-
-if __name__ == "__main__":
-    unittest.main()

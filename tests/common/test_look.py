@@ -32,7 +32,3 @@ class LookedAt(BadInput):
     def test_a_pass_that_there_is_not(self):
         self.refuse(DEFERRED, "--size", "96x54", "--screenshot", self.picture, "--look", "gbufer",
                     says="gbufer.*'gbuffer', 'gbuffer depth'")
-
-
-if __name__ == "__main__":
-    unittest.main()

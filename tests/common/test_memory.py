@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A frame releases its memory: a window is open for hours. Each chapter draws a few frames and many, and the peak memory
 of both runs is compared."""
 import os
@@ -39,7 +38,3 @@ class MemoryTest(unittest.TestCase):
                 with self.subTest(chapter=chapter):
                     self.assertTrue(any(kept_mb(chapter, Path(folder, "picture.png")) < BOUND_MB for _ in range(3)),
                                     f"at least {BOUND_MB} MB a frame, three times of three")
-
-
-if __name__ == "__main__":
-    unittest.main()

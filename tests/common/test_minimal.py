@@ -1,20 +1,14 @@
 """The smallest version of each chapter's method (docs/minimal): at most 60 lines that compile, run and are right, and that
 the lesson shows whole. The shaders' functions are tested in tests/minimal and by test_minimal_numbers.py."""
 
-import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
+from tree import BUILD, ROOT, chapters
 
-from tree import chapters  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 FOLDER = ROOT / "docs" / "minimal"
 MOST_LINES = 60
 CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 2) for y in (0, 2) for z in (0, 2)) + \
@@ -81,7 +75,3 @@ class Minimal(unittest.TestCase):
         self.assertLess(found["key"], 1e-9)
         self.assertLess(found["speed"], 1.02)
         self.assertAlmostEqual(found["up"], 1, 6)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -9,8 +9,8 @@ import unittest
 from pathlib import Path
 
 from x_server import XServer
+from tree import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "minimal"
 FOLDER = ROOT / "docs" / "minimal"
 PAGE = (ROOT / "docs" / "vulkan.md").read_text(encoding="utf-8")
@@ -138,7 +138,3 @@ class Vulkan(unittest.TestCase):
             self.assertEqual(len(set(found) & named), len(set(found)), f"{set(found) - named} are not on the page")
         links = re.findall(r"#VUID-[\w-]+\)", done.stdout)  # newer layers name a rule there alone
         self.assertGreaterEqual(len(found) or len(links), 4, done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

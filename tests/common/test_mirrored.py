@@ -1,13 +1,9 @@
 """Chapters draw mirrored objects as they draw others: the same picture, whichever way the triangles wind."""
 import json
-import pathlib
-import sys
-import unittest
 
 from PIL import Image
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from pictures import ROOT, ChapterPictures  # noqa: E402
+from pictures import ROOT, ChapterPictures
 
 QUAD = ROOT / "tests" / "common" / "data" / "mirrored.gltf"  # two metres wide, below a node of scale [-1, 1, 1]
 
@@ -68,6 +64,3 @@ class Mapped(Mirrored):
 
 
 del Mirrored, ChapterPictures  # no tests of their own
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,13 +3,13 @@
 import json
 import os
 import pathlib
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "common" / "course"))
-import models  # noqa: E402
-from tree import chapter_program  # noqa: E402
+import models
+from tree import chapter_program
+
+os.environ.setdefault("GALLIVM_PERF", "nopt")
 
 
 class Conformance(unittest.TestCase):
@@ -31,8 +31,3 @@ class Conformance(unittest.TestCase):
         self.assertEqual(listed["left_out"], [])
         listed = json.loads(models.run_program([*program, models.SET / "face_colors.ply", "--json"]).stdout)
         self.assertEqual([one["what"] for one in listed["left_out"]], ["colours of faces"])
-
-
-if __name__ == "__main__":
-    os.environ.setdefault("GALLIVM_PERF", "nopt")
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Builds: nothing
 """A newcomer's steps, in a clone in an empty folder, with the build that each command makes: the menu, the gallery, a
 chapter, a check, the pages, live pages, one test. In the end the clone is as it was."""
@@ -40,9 +39,7 @@ def clone(to: Path):
 class Newcomer(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory(prefix="lightwalk.")
-        cls.addClassCleanup(made.cleanup)
-        cls.folder = Path(made.name).resolve()
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk."))).resolve()
         cls.root = cls.folder / "lightwalk"
         clone(cls.root)
         cls.before = cls.status()
@@ -121,7 +118,3 @@ class Newcomer(unittest.TestCase):
 
     def test_4_nothing_of_it_has_changed_the_tree(self):
         self.assertEqual(self.status(), self.before)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -62,7 +62,3 @@ class InFirefox(Solving, pictures.Comparing):
             for page in ("16_volume", "index"):
                 browser.open(f"{address}{page}.html")
                 self.assertIn("Lightwalk", browser.evaluate("document.title"))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -297,7 +297,3 @@ class Film(unittest.TestCase):
         [stream] = json.loads(said)["streams"]  # a picture without sound
         self.assertEqual((stream["codec_name"], stream["width"], stream["height"]), ("h264", 64, 36))
         self.assertGreaterEqual(int(stream["nb_frames"]), len(publish.BEST_S))
-
-
-if __name__ == "__main__":
-    unittest.main()

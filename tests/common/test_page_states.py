@@ -1,14 +1,10 @@
 """States of a page's pictures: the knobs and values that a text means, and the pictures that show them."""
 # Builds: nothing
 
-import sys
 import unittest
-from pathlib import Path
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from pages import drawn_pictures, knob_links, states  # noqa: E402
+from pages import drawn_pictures, knob_links, states
 
 KNOBS = [
     {"name": "shadow.method", "type": "choice", "options": ["none", "hard", "pcf"], "default": "pcf", "help": "Filter", "alone": True},
@@ -94,7 +90,3 @@ class Kept(unittest.TestCase):
     def test_lessons_have_sixteen_samples_but_where_one_is_the_subject(self):
         self.assertIn("16", drawn_pictures.fine("02_lambert_phong", "teapot").words)
         self.assertIn("1", drawn_pictures.fine("13_mlaa", "city").words)
-
-
-if __name__ == "__main__":
-    unittest.main()

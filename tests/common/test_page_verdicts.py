@@ -2,18 +2,15 @@
 build/report/verdicts.md has both."""
 
 import json
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from browser import WHY_NONE, Browser
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from check.variants import Variant, variants  # noqa: E402
-from pages import in_browser  # noqa: E402
-from tree import BUILD, chapters, write_atomically  # noqa: E402
+from check.variants import Variant, variants
+from pages import in_browser
+from tree import BUILD, ROOT, chapters, write_atomically
 
 SITE = ROOT / "common/course/pages/site/run"
 LEAST = 60
@@ -67,7 +64,3 @@ class Verdicts(unittest.TestCase):
         self.assertGreater(len(rows), 2 * len(fit[::8]))
         self.assertEqual([row for row in rows if not row["same_verdict"]], [])
         self.assertRegex(loop["first_failure"], r"^lambert\(.*\) does not return: does a loop never end\?$")
-
-
-if __name__ == "__main__":
-    unittest.main()

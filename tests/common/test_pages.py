@@ -2,7 +2,6 @@
 
 import json
 import re
-import sys
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
@@ -10,10 +9,8 @@ from urllib.parse import unquote
 
 from browser import WHY_NONE, Browser
 from live_page import has_pages
-from small_course import REAL
 
-sys.path.insert(0, str(REAL / "common/course"))
-from tree import BUILD, chapters, exercises, lesson_pages, lessons  # noqa: E402
+from tree import BUILD, chapters, exercises, lesson_pages, lessons
 
 # Text that ought to be a formula, outside of code: its TeX, or Markdown's sign for it.
 LEFT_OVER = r"""(() => {
@@ -165,7 +162,3 @@ class InBrowser(TheCourse):
             browser.wait("location.pathname.endsWith('02_lambert_phong.html') && document.readyState === 'complete'")
             self.assertTrue(browser.evaluate(until))
             self.assertIn("02_lambert_phong.html#02.phong", browser.evaluate("location.href"))
-
-
-if __name__ == "__main__":
-    unittest.main()

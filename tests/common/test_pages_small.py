@@ -134,7 +134,3 @@ class SmallCourse(Course):
         browser.drag((x + width / 2, y), (x + width / 4, y))
         self.assertLess(abs(browser.evaluate("+document.querySelector('.slide input').value") - 25), 4)
         self.assertNotIn("50%", browser.evaluate(shown))
-
-
-if __name__ == "__main__":
-    unittest.main()

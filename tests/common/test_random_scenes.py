@@ -196,24 +196,10 @@ class RandomScenes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             return run(program, folder, *options)
 
-    def test_a_map_that_only_one_of_two_layouts_has(self):
-        done = self.drawn("12_", "--show", "occlusion")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-    def test_a_chapter_draws_by_every_method_of_its_modules(self):
-        """Forward shading agrees between a chapter with a G-buffer and the chapter of its objects."""
-        done = self.drawn("09_", "--set", "gbuffer.method=forward")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-
     def test_rays_from_water_where_there_is_no_ground(self):
         """The reference of reflections is drawn for a scene of objects alone, too: a pool."""
         done = self.drawn("15_", "--scene", "scenes/pool.json", "--set", "water.reflection=rays")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-    def test_a_refused_knob_is_one_line(self):
-        done = self.drawn("08_", "--set", "bloom.method=window")
-        self.assertEqual(done.returncode, 2)
-        self.assertRegex(done.stderr, r"\Aerror: bloom\.\w+ [^\n]*\n\Z")
 
     def test_nothing_at_all(self):
         """Every view of a scene without objects: resources that were never made are not read."""

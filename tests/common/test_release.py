@@ -3,7 +3,6 @@
 
 import subprocess
 import sys
-import unittest
 
 from small_course import Course
 
@@ -75,7 +74,3 @@ class Release(Course):
         self.put("new.txt", "")
         self.assertRegex(self.release(code=2), r"\Acourse: a release is of a commit, [^\n]*docs/01_obj.md and 1 more\n\Z")
         self.assertIn("invalid choice: 'nothing'", self.release("--only", "nothing", code=2))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,20 +2,17 @@
 # Builds: nothing
 
 import json
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
+from PIL import Image
 
-from PIL import Image  # noqa: E402
-
-from browser import WHY_NONE, Browser  # noqa: E402
-from pages.gallery import write_gallery  # noqa: E402
-from pages.page import chart_uri, data_uri  # noqa: E402
-from pages.report import write_report  # noqa: E402
+from browser import WHY_NONE, Browser
+from pages.gallery import write_gallery
+from pages.page import chart_uri, data_uri
+from pages.report import write_report
+from tree import ROOT
 
 LIMITS = {"flip_mean": 0.002, "flip_p99": 0.05, "max_diff": 64}
 JUNIT = """<?xml version="1.0"?>
@@ -35,9 +32,7 @@ def metrics(mean, p99, steps, nan=0):
 
 class ReportCase(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.results = self.folder / "results"
         self.results.mkdir()
         self.page = self.folder / "report" / "index.html"
@@ -224,7 +219,3 @@ class InBrowser(ReportCase):
             browser.evaluate("1")
             self.assertTrue(any("no" in complaint for complaint in browser.complaints), browser.complaints)
             self.assertGreaterEqual(len(browser.complaints), 3)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -172,17 +172,6 @@ TEST_CASE("normals stay upright on what is stretched: the inverse transpose, on 
     CHECK(glm::length(normals * glm::vec3(0, 1, 0) - glm::vec3(0, 0.25f, 0)) < 1e-6f);
 }
 
-TEST_CASE("a child is placed in its parent's space, and not the other way round") {
-    auto parent = named("parent", object_at("", {10, 0, 0}));
-    parent.rotation_deg = {0, 0, 90};
-    auto child = object_at(quad_file, {1, 0, 0}, {2, 1, 1});
-    child.parent = "parent";
-    const TestScene test({parent, child});
-    const glm::mat4& m = test.scene.items[0].transform;
-    CHECK(glm::length(glm::vec3(m[3]) - glm::vec3(10, 1, 0)) < 1e-5f);
-    CHECK(glm::length(glm::vec3(m[0]) - glm::vec3(0, 2, 0)) < 1e-5f);
-}
-
 TEST_CASE("a turned object's bounds hold all of it and no more than its turned box") {
     auto ball = object_at(ball_file, {1, 2, 3}, {1, 2, 3});
     ball.rotation_deg = {30, 45, 60};

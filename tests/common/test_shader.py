@@ -6,13 +6,11 @@ import sys
 import unittest
 from pathlib import Path
 
-REAL = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REAL / "common/course"))
-from pages import docs  # noqa: E402
-from check.glsl_answer import code_of  # noqa: E402
-from pages.pages_markdown import Site, convert  # noqa: E402
-from pages.shader import find_shader, macros_of, names, whole  # noqa: E402
-from tree import UsageError, has_solutions  # noqa: E402
+from pages import docs
+from check.glsl_answer import code_of
+from pages.pages_markdown import Site, convert
+from pages.shader import find_shader, macros_of, names, whole
+from tree import ROOT, UsageError, has_solutions
 
 
 def files_of(text: str) -> list[str]:
@@ -27,14 +25,14 @@ class Whole(unittest.TestCase):
         self.assertEqual(files[0], "shaders/05_shadow_maps/surface.frag")
         self.assertNotRegex(text, r"(?m)^\s*#\s*include")
         for file in files:
-            kept = [line for line in (REAL / file).read_text().splitlines() if not re.match(r"\s*#\s*include", line)]
+            kept = [line for line in (ROOT / file).read_text().splitlines() if not re.match(r"\s*#\s*include", line)]
             rest = iter(text.splitlines())
             self.assertTrue(all(line in rest for line in kept), file)
 
     def test_a_part_that_goes_on_after_an_include_says_where(self):
         file, line = re.search(r"^// ==== (\S+), line (\d+) on\n", whole("05_shadow_maps/surface.frag"), re.M).groups()
         after = whole("05_shadow_maps/surface.frag").split(f"// ==== {file}, line {line} on\n", 1)[1].split("\n")[0]
-        self.assertEqual((REAL / file).read_text().splitlines()[int(line) - 1], after)
+        self.assertEqual((ROOT / file).read_text().splitlines()[int(line) - 1], after)
 
     def test_exercises_are_read_as_asked(self):
         self.assertIn("shaders/05_shadow_maps/exercise/pcf.glsl", files_of(whole("05_shadow_maps/pcf.glsl", "exercise")))
@@ -63,7 +61,7 @@ class Pages(unittest.TestCase):
     def test_a_lesson_links_to_the_whole_of_each_shader_that_it_quotes(self):
         site = Site()
         page = convert(site, Path("docs/03_attenuation.md"))
-        quoted = set(re.findall(r"<!-- quote: (shaders/[^#]*)#", (REAL / "docs/03_attenuation.md").read_text()))
+        quoted = set(re.findall(r"<!-- quote: (shaders/[^#]*)#", (ROOT / "docs/03_attenuation.md").read_text()))
         quoted = {name for name in quoted if "/exercise/" not in name}
         self.assertEqual({str(path) for path in site.wholes}, quoted)
         for path, target in site.wholes.items():
@@ -82,10 +80,10 @@ class Names(unittest.TestCase):
 
     def test_a_wrong_name_is_one_line_with_the_two_nearest_and_2(self):
         for word, expected in (("05_shadow_maps/surfac.frag", "05_shadow_maps/surface.frag"), ("schadow.glsl", "shadow.glsl")):
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "shader", word], capture_output=True, text=True)
+            done = subprocess.run([sys.executable, ROOT / "common/course/cli.py", "shader", word], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
             self.assertRegex(done.stderr, rf"no shader '{re.escape(word)}'; the nearest are .*{re.escape(expected)}.* and ")
-        done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "shader", "05_shadow_maps/shadow.glsl", "--chapter", "03"],
+        done = subprocess.run([sys.executable, ROOT / "common/course/cli.py", "shader", "05_shadow_maps/shadow.glsl", "--chapter", "03"],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn("later chapter", done.stderr)
@@ -94,10 +92,6 @@ class Names(unittest.TestCase):
 class Read(unittest.TestCase):
     def test_what_students_read_asks_for_no_macro_of_a_check(self):
         of_checks = {"FIELD", "COUNTED", "NO_PICTURE", "BALLS", "FIELD_WIDTH", "IMPULSE_X", "MOST_READS"}
-        for path in (REAL / "shaders").rglob("*.*"):
+        for path in (ROOT / "shaders").rglob("*.*"):
             words = set(re.findall(r"\w+", code_of(path.read_text())))
             self.assertFalse(words & of_checks or [word for word in words if word.startswith("KNOWN_")], path)
-
-
-if __name__ == "__main__":
-    unittest.main()

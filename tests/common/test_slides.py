@@ -3,19 +3,16 @@
 
 import re
 import shutil
-import sys
 import tempfile
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 from unittest import mock
 
-REAL = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REAL / "common/course"))
-from pages import book, slides  # noqa: E402
-from pages.lesson_html import blocks, words  # noqa: E402
-import cli  # noqa: E402
-from tree import Failure, UsageError, chapters  # noqa: E402
+from pages import book, slides
+from pages.lesson_html import blocks, words
+import cli
+from tree import ROOT, Failure, UsageError, chapters
 
 CHAPTER = chapters()[1]
 
@@ -41,7 +38,7 @@ class Slides(unittest.TestCase):
         cls.page = slides.page(CHAPTER, cls.slides)
 
     def test_all_that_a_lesson_shows_is_on_a_slide(self):
-        lesson = (REAL / "docs" / f"{CHAPTER}.md").read_text()
+        lesson = (ROOT / "docs" / f"{CHAPTER}.md").read_text()
         kinds = [slide["kind"] for slide in self.slides]
         self.assertEqual((kinds[0], kinds[-1]), ("title", "question"))
         self.assertTrue(self.slides[0]["image"], "slides begin with the picture")
@@ -90,7 +87,7 @@ class Book(unittest.TestCase):
         page = book.page(self.parts, {})
         end = page.index('<article id="answers">')
         for chapter, part in zip(chapters(), self.parts):
-            lesson = (REAL / "docs" / f"{chapter}.md").read_text()
+            lesson = (ROOT / "docs" / f"{chapter}.md").read_text()
             self.assertEqual(len(part["answers"]), len(re.findall(r"<summary>Answer</summary>", lesson)))
             for i in range(len(part["answers"])):
                 self.assertGreater(page.index(f'id="answer-{chapter[:2]}-{i + 1}"'), end)
@@ -138,7 +135,3 @@ class Printings(unittest.TestCase):
     def test_what_never_settles_is_a_failure(self):
         with self.assertRaisesRegex(Failure, "pages still moved in printing 4"):
             self.printed(*({"a": number} for number in range(4)))
-
-
-if __name__ == "__main__":
-    unittest.main()

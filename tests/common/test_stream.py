@@ -3,22 +3,18 @@
 
 import io
 import json
-import os
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from PIL import Image, ImageChops
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+from shots.rendering import render, render_many
+from tree import BUILD, ROOT, Failure
+
 PROGRAM = BUILD / "chapters" / "02_lambert_phong"
 SHOT, SMALL = ["--shot", "teapot"], ["--size", "48x27"]
-sys.path.insert(0, str(ROOT / "common/course"))
-from shots.rendering import render, render_many  # noqa: E402
-from tree import Failure  # noqa: E402
 
 
 class Stream(unittest.TestCase):
@@ -111,7 +107,3 @@ class Many(unittest.TestCase):
         self.assertTrue(all(found), found)  # none is in time, and each is said to be so
         with self.assertRaises(Failure):
             render(self.chapter, SMALL, self.folder / "y.png", LIGHTWALK_TIMEOUT_S="0.000001")
-
-
-if __name__ == "__main__":
-    unittest.main()

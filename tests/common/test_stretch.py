@@ -1,13 +1,9 @@
 """./course study --stretch: the criterion of success."""
 import json
-import pathlib
-import sys
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
-from check.stretch import measure, missing  # noqa: E402
-from tree import BUILD, exercises  # noqa: E402
+from check.stretch import measure, missing
+from tree import BUILD, ROOT, exercises
 
 
 def found(error, time_ms, reference_error=0.01):
@@ -42,7 +38,3 @@ class StretchTest(unittest.TestCase):
                 result = measure(chapter, task, rounds=2, frames=1)
                 if chapter != "03_attenuation":  # its starter culls nothing: right, and faster with culling
                     self.assertIn("its error is", missing(task, result))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,8 +1,95 @@
-// Studies: settings of a scene's entry, measurements, intermediate results.
-#include "study_fixture.h"
+// Studies: settings of a scene's entry, measurements, intermediate results, and what is refused.
+#include "common/app/read_picture.h"
+#include "common/app/render.h"
+#include "common/app/shots.h"
+#include "common/app/target.h"
+#include "common/base/files.h"
+#include "common/check/check.h"
+#include "common/scene/json_lines.h"
+#include "common/study/study.h"
+#include "common/study/study_plan.h"
+#include "file_fixture.h"
 
 using namespace lightwalk;
 using nlohmann::json;
+
+namespace {
+
+/// A picture of one grey: `light`, too bright by 1 / (8 looks) where the method is coarse.
+struct GreyStudy : Chapter {
+    Choice method{*this, "method", {"exact", "coarse"}, "exact", "how"};
+    Knob<float> light{*this, "light", 0.25f, {0.0f, 4.0f}, "how bright"};
+    Knob<int> looks{*this, "looks", 1, {1, 1024}, "how many"};
+    std::vector<std::pair<std::string, float>> prepared;  // scene and light, in order
+    std::string fails_at;                                 // a scene
+    bool measures = false, rude = false;
+    bool codes = false;    // the encoded picture is judged
+    bool gathers = false;  // adds the previous value
+    History past{*this, {.name = "past", .size = {1, 1}}};
+
+    GreyStudy() { name = "99_grey"; }
+    std::string default_scene() const override { return ""; }
+    Model load_model(const std::filesystem::path&) override { return {}; }
+    void prepare(Gpu&, Scene&) override {
+        const std::string file = scene.file.file.stem().string();
+        if (file == fails_at) throw Failure("interrupted");
+        prepared.emplace_back(file, light.value);
+    }
+    void frame(Frame& frame) override {
+        const float before = gathers && past.valid() ? 0.125f : 0.0f;
+        frame.raster("past", {.color = {past.now()}}, [](Raster&) {});
+        const float grey = before + light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
+        frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
+        encode_srgb(frame);
+    }
+    ImageView judged(const Frame& frame) const override { return codes ? frame.output : frame.linear(); }
+    void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
+        if (!measures) return;
+        if (rude) error["rmse"] = 1;
+        Frame further(gpu);
+        looks.value = 512;
+        render(*this, further, {size, 0, 0, {}});
+        error["missing"] = double(light) - double(read_linear(gpu, further.hdr).at(0, 0).x);
+        error["width"] = size.x;
+    }
+};
+
+struct StudyFolder : FileFolder {
+    StudyFolder() {
+        for (const char* scene : {"a", "b"})
+            write_file(path / (std::string(scene) + ".json"), R"({"knobs": {"light": 0.5}})");
+    }
+    std::string scene(const char* name) const { return (path / name).string() + ".json"; }
+};
+
+struct StudyTest {
+    StudyFolder folder;
+    GreyStudy chapter;
+    Options options;
+    nlohmann::json study = {
+        {"title", "Greys"},
+        {"error_metric", "max"},
+        {"stage", "fragment"},
+        {"size", {16, 8}},
+        {"rounds", 1},
+        {"truth", {{"set", {{"method", "exact"}}}, {"exact", true}}},
+        {"scenes", {folder.scene("a"), {{"scene", folder.scene("b")}, {"set", {{"light", 1}}}, {"label", "bright"}}}},
+        {"curves", {{{"method", "exact"}}, {{"method", "coarse"}, {"set", {{"looks", {1, 2}}}}}}}};
+
+    StudyTest() { options.study = (folder.path / "out.json").string(); }
+    nlohmann::json measure() {
+        nlohmann::json result = resume();
+        std::filesystem::remove(options.study + ".partial");
+        return result;
+    }
+    nlohmann::json resume() { return measure_study(study.dump(1), "study.json", options, chapter, check_device()); }
+    /// Its error message; empty if it is usable.
+    std::string refusal() {
+        return refusal_of([&] { read_study(parse_json(study.dump(1), "study.json"), chapter.all_knobs()); });
+    }
+};
+
+}  // namespace
 
 TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its truth and while the chapter prepares") {
     const json result = measure();
@@ -186,4 +273,91 @@ TEST_CASE_METHOD(StudyTest, "study: a curve sets a scene's knob only where it sa
     study["scenes"][1]["set"]["looks"] = 2;
     study["curves"][1].erase("set");
     CHECK(refusal().empty());
+}
+
+TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line and key") {
+    struct Case {
+        const char *pointer, *value, *says;
+    };
+    const Case cases[] = {
+        {"/subtitle", "1", R"(key 'subtitle' is unknown here; known: title)"},
+        {"/title", "3", "key 'title' is 3, expected a text"},
+        {"/size", "[16]", "key 'size' is [16], expected [width, height]"},
+        {"/size", "[16, 0]", "from 1 to 16384"},
+        {"/rounds", "0", "key 'rounds' is 0"},
+        {"/scenes", "[]", "key 'scenes' is []"},
+        {"/scenes/1/lights", "3", "key 'lights' is unknown here; known: scene, set, label"},
+        {"/scenes/1/set/lamps", "3",
+         "key 'lamps': unknown knob 'lamps'; the nearest are samples and looks; --list knobs lists all"},
+        {"/scenes/1/set/light", "5", "key 'light': light=5: expected a number from 0 to 4"},
+        {"/scenes/1/set/light", "[1, 2]", "key 'light' is [1,2], expected one value"},
+        {"/scenes/1/set/looks", "2", "'looks' is set by the scene, so neither a curve nor the truth may set it"},
+        {"/scenes/1/set/method", "\"coarse\"", "'method' is set by the scene"},
+        {"/scenes/1/label", "\"a\"", "two scenes are called 'a'"},
+        {"/scenes/1/label", "7", "key 'label' is 7"},
+        {"/scenes/1/scene", "\"none.json\"", "none.json"},
+        {"/scenes/1", "4", "is 4, expected a text"},
+        {"/curves/1/method", "\"none\"", "method=none: expected one of exact, coarse"},
+        {"/curves/1/set/looks", "[1, 0]", "looks=0: expected an integer"},
+        {"/curves/1/better", "\"lower\"", "key 'better' is unknown here"},
+        {"/truth", R"({"set": {}})", R"(needs "doubled" and "most_change", or "exact": true)"},
+        {"/truth", R"({"set": {}, "doubled": {}})", R"(has no "most_change")"},
+        {"/truth/exact", "false", "key 'exact' is false, expected true"},
+        {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},
+        {"/truth/set", "{\"none\": 1}", "unknown knob 'none'"},
+        {"/candidates", "[]", "key 'candidates' is []"},
+        {"/candidates", R"([{"method": "none"}])", "method=none"},
+        {"/candidates", R"([{"method": "exact", "where": {"none": 1}}])", "unknown knob 'none'"},
+        {"/budgets", "[-1]", "is -1, expected a number from 0"},
+        {"/crops", "1", "key 'crops' is 1, expected true or false"},
+        {"/better", R"({"looks": "more"})", "key 'looks' is \"more\", expected \"lower\", \"higher\" or \"either\""},
+        {"/better", R"({"none": "lower"})", "unknown knob 'none'"},
+        {"/better", "3", "key 'better' is 3"},
+        {"/metrics", R"({"width": 3})", "key 'width' is 3"},
+        {"/charts", "[{}]", R"(has no "name")"},
+        {"/charts", R"([{"name": "a b"}])", "small letters"},
+        {"/charts", R"([{"name": "a"}, {"name": "a"}])", "two charts are called 'a'"},
+        {"/charts", R"([{"name": "a", "z": 1}])", "key 'z' is unknown here"},
+        {"/charts", R"([{"name": "a", "x": "knob none"}])", "unknown knob 'none'"},
+        {"/charts", R"([{"name": "a", "y": "knob light"}])", "expected \"time\" or a metric"},
+        {"/charts", R"([{"name": "a", "enough": {"at": -1, "text": "x"}}])", "expected a number from 0"},
+        {"/charts", R"([{"name": "a", "enough": {"at": 1}}])", R"(has no "text")"},
+        {"/charts", R"([{"name": "a", "panel": 1}])", "expected a text"},
+        {"/charts", R"([{"name": "a", "knobs": {"looks": [1, 0]}}])", "looks=0: expected an integer"},
+        {"/charts", R"([{"name": "a", "knobs": {"none": 1}}])", "unknown knob 'none'"},
+        {"/charts", R"([{"name": "a", "x_scale": "cubic"}])", "expected \"linear\" or \"log\""},
+        {"/charts", R"([{"name": "a", "scenes": ["b"]}])", "no scene is called 'b'"},
+        {"/charts", R"([{"name": "a", "methods": ["b"]}])", "no curve has the method 'b'"},
+    };
+    const json good = study;
+    REQUIRE(refusal().empty());
+    for (const Case& c : cases) {
+        CAPTURE(c.pointer, c.value);
+        study = good;
+        study[json::json_pointer(c.pointer)] = json::parse(c.value);
+        const std::string said = refusal();
+        CHECK_THAT(said, Catch::Matchers::Contains(c.says));
+        CHECK_THAT(said, Catch::Matchers::StartsWith("study.json:"));
+        CHECK(said.find('\n') == said.npos);
+    }
+    study = good;
+    study.erase("truth");
+    CHECK_THAT(refusal(), Catch::Matchers::Contains(R"(has no "truth")"));
+    CHECK(chapter.light == 0.25f);  // trying values leaves none behind
+}
+
+TEST_CASE("corpus: every study and every list of shots is read or refused") {
+    size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(course_root() / "tests/common/corpus/json")) {
+        CAPTURE(entry.path());
+        const std::string bytes = read_file(entry.path()), text = bytes.substr(1);
+        try {
+            if (bytes.at(0) == 1)
+                read_study(parse_json(text, "test.json"), {});
+            else
+                parse_shots(text, "test.json");
+        } catch (const InputError& error) { CHECK(std::string(error.what()).starts_with("test.json")); }
+        ++files;
+    }
+    CHECK(files >= 4);
 }

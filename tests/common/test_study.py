@@ -9,12 +9,11 @@ import sys
 import time
 import unittest
 
-from small_course import INTERRUPTIBLE, REAL, Course
+from small_course import INTERRUPTIBLE, Course
 
-sys.path.insert(0, str(REAL / "common/course"))
-from test.need_test import median_row, row, set_options, sweep  # noqa: E402
-from charts.study import SceneEntry, device_slug  # noqa: E402
-from test.study_test import curve_row, curve_rows, frame_rows  # noqa: E402
+from test.need_test import median_row, row, set_options, sweep
+from charts.study import SceneEntry, device_slug
+from test.study_test import curve_row, curve_rows, frame_rows
 
 # Writes its arguments and folder; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
@@ -206,7 +205,3 @@ class Tables(unittest.TestCase):
         rows = [{"ratio": ratio} for ratio in (1, 1.6, None, 1.7)]
         self.assertFalse(median_row(rows)["ok"])
         self.assertTrue(median_row([*rows, {"ratio": 1}, {"ratio": 1}])["ok"])
-
-
-if __name__ == "__main__":
-    unittest.main()

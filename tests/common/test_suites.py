@@ -1,18 +1,14 @@
 """The suites of the tests (tests/suites.txt), and the tests of platform that a change concerns."""
 # Builds: nothing
 
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
-
-from test import suites  # noqa: E402
-from test.reached import is_of_chapters, reached  # noqa: E402
-from tree import Failure  # noqa: E402
+from test import suites
+from test.reached import is_of_chapters, reached
+from tree import ROOT, Failure
 
 JUNIT = """<testsuite><testcase name="shots.01" time="2.4"/><testcase name="unit.common" time="1"/>
 <testcase name="text.grade_book" time="70"/></testsuite>"""
@@ -92,7 +88,3 @@ class Suites(unittest.TestCase):
 
     def test_a_long_test_has_a_reason(self):
         self.assertEqual(suites.long_without_reason({"shots.05": 70, "text.grade_book": 61, "text.grade": 60}), ["text.grade_book"])
-
-
-if __name__ == "__main__":
-    unittest.main()

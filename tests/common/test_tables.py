@@ -1,20 +1,17 @@
-#!/usr/bin/env python3
 """Tables and numbers that lessons take from studies, and the tests that they name."""
 
 import json
 import re
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
-from charts import measured, study, timings  # noqa: E402
-from check import lesson_tests  # noqa: E402
-from pages import advice, tables  # noqa: E402
-from pages.quotes import lessons  # noqa: E402
-from tree import ROOT, chapters, shots  # noqa: E402
+from charts import measured, study, timings
+from check import lesson_tests
+from pages import advice, tables
+from pages.quotes import lessons
+from tree import ROOT, chapters, shots
 
 STUDY = {"points": [{"scene": "a, b", "method": "slow", "knobs": {"steps": 8}, "error": {"flip_mean": 0.01234},
                      "time_ms": {"median": 1807.6, "per_pass": {"one": 2, "two": 3}}},
@@ -35,9 +32,7 @@ steps=8,16 -->
 
 class Tables(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="lightwalk_tables_")
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
+        self.root = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_tables_")))
         (self.root / "studies.json").write_text(json.dumps(STUDY))
         tables.load.cache_clear()
         patch = mock.patch.object(tables, "ROOT", self.root)
@@ -295,7 +290,3 @@ class Candidates(unittest.TestCase):
         """Chapter 17's truth has a reference of clouds and rings, beside the law that a scene sets or a body has."""
         methods = {one["method"] for one in study.study_of("17_planets")["candidates"]}
         self.assertLessEqual({"own", "hapke"}, methods)
-
-
-if __name__ == "__main__":
-    unittest.main()

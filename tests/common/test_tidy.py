@@ -7,15 +7,12 @@ import re
 import shlex
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
-from tree import BUILD  # noqa: E402
+from tree import BUILD, ROOT
 
 TIDY, DATABASE = shutil.which("clang-tidy"), BUILD / "compile_commands.json"
 # Options that GCC alone has, and the one that makes errors of clang's own warnings.
@@ -73,7 +70,3 @@ class Tidy(unittest.TestCase):
             unity.write_text(f'#include "{wrong}"\n')
             entry = {"directory": folder, "file": str(unity), "arguments": ["c++", "-c", str(unity)]}
             self.assertRegex("".join(complaints([entry])), r"wrong\.cpp:1:\d+: error: .*bugprone-branch-clone")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -99,7 +99,3 @@ class TransparentShadows(unittest.TestCase):
             self.assertEqual(pictures[0][at[-1], 50], pictures[1][at[-1], 50])
             before, after = (linear(picture[at[-2.7], 50][0]) for picture in pictures)
             self.assertAlmostEqual(after / before, passes(*upper)[0], delta=0.03)
-
-
-if __name__ == "__main__":
-    unittest.main()

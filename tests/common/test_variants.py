@@ -2,18 +2,14 @@
 # Builds: nothing
 
 import re
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common" / "course"))
-
-import tree  # noqa: E402
-from check import variants  # noqa: E402
-from tree import Failure  # noqa: E402
+import tree
+from check import variants
+from tree import Failure
 
 SOLUTION = """// Solution of 02.sum.
 float sum(int count) {
@@ -73,9 +69,7 @@ class Chapter(unittest.TestCase):
     """A whole chapter's, with a file beside a list."""
 
     def setUp(self):
-        made = tempfile.TemporaryDirectory()
-        self.addCleanup(made.cleanup)
-        self.root = Path(made.name)
+        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.write("shaders/02_sums/exercise/sum.glsl", "float sum(int count) { return 0.0; }\n")
         self.write("shaders/02_sums/solution/sum.glsl", SOLUTION)
         for kind in ("exercise", "solution"):
@@ -126,7 +120,3 @@ class Chapter(unittest.TestCase):
         self.assertIn("Chosen_twice::function = lightwalk::exercise::answer_twice_thrice::twice;", text)
         self.assertIn("namespace lightwalk::exercise::answer_twice_other {}", text)
         self.assertEqual(text.count("static const RegisterVariant"), 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,17 +3,13 @@
 
 import json
 import re
-import sys
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "common" / "course"), str(ROOT / "tests" / "common")]
-
-from chart_fixture import point, study  # noqa: E402
-from charts.study_charts import charts_of  # noqa: E402
-from charts.verdict import AS_FAST, Verdict, names_of, verdict_of  # noqa: E402
-from test import redrawn  # noqa: E402
+from chart_fixture import point, study
+from charts.study_charts import charts_of
+from charts.verdict import AS_FAST, Verdict, names_of, verdict_of
+from test import redrawn
+from tree import ROOT
 
 
 class P:
@@ -128,7 +124,3 @@ class Redrawn(unittest.TestCase):
         tenth = [label for label in labels if redrawn.chosen("03_attenuation", label, True)]
         self.assertTrue(70 < len(tenth) < 130, len(tenth))
         self.assertTrue(all(redrawn.chosen("03_attenuation", label, False) for label in labels))
-
-
-if __name__ == "__main__":
-    unittest.main()

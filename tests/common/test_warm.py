@@ -8,8 +8,7 @@ import unittest
 from pathlib import Path
 
 from picture_drawing import BUILD, BUILT, CHAPTERS, HAS_SOLUTION, ROOT, Drawer, Live, cheap, sets, steps, thing
-
-from tree import exercises  # noqa: E402: picture_drawing has made it importable
+from tree import exercises
 
 SIZE = (97, 61)
 # A sheet with holes above a floor, which casts their shadow.
@@ -55,9 +54,7 @@ EDIT = ("14", ["environment.method=prefiltered"], "14_environment/solution/split
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
 class Warm(unittest.TestCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         for name, scene in SCENES.items():
             (self.folder / f"{name}.json").write_text(json.dumps(scene))
 
@@ -139,7 +136,3 @@ class Warm(unittest.TestCase):
             file.write_text(text.replace(old, new))
             os.utime(file, ns=(0, file.stat().st_mtime_ns + 10**9))
             self.assert_changed(before, self.live(live, words), self.cold(chapter, *words))
-
-
-if __name__ == "__main__":
-    unittest.main()

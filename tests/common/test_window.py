@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The window as a person uses it: keys, mouse, resizing. Under Xvfb, validated."""
 import os
 import subprocess
@@ -192,7 +191,3 @@ class Menu(StartedTest):
     def titles(menu: Session) -> str:
         ids = menu.xdotool("search", "--onlyvisible", "--name", "Lightwalk", check=False).split()
         return "\n".join(menu.xdotool("getwindowname", i, check=False) for i in ids)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -127,7 +127,3 @@ class F11(StartedTest):
         self.assertEqual(path.read_text(), "RDOC")
         self.assertEqual((folder / "said").read_text().split("\n")[2:-1], ["start", "end"])  # one frame, and no other
         self.end(session)
-
-
-if __name__ == "__main__":
-    unittest.main()

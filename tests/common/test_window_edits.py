@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 """Shaders and scenes that are edited while the window shows them, and a window at rest. Under Xvfb, validated."""
 import json
 import subprocess
 import time
-import unittest
 from pathlib import Path
 
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, WindowTest, read_png
@@ -103,7 +101,3 @@ class Refining(WindowTest):
     def test_it_gathers_what_samples_gathers_and_then_rests(self):
         self.assert_nearly(self.whole(), self.headless(16))
         self.assert_rests()
-
-
-if __name__ == "__main__":
-    unittest.main()

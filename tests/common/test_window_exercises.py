@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The panel's *lesson* and *check* of an exercise. Under Xvfb, validated; ./course is a script that does as told."""
 import json
 import os
@@ -184,7 +183,3 @@ class TheRealCheck(StartedTest):
         session.click("check.01.transform")
         session.wait_for_line("check 01.transform open", 0)
         self.end(session)
-
-
-if __name__ == "__main__":
-    unittest.main()

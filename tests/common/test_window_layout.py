@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 """Windows on keyboards and desktops of others: shortcuts by their letters, panels and window that scale together, the pixel
 under the pointer, a display that goes away. Under Xvfb, validated."""
 import subprocess
-import unittest
 
 from window_case import CHAPTER, StartedTest
 from window_session import PATIENCE_S, ROOT, Session
@@ -72,7 +70,3 @@ class Layout(StartedTest):
         self.assertEqual(session.process.wait(PATIENCE_S), 1)
         session.close()
         self.assertEqual(session.errors, ["error: the display went away"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,9 +1,7 @@
-#!/usr/bin/env python3
 """The panel's knobs: sections that fold and are remembered, a filter, resets, labels that are never cut. Under Xvfb."""
 import json
 import re
 import tempfile
-import unittest
 from pathlib import Path
 
 from window_case import StartedTest
@@ -90,7 +88,3 @@ class Panel(StartedTest):
         session.key("Escape")  # its menu
         session.read_all()
         self.end(session)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
 """The frame as a graph of its passes: opened by a key and by a button, an image of each target, a click that shows one large.
 Messages stand below the picture. Under Xvfb, validated."""
 # Builds: 05_shadow_maps
-import unittest
 
 from window_case import StartedTest
 from window_session import BUILD, ROOT
@@ -57,7 +55,3 @@ class Passes(StartedTest):
         session.key("F6")
         session.wait(lambda: session.pixels(0, 0, WIDTH, HEIGHT) == whole, "the whole picture")
         self.end(session)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -11,7 +11,7 @@ SHADER = re.compile(r'"((?:\.\./)?[\w/.]+\.(?:vert|geom|frag|comp|glsl))"')
 WINDOW = ("common", "window")  # shots and checks are drawn without one
 CODE = (".cpp", ".h", ".glsl", ".vert", ".geom", ".frag", ".comp")
 EVERYTHING = ("common/base", "common/gpu", "common/image", "common/scene", "common/app", "common/measure", "common/study",
-              "shaders/common", "CMakeLists.txt", "common/build.cmake", "tests/programs.cmake", "tests/build.cmake")
+              "shaders/common", "CMakeLists.txt", "common/build.cmake", "tests/programs.cmake", "tests/build.cmake", "tests/run.py")
 
 
 def named_files(path: Path) -> set[Path]:
