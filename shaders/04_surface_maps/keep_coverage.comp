@@ -17,7 +17,6 @@ bool is_kept(float alpha) { return round(255.0 * min(alpha, 1.0)) / 255.0 >= cut
 
 #include "04_surface_maps/alpha_scale.glsl"
 
-// [main]
 void main() {
     uint local = gl_LocalInvocationIndex;
     float scale = alpha_scale(local, cutout.cutoff, cutout.wanted);
@@ -27,4 +26,3 @@ void main() {
         imageStore(level, place_of(i), vec4(texel.rgb, min(1.0, texel.a * scale)));
     }
 }
-// [/main]

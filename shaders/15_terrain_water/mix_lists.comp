@@ -9,7 +9,6 @@ layout(rgba16f) uniform image2D picture;
 
 const int most_sorted = 32;
 
-// [mix_lists]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = imageSize(picture);
     if (any(greaterThanEqual(at, size))) return;
@@ -44,4 +43,3 @@ void main() {
     vec4 before = imageLoad(picture, at);
     imageStore(picture, at, vec4(sum + left * before.rgb, before.a));
 }
-// [/mix_lists]
