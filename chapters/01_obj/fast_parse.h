@@ -73,25 +73,6 @@ inline const char* fast_short_float(const char* at, unsigned whole, unsigned dec
 inline const char* fast_float(const char* at, float& value) {
     const bool negative = *at == '-';
     at += negative;
-    // Most numbers are 0.123456, and their length seldom changes. Where it can be foretold, as a branch can, the processor
-    // starts on the next number before it knows where this one ends; an addition of lengths it would have to wait for.
-    if (at[1] == '.' && is_digit(*at)) switch (leading_digits(load_eight(at + 2))) {
-            case 2:
-                return fast_short_float(at, 1, 2, negative, value);
-            case 3:
-                return fast_short_float(at, 1, 3, negative, value);
-            case 4:
-                return fast_short_float(at, 1, 4, negative, value);
-            case 5:
-                return fast_short_float(at, 1, 5, negative, value);
-            case 6:
-                return fast_short_float(at, 1, 6, negative, value);
-            case 7:
-                return fast_short_float(at, 1, 7, negative, value);
-            default:
-                break;
-        }
-
     const uint64_t word = load_eight(at);
     const unsigned whole = leading_digits(word);
     if (whole - 1 > 6) return nullptr;
@@ -118,31 +99,12 @@ inline const char* fast_float(const char* at, float& value) {
 }
 
 /// An integer from 1 with up to 7 digits. Returns its end, or null where the text has another form.
-[[gnu::always_inline]] inline const char* fast_index(const char* at, uint32_t& value) {
+inline const char* fast_index(const char* at, uint32_t& value) {
     const uint64_t word = load_eight(at);
     const unsigned count = leading_digits(word);
-    // Branches rather than an addition, for the same reason: the number of digits seldom changes.
-    switch (count) {
-        case 4:
-            value = first_digits(word, 4);
-            at += 4;
-            break;
-        case 5:
-            value = first_digits(word, 5);
-            at += 5;
-            break;
-        case 6:
-            value = first_digits(word, 6);
-            at += 6;
-            break;
-        case 0:
-        case 8:
-            return nullptr;
-        default:
-            value = first_digits(word, count);
-            at += count;
-    }
-    return value == 0 ? nullptr : at;
+    if (count == 0 || count == 8) return nullptr;
+    value = first_digits(word, count);
+    return value == 0 ? nullptr : at + count;
 }
 
 enum class FloatStatus { ok, not_a_number, too_large };

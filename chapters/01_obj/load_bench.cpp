@@ -11,7 +11,6 @@
 #include <set>
 #include <thread>
 
-#include "01_obj/mapped_file.h"
 #include "01_obj/truth.h"
 #include "common/base/bytes.h"
 #include "common/base/error.h"
@@ -20,6 +19,19 @@
 #include "common/base/text.h"
 
 namespace lightwalk {
+
+// Measurements of one loader on a file.
+struct LoaderFigures {
+    Loader loader = Loader::textbook;
+    std::string error;       // why it cannot read the file; empty: it can
+    std::vector<double> ms;  // of each run, ascending
+    uint64_t largest_ulps = 0;
+    size_t floats_wrong = 0, floats_compared = 0, triangles = 0;
+    double index_agreement = 0.0;  // share of triangles that are the truth's
+    double quantile(double share) const {
+        return ms[static_cast<size_t>(share * static_cast<double>(ms.size() - 1) + 0.5)];
+    }
+};
 
 template <class Bytes>
 void fields(Bytes& bytes, LoaderFigures& f) {
@@ -117,21 +129,17 @@ void print_table(const std::filesystem::path& path, size_t bytes, int runs, cons
     }
 }
 
-}  // namespace
-
-double LoaderFigures::quantile(double share) const {
-    return ms[static_cast<size_t>(share * static_cast<double>(ms.size() - 1) + 0.5)];
-}
-
+// Reads the file `runs` times with every loader in turn (A B C A B C ...) after one round that is not counted but
+// compared with the truth. `bytes` becomes the file's size. Throws InputError where the reference cannot read it.
 std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, int runs, size_t& bytes) {
     if (runs < 1) throw InputError("the load bench needs at least 1 run, got {}", runs);
     parse_obj(path, Loader::scan);  // reports errors in the file
     std::vector<LoaderFigures> results;
     for (const std::string_view name : loader_names()) results.emplace_back().loader = loader_from_name(name);
     {
-        const MappedFile file(path);
-        bytes = file.text().size();
-        const ObjData expected = truth::parse(file.text());
+        const std::string text = read_file(path);
+        bytes = text.size();
+        const ObjData expected = truth::parse(text);
         for (LoaderFigures& result : results) run_once(path, bytes, &expected, result);
     }
     for (int run = 0; run < runs; ++run)
@@ -140,6 +148,8 @@ std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, in
     for (LoaderFigures& result : results) std::sort(result.ms.begin(), result.ms.end());
     return results;
 }
+
+}  // namespace
 
 int run_load_bench(const std::filesystem::path& path, int runs) {
     size_t bytes = 0;

@@ -24,21 +24,6 @@ struct LoaderSubject : Subject {
     Choice& loader;
 };
 
-/// Measurements of one loader on a file.
-struct LoaderFigures {
-    Loader loader = Loader::textbook;
-    std::string error;       ///< why it cannot read the file; empty: it can
-    std::vector<double> ms;  ///< of each run, ascending
-    uint64_t largest_ulps = 0;
-    size_t floats_wrong = 0, floats_compared = 0, triangles = 0;
-    double index_agreement = 0.0;  ///< share of triangles that are the truth's
-    double quantile(double share) const;
-};
-
-/// Reads the file `runs` times with every loader in turn (A B C A B C ...) after one round that is not counted but
-/// compared with the truth. `bytes` becomes the file's size. Throws InputError where the reference cannot read it.
-std::vector<LoaderFigures> measure_loaders(const std::filesystem::path& path, int runs, size_t& bytes);
-
 /// Times every loader on an OBJ file, `runs` times each in turn (A B C A B C ...) after one round that is not counted,
 /// and prints a table. Timed is parse_obj: from the file's name, its bytes in the page cache, to arrays of
 /// positions, uvs and normals and triangulated index triples; Assimp also joins equal vertices. Beside the median

@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "01_obj/lines.h"
-#include "01_obj/mapped_file.h"
 #include "01_obj/mtl.h"
 #include "01_obj/scan.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/base/text.h"
 #include "common/scene/import.h"
 
@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 5> names = {"textbook", "tinyobjloader", "assimp", "scan", "parallel"};
 
 constexpr std::string_view unfit_colors = "#MRGB colours, which are not as many as the vertices";
+constexpr size_t most_bytes = size_t{1} << 40;
 constexpr size_t searched_bytes = size_t{16} << 20;  // of files that ZBrush has not signed
 
 // ZBrush writes colours as comments: "#MRGB " and eight hexadecimal digits for each vertex, of a mask and a colour.
@@ -89,23 +90,16 @@ bool is_obj(const fs::path& path) {
 }
 
 ObjData parse_obj(const fs::path& path, Loader loader) {
-    const MappedFile file(path);
-    try {
-        const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-        const ParseOptions options{chunk_bytes_for(file.text().size(), cores), cores};
-        ObjData data = parse(file.text(), path.string(), loader, options);
-        file.check();
-        return data;
-    } catch (const InputError&) {
-        file.check();  // the better reason
-        throw;
-    }
+    std::string text = read_file(path, most_bytes);
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const ParseOptions options{chunk_bytes_for(text.size(), cores), cores};
+    return parse_obj_text(std::move(text), path.string(), loader, options);
 }
 
-ObjData parse_obj_text(std::string_view text, const std::string& name, Loader loader, ParseOptions options) {
-    std::string padded(text);
-    padded.append(64, '\0');
-    return parse(std::string_view(padded).substr(0, text.size()), name, loader, options);
+ObjData parse_obj_text(std::string text, const std::string& name, Loader loader, ParseOptions options) {
+    const size_t size = text.size();
+    text.append(64, '\0');
+    return parse(std::string_view(text).substr(0, size), name, loader, options);
 }
 
 Model load_obj(const fs::path& path, Loader loader, Tr tr) {

@@ -12,7 +12,7 @@
 namespace lightwalk {
 
 /// The loader method, slowest of ours first: textbook reads line by line with streams; scan reads once over the bytes
-/// with from_chars; parallel maps the file and reads chunks on threads. tinyobjloader and assimp are public libraries.
+/// with from_chars; parallel reads chunks on threads. tinyobjloader and assimp are public libraries.
 enum class Loader { textbook, tinyobjloader, assimp, scan, parallel };
 
 std::string_view loader_name(Loader loader);
@@ -84,7 +84,7 @@ struct ParseOptions {
 };
 
 /// As parse_obj, from memory; `name` stands for the file in messages.
-ObjData parse_obj_text(std::string_view text, const std::string& name, Loader loader, ParseOptions options = {});
+ObjData parse_obj_text(std::string text, const std::string& name, Loader loader, ParseOptions options = {});
 
 /// One mesh and one node for each `o` that has faces (or one for the file), vertices welded, parts by material, missing
 /// normals filled, materials read from the MTL files. A missing MTL file or material is a warning on stderr and a

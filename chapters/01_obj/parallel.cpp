@@ -1,6 +1,4 @@
-// Loader on several threads: the file is mapped, and threads take chunks of it. All errors go to throw_first_error.
-#include <sys/mman.h>
-
+// Loader on several threads, which take chunks of the text. All errors go to throw_first_error.
 #include <thread>
 
 #include "01_obj/lines.h"
@@ -28,13 +26,6 @@ std::vector<std::string_view> chunks_of(std::string_view text, size_t bytes) {
     return chunks;
 }
 
-// Maps the chunk's pages at once instead of one fault for every few of them. Not every kernel can; nothing is lost
-// then.
-void populate(std::string_view text) {
-    const uintptr_t page = 4096, begin = reinterpret_cast<uintptr_t>(text.data()) & ~(page - 1);
-    madvise(reinterpret_cast<void*>(begin), reinterpret_cast<uintptr_t>(text.end()) - begin, MADV_POPULATE_READ);
-}
-
 }  // namespace
 
 // A single chunk's lists become the result, those of several are copied: below 8 MiB two threads save less than that
@@ -57,7 +48,6 @@ ObjData parse_parallel(std::string_view text, const std::string& name, ParseOpti
         if (waited_for) waited_for->begin("reading", text.size());
         on_threads(threads, chunks.size(), [&](unsigned thread, size_t i) {
             if (waited_for) waited_for->step(chunks[i].size());
-            populate(chunks[i]);
             pieces[i] = read_lines(chunks[i], collected[thread]);
         });
     } catch (const Cancelled&) { throw; } catch (const InputError&) {

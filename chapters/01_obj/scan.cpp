@@ -214,18 +214,9 @@ void warn_of_absent(std::string_view text, const std::string& name) {
                         name, first, count));
 }
 
+// One chunk on one thread.
 ObjData parse_scan(std::string_view text, const std::string& name) {
-    Collected collected;
-    reserve(collected, text.size());
-    Piece piece;
-    try {
-        piece = read_lines(text, collected);
-    } catch (const InputError&) { throw_first_error(text, name); }
-    ObjData data;
-    bool absent = false;
-    if (!assemble({&piece, 1}, 1, name, data, absent)) throw_first_error(text, name);
-    if (absent) warn_of_absent(text, name);
-    return data;
+    return parse_parallel(text, name, {.chunk_bytes = text.size() + 1, .threads = 1});
 }
 
 }  // namespace lightwalk

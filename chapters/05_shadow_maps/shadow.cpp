@@ -42,6 +42,13 @@ void warn_of_end(const std::string& path, const Scene& scene, const View& view, 
 
 }  // namespace
 
+// The default distance includes what the camera looks at.
+LightViewOptions Shadow::view_options(const Camera& camera) const {
+    const float target_m = glm::length(camera.target - camera.position);
+    const float reach_m = distance_m.changed() ? distance_m.value : std::max(distance_m.value, 1.25f * target_m);
+    return {resolution, near_m, cascades, split, reach_m, snap};
+}
+
 // Views of all lights that cast shadows.
 void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, const Reach& reach, const View& view,
                         const Casters& casters) {
@@ -50,18 +57,14 @@ void Shadow::find_views(const Scene& scene, const std::vector<Light>& lights, co
     now_->shadow_lights.clear();
     Bounds bounds = scene.bounds;
     bounds.add(casters.others);
-    // Unless somebody has said how far, cascades reach beyond what the camera looks at.
-    LightViewOptions options = view_options();
-    const float target_m = glm::length(view.camera.target - view.camera.position);
-    const bool is_initial = options.distance_m == 30.0f;
-    if (is_initial) options.distance_m = std::max(30.0f, 1.25f * target_m);
+    const LightViewOptions options = view_options(view.camera);
     const auto has_shadow = [this](const DrawItem&) { return has_passed(); };
     for (const Light& light : lights) {
         ShadowLight& shadow = now_->shadow_lights.emplace_back();
         shadow = {.position = light.position, .first_view = static_cast<uint32_t>(maps.size())};
         if (!light.shadow || method.is("none") || bounds.empty()) continue;
         const std::vector<LightView> seen = light_views(light, reach(light), bounds, view.camera, options);
-        if (is_initial && light.kind == Light::Kind::directional && !seen.back().whole)
+        if (!distance_m.changed() && light.kind == Light::Kind::directional && !seen.back().whole)
             warn_of_end(path(), scene, view, options.distance_m);
         for (auto one = seen.begin(); one != seen.end(); ++one) {
             // Skips casters whose shadows only finer cascades show. The whole scene's map keeps all, since it does not
@@ -184,7 +187,8 @@ void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights
     const bool has_cascades = std::ranges::any_of(
         *lights, [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; });
     now_ = &by_view_[has_cascades ? view.id : 0];
-    now_->eye = {view.eye, view.pixel_rad()};
+    // The default bias is at most two texels, so that it stays small in small scenes.
+    now_->eye = {view.eye, view.pixel_rad(), bias_m.changed() ? 1e30f : 2.0f};
 
     // 1. The lights' views, if a light, the camera of cascades, a caster or a knob has changed.
     std::vector<float> reach_m;

@@ -59,9 +59,13 @@ struct Shadow : Module {
         0.7f,
         {0.0f, 1.0f},
         "Cascade distribution: 0 makes all equally deep, 1 makes each deeper than the last by a constant factor"};
-    Knob<float> distance_m{
-        *this, "distance_m", 30.0f, {1.0f, 1e5f}, "Distance from the camera at which the last cascade ends, in metres",
-        "m"};
+    Knob<float> distance_m{*this,
+                           "distance_m",
+                           30.0f,
+                           {1.0f, 1e5f},
+                           "Distance from the camera at which the last cascade ends, in metres; by default at least "
+                           "1.25 times the distance to the camera's target",
+                           "m"};
     Knob<bool> snap{*this, "snap", true,
                     "Cascade snapping to whole texels, which keeps shadow edges still as the camera moves"};
     Knob<float> near_m{*this, "near_m", 0.05f, {1e-3f, 10.0f}, "Near plane of point and spot light maps, in metres",
@@ -196,7 +200,7 @@ struct Shadow : Module {
     void find_maps(Frame& frame, const Scene& scene, const LightList& lights, const Reach& reach, const View& view,
                    const Casters& casters);
     void draw_maps(Frame& frame, const Casters& casters);
-    LightViewOptions view_options() const { return {resolution, near_m, cascades, split, distance_m, snap}; }
+    LightViewOptions view_options(const Camera& camera) const;
     void reserve(Frame& frame);
 
     /// Maps by View::id if a light has cascades, which follow the camera; else all views share those of id 0.

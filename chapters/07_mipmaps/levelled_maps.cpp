@@ -2,6 +2,7 @@
 
 #include "07_mipmaps/exercises.h"
 #include "07_mipmaps/level_view.h"
+#include "common/image/image.h"
 #include "common/image/mip_levels.h"
 
 namespace lightwalk {

@@ -18,7 +18,6 @@ struct EnvironmentScale {
 /// Rotation and scale of the environment, in addition to the scene file's.
 EnvironmentScale environment_scale(const Scene& scene, float intensity, float turn_deg);
 
-// [environment]
 /// Gives shaders environment_radiance() and environment_irradiance() of common/environment.glsl. In each frame
 /// record(), before the first pass that states it in `.with`:
 ///
@@ -43,7 +42,6 @@ struct EnvironmentLight : Module {
 
     /// Makes both cubes, where the scene has another picture than they were made of; else it records nothing.
     void record(Frame& frame, const Scene& scene);
-    // [/environment]
 
     std::vector<Resource> reads() const override { return {radiance, irradiance}; }
     void bind(Pass& pass) const override;

@@ -79,7 +79,9 @@ std::string read_file(const fs::path& path, size_t most) {
     const InputFile file(path);
     if (file.bytes > most)
         throw InputError("{}: is larger than {} MiB, which is the most that is read", path.string(), most >> 20);
-    std::string text(file.bytes, '\0');
+    std::string text;
+    text.reserve(file.bytes + 64);  // parsers append zeros to look ahead
+    text.resize(file.bytes);
     size_t so_far = 0;
     while (so_far < text.size()) {
         const ssize_t count = read(file.descriptor, text.data() + so_far, text.size() - so_far);

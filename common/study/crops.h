@@ -12,14 +12,12 @@ namespace lightwalk {
 /// that the picture does not have are not counted.
 constexpr unsigned crop_px = 64, crop_margin_px = 10;
 
-// [crop]
 /// The part of a picture that a crop represents, and the crop itself. A picture's parts are adjacent and cover it.
 struct CropPlace {
     glm::uvec2 lower{0}, upper{0};  ///< pixels of the whole picture, upper excluded: errors here count
     glm::uvec2 origin{0};           ///< of the crop_px by crop_px pixels that are drawn
     double share = 0;               ///< of the picture's pixels
 };
-// [/crop]
 
 /// All parts of a picture of at least crop_px pixels a side, row by row.
 std::vector<CropPlace> cut(glm::uvec2 whole);
@@ -38,7 +36,6 @@ constexpr double golden_ratio = 0.6180339887498949;
 /// step. The same for the same `start`, in [0, 1).
 std::vector<size_t> draw_places(std::span<const double> chances, size_t count, double start);
 
-// [estimate]
 /// A picture's mean, estimated from parts of it. Parts drawn with greater probability count less: the mean of share ·
 /// error / probability over the draws has the picture's mean as its expected value (M. H. Hansen and W. N. Hurwitz,
 /// Annals of Mathematical Statistics 14, 1943).
@@ -52,6 +49,5 @@ class Estimate {
   private:
     std::vector<double> draws_;
 };
-// [/estimate]
 
 }  // namespace lightwalk

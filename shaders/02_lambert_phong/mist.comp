@@ -7,7 +7,6 @@ layout(rgba16f) uniform image2D result;
 uniform sampler2D depth;
 layout(scalar) uniform MistBlock { Mist mist; };
 
-// [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
@@ -17,4 +16,3 @@ void main() {
     vec4 seen = imageLoad(result, pixel);
     imageStore(result, pixel, vec4(mix(mist.color, seen.rgb, exp(-mist.per_m * distance)), seen.a));
 }
-// [/main]

@@ -21,11 +21,9 @@ void main() {
     uv = vertex.uv;
     material = instance.material;
     gl_Position = world_to_clip(view.view_projection, world_position);
-// [gouraud]
 #if METHOD == METHOD_GOURAUD
     Lit lit = light_surface(world_position, world_normal, view.eye, materials[instance.material].shininess);
     lit_diffuse = lit.diffuse;
     lit_specular = lit.specular;
 #endif
-// [/gouraud]
 }

@@ -16,7 +16,6 @@ struct Lit {
     vec3 diffuse, specular;  // per unit of the material's colours
 };
 
-// [reflect_by_method]
 // Reflection by the method in use; Gouraud evaluates the normalised model at vertices.
 Reflected reflect_by_method(Surface surface, vec3 to_light) {
     Reflected result = reflect_light(surface, to_light);
@@ -32,9 +31,7 @@ Reflected reflect_by_method(Surface surface, vec3 to_light) {
 #endif
     return result;
 }
-// [/reflect_by_method]
 
-// [sum]
 Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess) {
     Surface surface;
     surface.normal = normal;
@@ -48,4 +45,3 @@ Lit light_surface(vec3 position, vec3 normal, vec3 eye, float material_shininess
     }
     return sum;
 }
-// [/sum]

@@ -9,7 +9,6 @@ struct Cell {
     float margin;       // above the rounding error, metres
 };
 
-// [cell_between]
 // Cell of a tile between two depths in metres.
 Cell cell_between(uvec2 tile, float near, float far) {
     vec2 low = lights_grid.origin + vec2(tile * lights_grid.tile_px);
@@ -23,7 +22,6 @@ Cell cell_between(uvec2 tile, float near, float far) {
     cell.upper = vec3(max(right_top * near, right_top * far), far) + cell.margin;
     return cell;
 }
-// [/cell_between]
 
 vec3 to_camera(vec3 v) { return vec3(dot(v, lights_grid.right), dot(v, lights_grid.up), dot(v, lights_grid.forward)); }
 

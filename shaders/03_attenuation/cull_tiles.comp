@@ -25,7 +25,6 @@ bool light_reaches_tile(uint light) { return !is_empty && light_reaches_cell(lig
 
 #include "03_attenuation/tile_lights.glsl"
 
-// [main]
 void main() {
     uint local = gl_LocalInvocationIndex, index = gl_WorkGroupID.y * lights_grid.tiles.x + gl_WorkGroupID.x;
     vec2 depths = tile_depth_range(local);
@@ -42,4 +41,3 @@ void main() {
         lights_groups[group * cell_count() + index] = masks_used;
     }
 }
-// [/main]

@@ -10,7 +10,6 @@ const uint LIGHT_DIRECTIONAL = 0u;
 const uint LIGHT_POINT = 1u;
 const uint LIGHT_SPOT = 2u;
 
-// [light]
 struct LightData {
     vec3 position;    // metres, world space; point and spot
     float range;      // end of a ranged falloff, metres; point and spot
@@ -23,24 +22,19 @@ struct LightData {
     float radius;    // lamp radius in metres, or tangent of its angular radius (directional); 0: a point
     vec3 half_tube;  // from a tube's centre to one end, metres; zero: a disc facing the shaded point
 };
-// [/light]
 
-// [influence_radius]
 // Culling radius of a point or spot light in metres: its range or, with a threshold above 0, the distance at which an
 // unbounded inverse square has fallen to that radiance.
 SHARED_FUNCTION float influence_radius(LightData light, float threshold) {
     float brightest = max(light.radiance.x, max(light.radiance.y, light.radiance.z));
     return threshold > 0.0f ? sqrt(brightest / threshold) : light.range;
 }
-// [/influence_radius]
 
 // Grid of screen tiles, each one cell or several depth slices.
-// [masks]
 // One bit per cell and light: bit i of masks[m * cells + cell] is light 32 m + i. Bit j of groups[g * cells + cell] is
 // set if mask 32 g + j has any; other masks are undefined.
 const uint LIGHTS_PER_MASK = 32u;
 const uint LIGHTS_PER_GROUP = 1024u;
-// [/masks]
 
 struct GridView {
     vec3 eye;                         // metres, world space

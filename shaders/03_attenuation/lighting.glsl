@@ -10,7 +10,6 @@ struct Arriving {
     vec3 radiance;  // linear; the radiance of a white Lambertian surface facing the light
 };
 
-// [falloff]
 // Attenuation relative to 1 m.
 float falloff(float distance, float range, float fade_k) {
 #if LIGHTS_FALLOFF == LIGHTS_FALLOFF_RANGE_FADE
@@ -21,16 +20,13 @@ float falloff(float distance, float range, float fade_k) {
     return inverse_square_window(distance, range);
 #endif
 }
-// [/falloff]
 
-// [punctual]
 // Lights of glTF files have a softness below 0: the inverse square, up to their range, whatever `falloff` the scene's
 // own lights have, and a cone whose edge is a square (KHR_lights_punctual).
 float punctual_falloff(float distance, float range) {
     float share = min(distance / range, 1.0), square = share * share;
     return (1.0 - square * square) / max(distance * distance, 1e-4);
 }
-// [/punctual]
 
 // [arriving_light]
 Arriving arriving_light(LightData light, vec3 position, float fade_k) {
@@ -55,9 +51,9 @@ layout(scalar) readonly buffer GroupBuffer { uint lights_groups[]; };
 #endif
 layout(scalar) uniform LightsBlock { float fade_k; } lights;
 
-// Visibility of a light per colour, 0 to 1; `facing` is the mesh normal. Defined by the includer:
-// 03_attenuation/unshadowed.glsl, or a file with shadows.
-vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light);
+// Visibility of a light per colour, 0 to 1. `facing`: interpolated mesh normal; `plane`: normal of the triangle, or
+// `facing` where the surface has none. Defined by the includer: 03_attenuation/unshadowed.glsl, or a file with shadows.
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 plane, vec3 to_light);
 
 // Reflection model: 02_lambert_phong/reflection.glsl for callers of light_surface().
 Reflected reflect_light(Surface surface, vec3 to_light);
@@ -77,23 +73,20 @@ void add_light(inout Lit sum, uint index, Surface surface, vec3 facing, vec3 pos
     if (arriving.radiance == vec3(0.0)) return;
     vec3 to_light = arriving.to_light;
     arriving.radiance *= float(is_above(facing, index, position, to_light));  // a second branch costs 5 % on an H200
-    arriving.radiance *= light_visibility(index, position, facing, to_light);
+    arriving.radiance *= light_visibility(index, position, facing, surface.plane, to_light);
     Reflected reflected = reflect_lamp(surface, index, position, to_light);
     sum.diffuse += arriving.radiance * reflected.diffuse;
     sum.specular += arriving.radiance * reflected.specular;
 }
 // [/add_light]
 
-// [cell_of]
 // Cell of gl_FragCoord.
 uint cell_of(vec4 fragment) {
     uvec2 tile = uvec2(fragment.xy) / lights_grid.tile_px;
     float slice = floor(log(view_depth(fragment.z) / lights_grid.first_m) * lights_grid.slices_per_log);
     return (uint(clamp(slice, 0.0, float(lights_grid.slices - 1u))) * lights_grid.tiles.y + tile.y) * lights_grid.tiles.x + tile.x;
 }
-// [/cell_of]
 
-// [light_surface]
 // Lights below the plane of the mesh normal `facing` are ignored, despite the normal map. The order of the sum is
 // fixed, since float sums depend on it. `item`: scene item; `fragment`: gl_FragCoord.
 Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 fragment) {
@@ -115,7 +108,6 @@ Lit light_surface(Surface surface, vec3 facing, vec3 position, uint item, vec4 f
 #endif
     return sum;
 }
-// [/light_surface]
 
 // Single light, for surfaces with their own reflection models.
 struct VisibleLight {
@@ -124,10 +116,11 @@ struct VisibleLight {
     vec3 visible;   // 0 to 1; 1 where the surface faces away
 };
 
-VisibleLight visible_light(uint index, vec3 position, vec3 facing) {
+VisibleLight visible_light(uint index, vec3 position, vec3 facing, vec3 plane) {
     Arriving arriving = arriving_light(lights_data[index], position, lights.fade_k);
     bool faces = dot(facing, arriving.to_light) > 0.0;
-    vec3 visible =
-        faces && arriving.radiance != vec3(0.0) ? light_visibility(index, position, facing, arriving.to_light) : vec3(1.0);
+    vec3 visible = faces && arriving.radiance != vec3(0.0)
+                       ? light_visibility(index, position, facing, plane, arriving.to_light)
+                       : vec3(1.0);
     return VisibleLight(arriving.to_light, arriving.radiance, visible);
 }

@@ -22,7 +22,6 @@ vec4 albedos_at(Surface surface, vec3 direction) {
 }
 
 #if SURFACE_BODY == SURFACE_BODY_OREN_NAYAR
-// [oren_nayar]
 // EON rough diffuse BRDF (J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF",
 // JCGT 14(1), 2025): directional albedo of single scattering at this cosine.
 float single_share(float cosine, float roughness) {
@@ -39,7 +38,6 @@ vec3 rough_diffuse(Surface surface, vec3 albedo, float roughness, vec3 to_light)
     float twice = (1.0 - single_share(l, roughness)) * (1.0 - single_share(v, roughness)) / max(1.0 - mean, 1e-6);
     return single + albedo * mean / (1.0 - albedo * (1.0 - mean)) * twice;
 }
-// [/oren_nayar]
 #endif
 
 #endif

@@ -15,7 +15,6 @@ layout(scalar) uniform PartBlock {
 uniform sampler2D height_map;
 
 // Position of a sub-triangle's corner: (0, 0) at the first vertex, rows grow towards the other two.
-// [sub_corner]
 uvec2 sub_corner(uint triangle, uint corner) {
     uint row = uint(sqrt(float(triangle)));
     if (row * row > triangle) --row;
@@ -24,7 +23,6 @@ uvec2 sub_corner(uint triangle, uint corner) {
     if (place % 2u == 0u) return corner == 0u ? uvec2(row, column) : uvec2(row + 1u, column + corner - 1u);
     return corner == 0u ? uvec2(row, column) : uvec2(row + 2u - corner, column + 1u);
 }
-// [/sub_corner]
 
 void main() {
     uint per_triangle = part.subdivide * part.subdivide;

@@ -5,7 +5,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D finer;
 layout(rgba32f) writeonly uniform image2D coarser;
 
-// [main]
 void main() {
     ivec2 to = ivec2(gl_GlobalInvocationID.xy), last = textureSize(finer, 0) - 1;
     if (any(greaterThanEqual(to, imageSize(coarser)))) return;
@@ -17,4 +16,3 @@ void main() {
     }
     imageStore(coarser, to, vec4(plain.a > 0.0 ? weighted.rgb / (4.0 * plain.a) : plain.rgb, plain.a));
 }
-// [/main]

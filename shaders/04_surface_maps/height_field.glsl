@@ -9,7 +9,6 @@ uniform sampler2D height_map;
 
 float depth_at(vec2 uv) { return 1.0 - textureLod(height_map, image_uv(uv), 0.0).r; }
 
-// [exact_hit]
 // Exact intersection with the bilinear surface, from one square of four texel centres to the next.
 const int most_squares = 8192;
 
@@ -59,7 +58,6 @@ float exact_hit(vec2 uv, vec2 shift) {
     }
     return 1.0;
 }
-// [/exact_hit]
 
 const int halvings = 8;  // bisection steps of relief mapping
 
@@ -91,7 +89,6 @@ struct Hit {
 // per depth 1.
 vec2 shift_of(vec3 to_eye, vec2 deepest) { return deepest * to_eye.xy / max(to_eye.z, lowest_eye); }
 
-// [find_hit]
 Hit find_hit(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
     vec2 shift = shift_of(to_eye, deepest);
     Hit hit = Hit(uv, 0.0);
@@ -116,4 +113,3 @@ Hit find_hit(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
     hit.uv = uv - hit.depth * shift;
     return hit;
 }
-// [/find_hit]

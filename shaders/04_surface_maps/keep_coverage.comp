@@ -28,7 +28,6 @@ float pattern(ivec2 place) {
     return (float(4 * (2 * (a.x ^ a.y) + a.y) + 2 * (b.x ^ b.y) + b.y) + 0.5) / 16.0;
 }
 
-// [main]
 void main() {
     uint local = gl_LocalInvocationIndex;
     float scale = alpha_scale(local, cutout.cutoff, cutout.wanted), all = float(level_texels());
@@ -64,4 +63,3 @@ void main() {
         imageStore(level, place_of(i), vec4(texel.rgb, min(1.0, alpha)));
     }
 }
-// [/main]

@@ -19,7 +19,6 @@ struct LampShape {
 
 vec3 safe_normalize(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-20)); }
 
-// [shape]
 LampShape shape_of(LightData light, vec3 position) {
     LampShape s;
     s.middle = light.kind == LIGHT_DIRECTIONAL ? -light.direction : light.position - position;
@@ -32,7 +31,6 @@ LampShape shape_of(LightData light, vec3 position) {
     s.weight = (s.is_tube ? away : away + squared) * pi / max(area, 1e-12);
     return s;
 }
-// [/shape]
 
 bool is_above(vec3 facing, uint light, vec3 position, vec3 to_light) {
     LightData data = lights_data[light];
@@ -48,7 +46,6 @@ vec3 after_several(Surface surface, vec3 to_light) {
            max(dot(surface.normal, to_light), 0.0);
 }
 
-// [representative]
 // Representative point: the lamp's point nearest to the mirrored ray, with a wider lobe (B. Karis, "Real Shading in
 // Unreal Engine 4", 2013).
 Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
@@ -66,11 +63,9 @@ Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     vec3 single = reflect_light(surface, to_nearest).specular - after_several(surface, to_nearest);
     return Reflected(reflect_light(surface, to_middle).diffuse, energy * single + after_several(surface, to_middle));
 }
-// [/representative]
 #elif LAMPS_METHOD == LAMPS_METHOD_LTC && HAS_GGX
 uniform sampler2D ggx_cosines;
 
-// [edge]
 // An edge's share of a polygon's cosine-weighted solid angle, over pi (J. H. Lambert, "Photometria", 1760). Angle over
 // sine by a fit (S. Hill and E. Heitz, "Real-Time Area Lighting", SIGGRAPH course, 2016).
 float edge_share(vec3 from, vec3 to) {
@@ -79,9 +74,7 @@ float edge_share(vec3 from, vec3 to) {
     float ratio = cosine > 0.0 ? acute : 0.5 * inversesqrt(max(1.0 - x * x, 1e-7)) - acute;
     return ratio * (from.x * to.y - from.y * to.x);
 }
-// [/edge]
 
-// [polygon]
 // Form factor of the lamp about z, clipped at the horizon. Discs are 12-gons of equal area.
 float lamp_share(LampShape s, mat3 to_lobe) {
     mat3 to_corner = to_lobe * mat3(s.across, s.along, s.middle);
@@ -106,7 +99,6 @@ float lamp_share(LampShape s, mat3 to_lobe) {
     if (is_cut) sum += edge_share(set, risen);
     return abs(sum);
 }
-// [/polygon]
 
 // A and B of the split sum over the lamp: five of its points, by their cosine.
 vec2 albedos_over(Surface surface, LampShape s) {
@@ -139,7 +131,6 @@ Reflected reflect_by_cosines(Surface surface, LampShape s) {
 #elif LAMPS_METHOD == LAMPS_METHOD_SAMPLED
 layout(scalar) uniform LampsBlock { int samples; } lamps;
 
-// [sampled_lamp]
 // Mean over points of the lamp; on a disc, Vogel's spiral (1979).
 Reflected reflect_by_samples(Surface surface, LampShape s) {
     Reflected sum = Reflected(vec3(0.0), vec3(0.0));
@@ -160,7 +151,6 @@ Reflected reflect_by_samples(Surface surface, LampShape s) {
     }
     return sum;
 }
-// [/sampled_lamp]
 #endif
 
 Reflected reflect_lamp(Surface surface, uint light, vec3 position, vec3 to_light) {

@@ -31,7 +31,6 @@ vec3 multiple_scattering(vec3 f0, vec2 ab) {
 }
 // [/multiscatter]
 
-// [coat]
 // A coat of microfacets over a matt body. E is the share of white light that leaves after one microfacet, for a direction;
 // what it leaves is spread as (1 - E(v)) (1 - E(l)) / (1 - mean E) over views and lights, and the light that the body
 // gets likewise. So camera and light can be exchanged, and the hemisphere gets no more than arrives: C. Kelemen and
@@ -65,7 +64,6 @@ vec3 entering_towards(Coat coat, vec2 ab) {
     vec3 mean = 1.0 - coat.f0 * coat.means.x - coat.means.y - coat.per_missing * (1.0 - coat.means.x - coat.means.y);
     return max(enters, 0.0) / max(mean, 1e-4);
 }
-// [/coat]
 
 // GGX alpha of a Blinn–Phong exponent (B. Walter et al., EGSR 2007, section 5.2). Exponents are at most 8192, so alpha
 // is at least 1/64.

@@ -15,7 +15,6 @@ float hit_error(vec2 uv, vec3 to_eye, vec2 deepest, int steps) {
     return length((find_hit(uv, to_eye, deepest, steps).uv - exact) * vec2(textureSize(height_map, 0)));
 }
 
-// [swim]
 // Sliding of the texture over the surface in texels as the eye moves: change of the method's error at the point that
 // the first eye sees; -1 if the second eye does not see it. `from` and `to`: tangent-space vectors in metres from the
 // first ray's hit on the mesh.
@@ -32,7 +31,6 @@ float swim(vec2 uv, vec3 from, vec3 to, vec2 deepest, float height_m, int steps)
     vec2 slid = find_hit(uv_then, to_eye_then, deepest, steps).uv - find_hit(uv, to_eye, deepest, steps).uv;
     return length(slid * vec2(textureSize(height_map, 0)));
 }
-// [/swim]
 
 // Error in texels of the height map.
 float measured(vec2 uv) {
@@ -52,7 +50,6 @@ float measured(vec2 uv) {
 }
 #endif
 
-// [main]
 void main() {
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
     color = vec4(vec3(measured(coordinates_at(view).uv) / white_texels), 1.0);
@@ -69,4 +66,3 @@ void main() {
 #endif
 #endif
 }
-// [/main]

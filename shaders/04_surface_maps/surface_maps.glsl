@@ -1,6 +1,5 @@
 // A surface with all its maps: the GLSL of the module Maps. Maps with a macro of 0 (knob off, or absent from the
 // material) are compiled out.
-#include "04_surface_maps/mesh_plane.glsl"
 #include "common/structs.h"
 #include "04_surface_maps/plain_draw.glsl"
 #include "04_surface_maps/height_field.glsl"
@@ -94,7 +93,6 @@ vec4 read(sampler2D map, Coordinates at) {
     return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
 }
 
-// [placed]
 // Coordinates of a map with its own transform or the second set.
 Coordinates placed(uint slot, Coordinates at) {
 #if MAPS_PLACED
@@ -107,7 +105,6 @@ Coordinates placed(uint slot, Coordinates at) {
     return at;
 #endif
 }
-// [/placed]
 
 // State of this fragment.
 Coordinates coordinates_at(CameraView view) {
@@ -139,7 +136,6 @@ vec3 turned_back(vec3 normal) {
     return normal;
 }
 
-// [normal]
 // Tangent-space normal, and length of the mean normal within the pixel.
 vec3 normal_at(Coordinates at, out float mean_length) {
     mean_length = 1.0;
@@ -155,7 +151,6 @@ vec3 normal_at(Coordinates at, out float mean_length) {
 #endif
     return normal;
 }
-// [/normal]
 
 struct Substance {
     MixedMaterial mixed;
@@ -163,7 +158,6 @@ struct Substance {
     vec3 ambient_specular;  // specular share of ambient light
 };
 
-// [substance]
 Substance substance_at(Coordinates at, MaterialData material, vec3 base) {
     Substance s = Substance(MixedMaterial(base, material.specular, material.shininess), 1.0, vec3(0.0));
     vec3 orm = vec3(1.0, 0.0, 0.0);
@@ -197,15 +191,12 @@ Substance substance_at(Coordinates at, MaterialData material, vec3 base) {
 #endif
     return s;
 }
-// [/substance]
 
-// [toksvig]
 // M. Toksvig, "Mipmapping Normal Maps", 2005: where the normals within a pixel differ, their mean is shorter than 1,
 // and the highlight broader. The normalised model makes it darker by itself.
 float toksvig(float shininess, float mean_length) {
     return shininess * mean_length / max(mean_length + shininess * (1.0 - mean_length), 1e-6);
 }
-// [/toksvig]
 
 // Surface parameters for lighting, all maps applied.
 struct MappedSurface {
@@ -217,33 +208,28 @@ struct MappedSurface {
     float alpha;            // 1 where nothing is cut out
 };
 
-// [mesh_plane]
 // Unit length: the plane of the triangle that is seen. `facing` is interpolated; where both are alike, it is finer.
 vec3 plane_of_triangle(vec3 facing) {
     vec3 plane = cross(position_down(), position_across());
     plane *= sign(dot(plane, facing)) * inversesqrt(max(dot(plane, plane), 1e-30));
     return plane == vec3(0.0) || dot(plane, facing) > 0.99995 ? facing : plane;
 }
-// [/mesh_plane]
 
-// [map_surface]
 MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     mat3 frame = tangent_space();
     MappedSurface m;
     m.facing = frame[2];
-    mesh_plane = plane_of_triangle(m.facing);
+    m.surface.plane = plane_of_triangle(m.facing);
     m.position = world_position;
     m.surface.to_eye = normalize(eye - world_position);
 #if HAS_PARALLAX || HAS_DISPLACEMENT
     vec3 eye_in_frame = m.surface.to_eye * frame, to_eye = along_uv(eye_in_frame, cos_uv);
 #endif
 #if HAS_DISPLACEMENT
-    // [displacement]
     // A second map, of its own, that shifts all textures along the view: one look, as if the surface lay at (map - 1/2)
     // * displacement_m above the mesh. Limited, because nothing searches for the true hit afterwards: with the division
     // by z a swell of slope s shows places twice from tan(angle) = 1/s on.
     at.uv += parallax_offset_limited(0.5 - read(displacement_map, at).r, to_eye, maps.displacement_m / metres_per_uv);
-    // [/displacement]
 #endif
 #if HAS_PARALLAX
     at.uv -= round(at.uv);  // textures repeat, and numbers near 0 are finer
@@ -281,9 +267,7 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
 #endif
     return m;
 }
-// [/map_surface]
 
-// [seen_surface]
 // Surface of this fragment. Cut-outs are discarded, unless alpha blends them.
 MappedSurface seen_surface() {
     MappedSurface m = map_surface(view.eye, materials[material_index], coordinates_at(view));
@@ -293,13 +277,10 @@ MappedSurface seen_surface() {
 #endif
     return m;
 }
-// [/seen_surface]
 
-// [radiance_of]
 // Radiance towards the camera; `diffuse` and `specular` are the lights' sums per unit of its colours.
 vec3 radiance_of(MappedSurface m, vec3 diffuse, vec3 specular, vec3 ambient) {
     Substance s = m.substance;
     vec3 ambient_light = (s.mixed.diffuse + s.ambient_specular) * ambient * s.occlusion;
     return ambient_light + s.mixed.diffuse * diffuse + s.mixed.specular * specular + m.glow;
 }
-// [/radiance_of]

@@ -40,7 +40,6 @@ void set_rare_varyings(uvec3 vertices_of, vec3 shares) {
 #endif
 }
 
-// [varyings]
 void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
     world_position = position_to_world(instance.model, vertex.position);
     world_normal = normal_to_world(instance.normal_matrix, vertex.normal);
@@ -58,4 +57,3 @@ void set_varyings(Vertex vertex, TangentFrame frame, Instance instance) {
     material_index = instance.material;
     item = instance.material;  // each has its own
 }
-// [/varyings]

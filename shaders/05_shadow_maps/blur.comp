@@ -30,7 +30,6 @@ vec4 moments_at(int n, int line) {
 #endif
 }
 
-// [blur]
 #if SHADOW_BLUR_BY == SHADOW_BLUR_BY_SHARED
 shared vec4 read_once[lines][along + 2 * WIDEST_BLUR];
 #endif
@@ -59,4 +58,3 @@ void main() {
     }
     if (all(lessThan(texel_of(n, line), imageSize(result)))) imageStore(result, texel_of(n, line), sum);
 }
-// [/blur]

@@ -23,7 +23,6 @@ float mask_texel(RayMask mask, ivec2 at) {
     return float(rays_texels[mask.first + texel / 4u] >> 8u * (texel % 4u) & 255u) / 255.0;
 }
 
-// [mask_at]
 // Bilinear, repeating read, as a sampler's of level 0; v = 0 is the bottom row.
 float mask_at(RayMask mask, vec2 uv) {
     ivec2 size = ivec2(mask.width, mask.height);
@@ -34,7 +33,6 @@ float mask_at(RayMask mask, vec2 uv) {
     return mix(mix(mask_texel(mask, from), mask_texel(mask, ivec2(to.x, from.y)), part.x),
                mix(mask_texel(mask, ivec2(from.x, to.y)), mask_texel(mask, to), part.x), part.y);
 }
-// [/mask_at]
 
 // Mask 0 has no holes.
 bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
@@ -60,7 +58,6 @@ struct RayHit {
     vec3 weights;   // barycentric coordinates
 };
 
-// [shear]
 // Translation and shear that turn the ray into an axis through the origin, so that triangle tests are two-dimensional
 // (S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
 struct Shear {
@@ -77,9 +74,7 @@ Shear shear_of(vec3 direction) {
     vec3 d = turned(direction, along_x, along_y);
     return Shear(along_x, along_y, vec3(d.xy, 1.0) / d.z);
 }
-// [/shear]
 
-// [hit_triangle]
 // Watertight without the paper's fallback to double precision. Each edge function is a difference of two products;
 // rounding can make it 0 but not flip its sign, and triangles that share an edge get opposite values. With 0 counted as
 // inside, no ray passes between them. `precise`: the sums must be evaluated as written.
@@ -102,9 +97,7 @@ bool hit_triangle(RayTriangle triangle, Ray ray, Shear s, inout RayHit hit) {
     hit.weights = weights;
     return true;
 }
-// [/hit_triangle]
 
-// [box]
 // Entry into and exit from the box; entry <= exit if the ray hits it. The factor 1 + 2 gamma(3) bounds three roundings
 // (T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
 vec2 span_in_box(BvhNode node, Ray ray, vec3 inverse, float most) {
@@ -119,9 +112,7 @@ vec3 inverse_of(vec3 direction) {
     const float least = 1e-20;
     return 1.0 / mix(direction, vec3(least), lessThan(abs(direction), vec3(least)));
 }
-// [/box]
 
-// [traverse]
 // Nearer child first, the other onto a stack. `any`: stops at the first hit.
 bool traverse(Ray ray, bool any, out RayHit hit) {
     hit = RayHit(ray.most, 0u, vec3(0.0));
@@ -155,7 +146,6 @@ bool traverse(Ray ray, bool any, out RayHit hit) {
         count = rays_nodes[next].count;
     }
 }
-// [/traverse]
 
 bool any_hit(Ray ray) {
     RayHit hit;

@@ -8,7 +8,6 @@ BEGIN_SHARED
 const uint BVH_STACK = 40u;
 const uint BVH_LEAF = 4u;  // maximum number of triangles in a leaf
 
-// [node]
 // Node: a world-space box with two adjacent children, or a leaf with triangles.
 struct BvhNode {
     vec3 lower;  // metres
@@ -16,7 +15,6 @@ struct BvhNode {
     vec3 upper;
     uint count;  // number of triangles; 0: inner node
 };
-// [/node]
 
 const uint NO_CUTOUT = 0xffffffffu;
 

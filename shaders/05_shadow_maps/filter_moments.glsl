@@ -1,7 +1,6 @@
 // Filters of blurred moments: variance, exponential variance and moment shadow maps.
 #include "05_shadow_maps/moments.glsl"
 
-// [from_moments]
 // Visibility from the mip whose texels are about as wide as the pixel on the surface. `texel`: width in level 0,
 // metres.
 float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
@@ -21,7 +20,6 @@ float from_moments(ShadowView view, Receiver r, float texel, float pixel) {
 #endif
     return clamp((visible - shadow.bleed) / (1.0 - shadow.bleed), 0.0, 1.0);  // less bleeding, darker penumbrae
 }
-// [/from_moments]
 
 // Shadow filter interface; see filter_pcf.glsl.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) { return 0.5; }

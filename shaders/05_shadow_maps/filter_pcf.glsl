@@ -2,7 +2,6 @@
 #include "05_shadow_maps/compare_depth.glsl"
 #include "05_shadow_maps/pcf.glsl"
 
-// [pcf_single]
 // pcf() with one read per texel.
 float pcf_single(Receiver r, uint layer, int kernel) {
     float size = float(map_texels()), width = float(kernel);
@@ -18,18 +17,14 @@ float pcf_single(Receiver r, uint layer, int kernel) {
     }
     return sum / (width * width);
 }
-// [/pcf_single]
 
-// [hard]
 float hard(Receiver r, uint layer) {
     // A texel's depth is exact at its centre, so the surface's depth is compared there.
     vec2 middle = (floor(r.place.xy * float(map_texels())) + 0.5) / float(map_texels());
     vec3 place = vec3(r.place.xy, plane_depth(r, middle));
     return compare_depth(place, read_depth(r.place.xy, layer));
 }
-// [/hard]
 
-// [filter_reach]
 // Half-width of the filter in texels along u and v, which the bias must cover.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) {
 #if SHADOW_METHOD == SHADOW_METHOD_PCF
@@ -38,9 +33,7 @@ float filter_reach(ShadowLight light, ShadowView view, vec3 position) {
     return 0.5;
 #endif
 }
-// [/filter_reach]
 
-// [filtered]
 float filtered(ShadowLight light, ShadowView view, Receiver r, float texel, float pixel) {
 #if SHADOW_METHOD == SHADOW_METHOD_HARD
     return hard(r, view.layer);
@@ -50,4 +43,3 @@ float filtered(ShadowLight light, ShadowView view, Receiver r, float texel, floa
     return pcf(r, view.layer, shadow.kernel | 1);
 #endif
 }
-// [/filtered]

@@ -1,7 +1,6 @@
 // Percentage-closer soft shadows: blocker search, penumbra estimate, filter of that width.
 #include "05_shadow_maps/penumbra_width.glsl"
 
-// [disc]
 // Vogel's spiral: points evenly spread over the unit disc ("A Better Way to Construct the Sunflower Head", 1979).
 vec2 disc_point(int i, int count, float turn) {
     float angle = 2.39996323 * float(i) + turn;
@@ -16,7 +15,6 @@ float disc_turn(vec2 uv) {
     hash = (hash ^ (hash >> 15)) * 0x2c1b3c6du;
     return 6.2831853 * float(hash >> 8) / 16777216.0;
 }
-// [/disc]
 
 // Map widths per metre at the point.
 float map_widths_per_metre(ShadowView view, float distance) {
@@ -28,7 +26,6 @@ float lamp_distance(ShadowView view, float depth) {
     return map_distance(view, depth) - (view.perspective == 1u ? 0.0 : view.near);
 }
 
-// [find_blockers]
 // Mean distance of blockers in front of the surface within `radius` (in map widths), from the lamp or a directional
 // light's near plane; below 0: none.
 float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
@@ -43,7 +40,6 @@ float mean_blocker(ShadowView view, Receiver r, float radius, float turn) {
     }
     return count > 0.0 ? sum / count : -1.0;
 }
-// [/find_blockers]
 
 // Bilinear weighting of the four texels around uv.
 float lit_between(Receiver r, uint layer, vec2 uv) {
@@ -61,7 +57,6 @@ float search_radius(ShadowLight light, ShadowView view, float distance) {
     return clamp(0.5 * widest * map_widths_per_metre(view, distance), 0.0, MAP_MARGIN);
 }
 
-// [pcss]
 float pcss(ShadowLight light, ShadowView view, Receiver r) {
     float receiver = lamp_distance(view, r.place.z), texel = 1.0 / float(map_texels()), turn = disc_turn(r.place.xy);
     float blocker = mean_blocker(view, r, max(search_radius(light, view, receiver), texel), turn);
@@ -73,7 +68,6 @@ float pcss(ShadowLight light, ShadowView view, Receiver r) {
         sum += lit_between(r, view.layer, r.place.xy + radius * disc_point(i, shadow.taps, turn));
     return sum / float(shadow.taps);
 }
-// [/pcss]
 
 // As in filter_pcf.glsl.
 float filter_reach(ShadowLight light, ShadowView view, vec3 position) {

@@ -1,7 +1,6 @@
 // Moments of depth, and visibility from them. Depth: 0 at the near plane, 1 at the far plane.
 #include "05_shadow_maps/chebyshev.glsl"
 
-// [warp]
 // Warp of exponential variance shadow maps (A. Lauritzen and M. McCool, "Layered Variance Shadow Maps", GI 2008): e^cz
 // compresses depths in front of the receiver, -e^-cz those behind. The square of e^c must fit the format: ln(3.4e38) /
 // 2 is 44.3, ln(65504) / 2 is 5.54, less a margin for sums.
@@ -16,9 +15,7 @@ vec2 warp(float depth, float exponent, float exponent_negative) {
     float z = 2.0 * depth - 1.0;
     return vec2(exp(min(exponent, exponent_cap()) * z), -exp(-min(exponent_negative, exponent_cap()) * z));
 }
-// [/warp]
 
-// [moments_of]
 vec4 moments_of(float depth, float exponent, float exponent_negative) {
 #if SHADOW_METHOD == SHADOW_METHOD_EVSM
     vec2 w = warp(depth, exponent, exponent_negative);
@@ -28,9 +25,7 @@ vec4 moments_of(float depth, float exponent, float exponent_negative) {
     return vec4(depth, square, square * depth, square * square);
 #endif
 }
-// [/moments_of]
 
-// [evsm]
 float evsm(vec4 moments, float depth, float exponent, float exponent_negative, float least) {
     vec2 w = warp(depth, exponent, exponent_negative);
     // Slope of the warp, which scales a depth variance of `least`.
@@ -39,9 +34,7 @@ float evsm(vec4 moments, float depth, float exponent, float exponent_negative, f
     vec2 smallest = max(deviation * deviation, 1e-30);
     return min(chebyshev(moments.xz, w.x, smallest.x), chebyshev(moments.yw, w.y, smallest.y));
 }
-// [/evsm]
 
-// [msm]
 // Moment shadow mapping (C. Peters and R. Klein, I3D 2015): among depth distributions with these four moments, the one
 // with the least mass in front of the receiver has three depths, one of them the receiver's. The others are roots of a
 // quadratic whose coefficients c solve B c = (1, z, z²), with B the Hankel matrix of the moments.
@@ -63,4 +56,3 @@ float msm(vec4 moments, float z, float bias) {
     float share = (a * z2 - b.x * (a + z2) + b.y) / apart;
     return clamp(1.0 - (in_front + share), 0.0, 1.0);
 }
-// [/msm]

@@ -11,7 +11,6 @@ layout(scalar) uniform SphereShadowBlock {
 layout(scalar) uniform SphereShadowPlanetBlock { RingedPlanet sphere_shadow_planet; };
 uniform sampler2D sphere_shadow_ring;  // u from the inner to the outer radius; alpha: opacity along its normal
 
-// [ring_transmittance]
 // Transmittance of an infinitely thin ring; `point` is relative to its centre. No light passes within the ring's plane.
 // `alpha` is 1 - exp(-tau) along the normal; the optical depth along the ray is tau / |slope|. A sun of angle 2 sun_rad
 // averages the ring over its width: the mip with texels of that width.
@@ -27,9 +26,7 @@ float ring_transmittance(vec3 point, vec3 normal, vec3 to_light, float inner, fl
     float alpha = textureLod(sphere_shadow_ring, vec2((r - inner) / (outer - inner), 0.5), lod).a;
     return pow(clamp(1.0 - alpha, 0.0, 1.0), 1.0 / abs(slope));
 }
-// [/ring_transmittance]
 
-// [planet_visibility]
 float planet_visibility(vec3 position, vec3 to_light) {
     RingedPlanet planet = sphere_shadow_planet;
     vec3 to_center = planet.center - position;
@@ -53,4 +50,3 @@ float planet_visibility(vec3 position, vec3 to_light) {
 #endif
     return visible;
 }
-// [/planet_visibility]

@@ -6,7 +6,6 @@ layout(scalar) uniform RaysBlock { int truth_samples; } rays;
 
 uint rays_seed = 0u;  // per-pixel seed; set by seed_of() first
 
-// [lamp]
 // Disc lamp facing the lit point. `to_middle` and `radius` are in metres; for a lamp at infinity `to_middle` has unit
 // length and `radius` is the tangent of the angular radius.
 struct Lamp {
@@ -14,7 +13,6 @@ struct Lamp {
     float radius;
     float most;  // ray length in distances to the disc: 1, or unbounded
 };
-// [/lamp]
 
 // False after lavapipe has cut loops short (it ends an invocation's loops after 65,535 iterations in all, and each
 // later one after one), so that results may be wrong. The count of two is hidden from compilers.
@@ -24,7 +22,6 @@ bool loops_turn() {
     return turned == two;
 }
 
-// [lamp_visibility]
 // Visible share of the lamp's disc from `origin`, 0 to 1: mean over the knob's number of rays. NaN if a driver has cut
 // loops short.
 float lamp_visibility(Lamp lamp, vec3 origin, uint seed) {
@@ -39,4 +36,3 @@ float lamp_visibility(Lamp lamp, vec3 origin, uint seed) {
     }
     return i == count ? float(seen) / float(count) : uintBitsToFloat(0x7fc00000u);
 }
-// [/lamp_visibility]

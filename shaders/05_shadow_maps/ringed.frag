@@ -3,11 +3,9 @@
 #include "05_shadow_maps/planet_shadow.glsl"
 #include "common/put_surface.glsl"
 
-// [light_visibility]
-vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 plane, vec3 to_light) {
     return vec3(planet_visibility(position, to_light));
 }
-// [/light_visibility]
 
 void main() {
     MappedSurface m = seen_surface();

@@ -12,7 +12,6 @@ uint seed_of(uvec2 pixel, uint seed) {
     return v.x;
 }
 
-// [scramble]
 // Owen scrambling by a hash: each binary digit is flipped depending on all higher digits
 // (S. Laine and T. Karras, 2011, with the constants of B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4),
 // 2020). It keeps the points' stratification and makes estimates unbiased over seeds.
@@ -24,9 +23,7 @@ uint scramble(uint digits, uint seed) {
     x ^= x * 0x8d22f6e6u;
     return bitfieldReverse(x);
 }
-// [/scramble]
 
-// [sobol]
 // First two dimensions of I. M. Sobol's sequence (1967): 2^k consecutive points from a multiple of 2^k on occupy one
 // each of 2^k equal boxes, for every division of the square. 0 <= x, y < 1. The second matrix is Pascal's triangle
 // modulo 2, whose entry (j, i) is odd if all bits of i are in j (E. Lucas, 1878), so the sum over j takes five steps,
@@ -41,7 +38,6 @@ vec2 sobol_point(uint index, uint seed) {
     uvec2 digits = bitfieldReverse(uvec2(index, sum));
     return vec2(scramble(digits.x, seed) >> 8u, scramble(digits.y, seed_of(uvec2(seed), 1u)) >> 8u) / 16777216.0;
 }
-// [/sobol]
 
 // Area-preserving map from the square to the unit disc.
 vec2 on_disc(vec2 point) {

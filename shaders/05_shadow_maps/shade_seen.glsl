@@ -39,7 +39,6 @@ layout(scalar) uniform SeenBlock {
     uint first_index;        // first index of the mesh's part
 } seen;
 
-// [look_up]
 // Sets varyings and gl_FragCoord; false if the pixel shows another batch.
 bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord) {
     uvec2 id = texelFetch(visible, pixel, 0).xy;
@@ -86,7 +85,6 @@ bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord)
     frag_coord = vec4(vec2(pixel) + 0.5, clip.z / clip.w, 1.0 / clip.w);
     return true;
 }
-// [/look_up]
 
 #include "04_surface_maps/surface_maps.glsl"
 
@@ -105,11 +103,9 @@ vec2 moved_down(vec2 moved, float time_s) {
 // Linear radiance towards the eye, and alpha.
 vec4 seen_color(vec4 frag_coord);
 
-// [shade]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
     vec4 frag_coord;
     if (any(greaterThanEqual(pixel, size)) || !look_up(pixel, size, view.view_projection, frag_coord)) return;
     imageStore(result, pixel, seen_color(frag_coord));
 }
-// [/shade]

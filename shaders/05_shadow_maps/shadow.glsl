@@ -1,7 +1,6 @@
 // Visibility of lights: GLSL of the module Shadow, included instead of 03_attenuation/unshadowed.glsl. The method's
 // filter is compiled in.
 #include "03_attenuation/light_data.h"
-#include "04_surface_maps/mesh_plane.glsl"
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/light_clip_position.glsl"
 #include "05_shadow_maps/slope_bias.glsl"
@@ -28,14 +27,12 @@ float read_depth(vec2 uv, uint layer) { return textureLod(shadow_map, vec3(uv, l
 vec4 gather_depths(vec2 uv, uint layer) { return textureGather(shadow_map, vec3(uv, layer), 0); }
 
 // Light view that contains a point.
-// [cube_face]
 // Cube face of a direction: +x, -x, +y, -y, +z, -z.
 uint cube_face(vec3 direction) {
     vec3 size = abs(direction);
     uint axis = size.x >= size.y && size.x >= size.z ? 0u : size.y >= size.z ? 1u : 2u;
     return 2u * axis + uint(direction[axis] < 0.0);
 }
-// [/cube_face]
 
 // [view_of]
 // Finest cascade that contains the point and the filter's reach around it.
@@ -50,7 +47,6 @@ uint view_of(ShadowLight light, vec3 position) {
 }
 // [/view_of]
 
-// [map_distance]
 // Distance along the view, metres.
 float map_distance(ShadowView view, float depth) {
     float d = view.to_distance.x + view.to_distance.y * depth;
@@ -61,54 +57,44 @@ float map_distance(ShadowView view, float depth) {
 float linear_depth(ShadowView view, float depth) {
     return clamp((map_distance(view, depth) - view.near) / (view.far - view.near), 0.0, 1.0);
 }
-// [/map_distance]
 
 // Bias: offset of the point so that the surface's own depths, stored only at texel centres, are not nearer to the
 // light.
-// [plane_slope]
 // Slope of depth over the map: a plane stays a plane in clip space, after division by w too.
-vec2 plane_slope(ShadowView view, vec3 position, vec3 facing, float cosine) {
-    vec4 plane = view.plane_to_clip * vec4(facing, -dot(facing, position));
-    if (abs(plane.z) < 1e-20) return vec2(0.0);
-    vec2 slope = -2.0 * plane.xy / plane.z;  // from -1..1 to 0..1
+vec2 plane_slope(ShadowView view, vec3 position, vec3 plane, float cosine) {
+    vec4 clip_plane = view.plane_to_clip * vec4(plane, -dot(plane, position));
+    if (abs(clip_plane.z) < 1e-20) return vec2(0.0);
+    vec2 slope = -2.0 * clip_plane.xy / clip_plane.z;  // from -1..1 to 0..1
     return slope * min(cosine / 0.025, 1.0);  // bounded where the surface is parallel to the light
 }
-// [/plane_slope]
 
 // Texel width at the point, metres.
 float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.to_clip * vec4(position, 1.0)).w); }
 
-const float initial_bias_m = 0.002;  // as the module has it
-
-// [receiver]
-// `facing`: the plane of the triangle. `reach`: how far in texels a filter reads along u and along v.
-Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, float reach) {
-    float cosine = clamp(dot(facing, to_light), 0.0, 1.0);
+// `reach`: how far in texels a filter reads along u and along v.
+Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, float reach) {
+    float cosine = clamp(dot(plane, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
-    // The initial constant is two texels at most, so that it is small where the whole scene is.
-    float constant = shadow.bias_m == initial_bias_m ? min(initial_bias_m, 2.0 * texel) : shadow.bias_m;
-    float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
+    float towards = min(shadow.bias_m, shadow_eye.bias_texels * texel) + shadow.slope * slope_bias(cosine, texel, reach);
     // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
-    vec3 lifted = position + towards * to_light + along_normal * facing;
+    vec3 lifted = position + towards * to_light + along_normal * plane;
     Receiver r = Receiver(light_clip_position(view.to_clip, lifted), vec2(0.0));
 #if SHADOW_RECEIVER_PLANE
-    r.slope = plane_slope(view, position, facing, cosine);
+    r.slope = plane_slope(view, position, plane, cosine);
 #endif
     return r;
 }
-// [/receiver]
 
 // Shadow filter: filter_reach() and filtered(). The module replaces this file with its method's.
 #include "05_shadow_maps/filter_pcf.glsl"
 
 // Visibility from a light's map.
 // [visibility_in_map]
-float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
+float visibility_in_map(ShadowLight light, vec3 position, vec3 plane, vec3 to_light) {
     if (light.views == 0u) return 1.0;
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return 1.0;
-    vec3 plane = mesh_plane == vec3(0.0) ? facing : mesh_plane;
     if (dot(plane, to_light) <= 0.0) return 0.0;  // the triangle is its own shadow, though its normals face the light
     Receiver r = receiver(view, position, plane, to_light, filter_reach(light, view, position));
     // Behind the light, beside its view, or beyond its reach.
@@ -139,16 +125,15 @@ vec3 passed_in_map(ShadowLight light, vec3 position, vec3 facing) {
 // [/passed_in_map]
 #endif
 
-// [light_visibility]
 #ifndef OWN_LIGHT_VISIBILITY
-vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
+vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 plane, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return vec3(1.0);
 #else
     ShadowLight maps = shadow_lights[light];
     // Lights without shadows: the edge of a large lamp may be above a surface that faces away from its centre.
     if (maps.views > 0u && dot(facing, to_light) <= 0.0) return vec3(0.0);
-    vec3 visible = vec3(visibility_in_map(maps, position, facing, to_light));
+    vec3 visible = vec3(visibility_in_map(maps, position, plane, to_light));
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
     visible *= passed_in_map(maps, position, facing);
 #endif
@@ -156,4 +141,3 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 to_light) {
 #endif
 }
 #endif
-// [/light_visibility]

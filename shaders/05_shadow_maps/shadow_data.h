@@ -9,7 +9,6 @@ const uint NO_LAYER = 0xffffffffu;
 // Unused margin at each side of a map, as a share of its width, for filters to read.
 const float MAP_MARGIN = 1.0f / 16.0f;
 
-// [shadow_view]
 // View of a shadow map.
 struct ShadowView {
     mat4 to_clip;        // world to clip space: y down, depth 1 near and 0 far; w: 1, or distance along the view
@@ -20,9 +19,7 @@ struct ShadowView {
     uint perspective;    // 1: to_distance gives the reciprocal
     uint layer;          // layer of the map, or NO_LAYER without casters
 };
-// [/shadow_view]
 
-// [shadow_light]
 // Shadow of a light. Views: one per cascade of a directional light, finest first; one of a spot; six of a point light:
 // +x, -x, +y, -y, +z, -z.
 struct ShadowLight {
@@ -32,12 +29,12 @@ struct ShadowLight {
     uint views;  // 0: no shadow
     float size;  // lamp diameter, metres; directional: 2 tan of the angular radius
 };
-// [/shadow_light]
 
-// Camera data for filter widths.
+// Camera data for filter widths, and the bias's limit.
 struct ShadowEye {
-    vec3 position;  // metres, world space
-    float pixel;    // pixel width at 1 m, metres
+    vec3 position;      // metres, world space
+    float pixel;        // pixel width at 1 m, metres
+    float bias_texels;  // upper limit of the constant bias
 };
 
 #ifndef __cplusplus
@@ -48,18 +45,15 @@ vec4 gather_depths(vec2 uv,
                    uint layer);  // of the four texels that meet in the corner nearest to uv: x lower left, y lower
                                  // right, z upper right, w upper left, where lower is the greater v
 
-// [receiver_struct]
 // Receiver point in map space.
 struct Receiver {
     vec3 place;  // map coordinates and depth, as from light_clip_position()
     vec2 slope;  // change of the surface's depth over the map's width along u and v; 0: unused
 };
-// [/receiver_struct]
 
 // Depth of the receiver's plane at a point of the map; 0, the map's clear value, beyond the far plane.
 float plane_depth(Receiver r, vec2 uv) { return max(r.place.z + dot(r.slope, uv - r.place.xy), 0.0); }
 
-// [plane_depths]
 // Depths of the receiver's plane at the centres of the four texels around uv, in the order of gather_depths().
 vec4 plane_depths(Receiver r, vec2 corner) {
     vec2 half_texel = r.slope * (0.5 / float(map_texels()));
@@ -68,7 +62,6 @@ vec4 plane_depths(Receiver r, vec2 corner) {
                              -half_texel.x - half_texel.y),
                0.0);
 }
-// [/plane_depths]
 #endif
 
 END_SHARED

@@ -10,7 +10,6 @@ const uint SHADOW_PETER_PANNING = 2u;
 const uint SHADOW_LEAK = 3u;
 const uint SHADOW_EDGE = 4u;
 
-// [shadow_error]
 // Ray-traced visibility at a point and over the part of its tangent plane within the filter's reach.
 struct ShadowTruth {
     float visibility;   // visibility at the point, 0 to 1
@@ -30,6 +29,5 @@ SHARED_FUNCTION uint shadow_error(float shown, ShadowTruth truth, float toleranc
     if (truth.most > 0.0f) return SHADOW_EDGE;
     return truth.blocker_m >= 0.0f && truth.blocker_m < contact_m ? SHADOW_PETER_PANNING : SHADOW_LEAK;
 }
-// [/shadow_error]
 
 END_SHARED

@@ -4,24 +4,19 @@
 #include "05_shadow_maps/shadow_data.h"
 #include "05_shadow_maps/shadow_error.h"
 
-// [lamp_of]
 // `to_light`: unit length, for directional lights.
 Lamp lamp_of(ShadowLight light, vec3 position, vec3 to_light) {
     if (light.kind == LIGHT_DIRECTIONAL) return Lamp(to_light, 0.5 * light.size, on_and_on);
     return Lamp(light.position - position, 0.5 * light.size, 1.0);
 }
-// [/lamp_of]
 
-// [visibility_by_rays]
 // visibility_in_map() by rays.
 float visibility_by_rays(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
     if (light.views == 0u) return 1.0;  // no shadow
     vec3 origin = above(position, facing);
     return lamp_visibility(lamp_of(light, origin, to_light), origin, rays_seed);
 }
-// [/visibility_by_rays]
 
-// [shadow_truth]
 const uint rays_around = 16u;
 
 // `radius_m`: reach of the filter perpendicular to the light, half its kernel on the map plus a texel. Samples lie in
@@ -50,4 +45,3 @@ ShadowTruth shadow_truth(ShadowLight light, vec3 position, vec3 facing, vec3 to_
     if (!loops_turn()) truth.visibility = uintBitsToFloat(0x7fc00000u);
     return truth;
 }
-// [/shadow_truth]

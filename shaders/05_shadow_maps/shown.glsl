@@ -13,31 +13,29 @@ uint seen_in = 0u;               // 1 + view index for the first light with shad
 float texel_m = 0.0;             // texel width of its map
 vec2 texels = vec2(0.0);         // position in its map, texels
 
-float map_visibility(ShadowLight light, vec3 position, vec3 facing, vec3 to_light) {
+float map_visibility(ShadowLight light, vec3 position, vec3 plane, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return 1.0;
 #else
-    return visibility_in_map(light, position, facing, to_light);
+    return visibility_in_map(light, position, plane, to_light);
 #endif
 }
 
-// [wrong]
-void find_wrong(ShadowLight light, vec3 position, vec3 facing, vec3 to_light, ShadowView map) {
+void find_wrong(ShadowLight light, vec3 position, vec3 facing, vec3 plane, vec3 to_light, ShadowView map) {
     float texel = texel_at(map, position);
     ShadowTruth truth = shadow_truth(light, position, facing, to_light, texel * (1.0 + filter_reach(light, map, position)));
-    float shown = map_visibility(light, position, facing, to_light);
+    float shown = map_visibility(light, position, plane, to_light);
     worst = max(worst, shadow_error(shown, truth, tolerance, contact_m));
 }
-// [/wrong]
 
-vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
+vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 plane, vec3 to_light) {
     ShadowLight light = shadow_lights[index];
     if (light.views == 0u) return vec3(1.0);
     if (dot(facing, to_light) <= 0.0) return vec3(0.0);
     uint number = view_of(light, position);
     ShadowView map = shadow_views[number];
 #if SHOW == SHOW_WRONG
-    find_wrong(light, position, facing, to_light, map);
+    find_wrong(light, position, facing, plane, to_light, map);
 #endif
     if (seen_in == 0u) {
         seen_in = 1u + number - light.first_view;
@@ -47,7 +45,7 @@ vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 to_light) {
 #if VISIBILITY == VISIBILITY_RAYS
     float shown = visibility_by_rays(light, position, facing, to_light);
 #else
-    float shown = map_visibility(light, position, facing, to_light);
+    float shown = map_visibility(light, position, plane, to_light);
 #endif
     least_visible = min(least_visible, shown);
     return vec3(shown);

@@ -1,7 +1,6 @@
 // Shadow of a sphere under a disc light.
 #include "05_shadow_maps/hidden_share.glsl"
 
-// [sphere_visibility]
 // Visible share of the sun's disc beside a sphere; `sun_rad` is the disc's angular radius. The angle between the
 // sphere's edge and the sun's centre is a small difference of two angles, and GPU arc functions may err by 4,096 units
 // in the last place (Vulkan specification, Precision and Operation of SPIR-V Instructions), more than the whole sun.
@@ -17,4 +16,3 @@ float sphere_visibility(vec3 to_center, float radius, vec3 to_light, float sun_r
     float disc = min(radius / (to_edge * sun_rad), 1e6);
     return 1.0 - hidden_share(disc, max(gap_sine / sun_rad, -disc));
 }
-// [/sphere_visibility]

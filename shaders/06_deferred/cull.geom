@@ -8,7 +8,6 @@ layout(triangle_strip, max_vertices = 3) out;
 layout(scalar) readonly buffer InstanceBuffer { Instance instances[]; };
 layout(scalar) uniform ViewBlock { CameraView view; };
 
-// [varyings]
 layout(location = 0) in vec3 position_in[];
 layout(location = 1) in vec3 normal_in[];
 layout(location = 2) in vec3 tangent_in[];
@@ -29,9 +28,7 @@ layout(location = 6) flat out uint material_index;
 layout(location = 7) flat out uint item;
 layout(location = 8) out float cos_uv;
 invariant gl_Position;
-// [/varyings]
 
-// [main]
 void main() {
     bool mirrored = determinant(mat3(instances[item_in[0]].model)) < 0.0;
     bool culled = is_back_face(position_in[0] - view.eye, position_in[1] - view.eye, position_in[2] - view.eye, mirrored);
@@ -54,4 +51,3 @@ void main() {
     }
     EndPrimitive();
 }
-// [/main]

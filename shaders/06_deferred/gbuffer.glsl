@@ -1,12 +1,10 @@
 // G-buffer encodings: GLSL of the module GBuffer.
-#include "04_surface_maps/mesh_plane.glsl"
 #include "06_deferred/pixel.glsl"
 #include "06_deferred/pack_material.glsl"
 #include "06_deferred/normals.glsl"
 
 #define GBUFFER_IS_PACKED (GBUFFER_METHOD == GBUFFER_METHOD_PACKED || GBUFFER_METHOD == GBUFFER_METHOD_TILED)
 
-// [normal_bits]
 // Shading normal and mesh normal in 32 bits; the mesh normal gets what the shading normal leaves.
 #if GBUFFER_NORMAL_BITS == GBUFFER_NORMAL_BITS_8
 const int normal_bits = 8, facing_bits = 8;
@@ -16,7 +14,6 @@ const int normal_bits = 12, facing_bits = 4;
 const int normal_bits = 16;
 #define GBUFFER_ONE_NORMAL  // shading normal replaces the mesh normal
 #endif
-// [/normal_bits]
 
 #if GBUFFER_IS_PACKED
 // [packed]
@@ -48,7 +45,6 @@ Pixel restore(Stored s) {
 }
 // [/packed]
 #else
-// [fat]
 struct Stored {
     vec4 normal, diffuse, specular;  // halves: 24 bytes
     vec4 position;                   // floats: 16 bytes; method fat only
@@ -64,7 +60,7 @@ Stored store(Pixel p) {
 #if GBUFFER_METHOD == GBUFFER_METHOD_FAT
     s.normal = vec4(p.normal, m.occlusion);
     s.diffuse = vec4(m.mixed.diffuse, m.ambient_specular);
-    s.position = vec4(p.position, quantise(encode_normal(mesh_plane), float_bits));
+    s.position = vec4(p.position, quantise(encode_normal(p.plane), float_bits));
 #else
     s.normal = vec4(p.normal, quantise(encode_normal(p.facing), half_bits));
     s.diffuse = vec4(m.mixed.diffuse, m.occlusion + 2.0 * m.ambient_specular);
@@ -78,7 +74,7 @@ Pixel restore(Stored s) {
     p.material.mixed = MixedMaterial(s.diffuse.rgb, s.specular.rgb, s.specular.a);
 #if GBUFFER_METHOD == GBUFFER_METHOD_FAT
     p.position = s.position.xyz;
-    p.facing = decode_normal(dequantise(uint(s.position.a), float_bits));
+    p.plane = p.facing = decode_normal(dequantise(uint(s.position.a), float_bits));
     p.material.occlusion = s.normal.a;
     p.material.ambient_specular = s.diffuse.a;
 #else
@@ -88,5 +84,4 @@ Pixel restore(Stored s) {
 #endif
     return p;
 }
-// [/fat]
 #endif

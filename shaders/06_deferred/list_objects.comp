@@ -46,7 +46,6 @@ bool is_listed(uint i) {
 #endif
 }
 
-// [rank]
 void main() {
     uint i = gl_GlobalInvocationID.x, lane = gl_LocalInvocationIndex;
     uint listed = i < look.objects && is_listed(i) ? 1u : 0u;
@@ -61,4 +60,3 @@ void main() {
     if (i < look.objects) ranks[i] = (running[lane] - listed) | (listed * DRAWN);
     if (lane == LIST_GROUP - 1u) sums[gl_WorkGroupID.x] = running[lane];
 }
-// [/rank]

@@ -11,7 +11,6 @@ layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };
 vec4 half_of(vec4 v) { return vec4(unpackHalf2x16(packHalf2x16(v.xy)), unpackHalf2x16(packHalf2x16(v.zw))); }
 #endif
 
-// [kept]
 Pixel kept(Pixel p) {
     Stored s = store(p);
 #if !GBUFFER_IS_PACKED
@@ -23,7 +22,6 @@ Pixel kept(Pixel p) {
 #endif
     return back;
 }
-// [/kept]
 
 void main() {
     MappedSurface m = seen_surface();

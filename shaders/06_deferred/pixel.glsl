@@ -1,7 +1,6 @@
 // Surface of a pixel, for lighting.
 #include "common/structs.h"
 
-// [pixel]
 struct PixelMaterial {
     MixedMaterial mixed;
     float occlusion;         // visibility of ambient light, 0 to 1
@@ -11,7 +10,7 @@ struct PixelMaterial {
 struct Pixel {
     vec3 normal;    // shading normal, unit length, world space
     vec3 facing;    // mesh normal, unit length, world space
+    vec3 plane;     // normal of the triangle, unit length, world space
     vec3 position;  // metres, world space
     PixelMaterial material;
 };
-// [/pixel]

@@ -1,7 +1,6 @@
 // G-buffer outputs of fragment shaders.
 #include "06_deferred/gbuffer.glsl"
 
-// [outputs]
 #if GBUFFER_IS_PACKED
 layout(location = 0) out uint normals;
 layout(location = 1) out uint diffuse;
@@ -14,9 +13,7 @@ layout(location = 2) out vec4 specular;
 layout(location = 3) out vec4 position;
 #endif
 #endif
-// [/outputs]
 
-// [put_pixel]
 void put_pixel(Pixel p) {
     Stored s = store(p);
     diffuse = s.diffuse;
@@ -30,4 +27,3 @@ void put_pixel(Pixel p) {
 #endif
 #endif
 }
-// [/put_pixel]

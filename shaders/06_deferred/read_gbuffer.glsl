@@ -1,5 +1,4 @@
 // The pixel that the G-buffer and the depth buffer hold, for passes that light it.
-#include "04_surface_maps/mesh_plane.glsl"
 #include "06_deferred/gbuffer.glsl"
 #include "06_deferred/position_from_depth.glsl"
 #include "common/structs.h"
@@ -19,7 +18,6 @@ layout(scalar) uniform ClipBlock { mat4 clip_to_offset; };  // to vectors from t
 // Stored depth; 0: no surface.
 float depth_of(ivec2 at) { return texelFetch(gbuffer_depth, at, 0).r; }
 
-// [plane_of_depth]
 vec3 place_at(ivec2 at, float depth) { return position_from_depth(uvec2(at), depth, view.size, clip_to_offset); }
 
 // Depth error of a line through the next two pixels: on a triangle 1/z, and so depth, is affine on the screen.
@@ -47,9 +45,7 @@ vec3 plane_of_depth(ivec2 at, float depth, vec3 facing) {
     float alike = dot(plane, facing);
     return alike < 0.5 || alike > 0.99995 ? facing : plane;
 }
-// [/plane_of_depth]
 
-// [read_pixel]
 // `depth`: depth_of(at), above 0.
 Pixel read_pixel(ivec2 at, float depth) {
     Stored s;
@@ -68,12 +64,7 @@ Pixel read_pixel(ivec2 at, float depth) {
     Pixel p = restore(s);
 #if GBUFFER_METHOD != GBUFFER_METHOD_FAT
     p.position = view.eye + position_from_depth(uvec2(at), depth, view.size, clip_to_offset);
-#endif
-#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
-    mesh_plane = p.facing;
-#else
-    mesh_plane = plane_of_depth(at, depth, p.facing);
+    p.plane = plane_of_depth(at, depth, p.facing);
 #endif
     return p;
 }
-// [/read_pixel]

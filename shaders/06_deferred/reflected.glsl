@@ -4,7 +4,7 @@
 #include "06_deferred/pixel.glsl"
 
 Surface surface_of(Pixel p, vec3 eye) {
-    Surface surface = Surface(p.normal, normalize(eye - p.position), p.material.mixed.shininess);
+    Surface surface = Surface(p.normal, normalize(eye - p.position), p.material.mixed.shininess, p.plane);
     coat_surface(surface, p.material.mixed.specular, p.material.mixed.diffuse);
     return surface;
 }

@@ -5,10 +5,8 @@ layout(local_size_x = 16, local_size_y = 16) in;  // before the first use of gl_
 #include "06_deferred/put_light.glsl"
 #include "06_deferred/accumulate_lights.glsl"
 
-
 shared uint farthest, nearest;  // bits of positive floats, which sort as the floats do
 
-// [main]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     bool inside = all(lessThan(at, imageSize(hdr)));
@@ -31,4 +29,3 @@ void main() {
         if (depth > 0.0) put_light(at, p, lit);
     }
 }
-// [/main]

@@ -5,7 +5,6 @@
 layout(location = 0) flat in uint light;
 layout(location = 0) out vec4 color;
 
-// [main]
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = depth_of(at);
@@ -15,4 +14,3 @@ void main() {
     add_light(lit, light, surface_of(p, view.eye), p.facing, p.position);
     color = vec4(min(reflected(p, lit), LARGEST_HALF), lit.lights);
 }
-// [/main]

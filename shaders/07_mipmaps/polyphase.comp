@@ -3,7 +3,6 @@
 #include "07_mipmaps/level.glsl"
 #include "07_mipmaps/odd_size_weights.glsl"
 
-// [polyphase]
 void main() {
     ivec2 at;
     if (!begin(at)) return;
@@ -15,4 +14,3 @@ void main() {
             if (across[x] * down[y] > 0.0) mean += across[x] * down[y] * texel(2 * at + ivec2(x, y));
     end(at, mean);
 }
-// [/polyphase]

@@ -50,7 +50,6 @@ vec4 fold(vec4 mean, int x, int y, int level) {
 }
 // [/exchange]
 
-// [reduce_by_shuffles]
 // Six levels of a 64×64 tile of level `from`; `four`: this thread's texels of the first. The first thread gets the last
 // texel.
 vec4 reduce(int from, ivec2 tile, vec4 four[4]) {
@@ -76,5 +75,4 @@ vec4 reduce(int from, ivec2 tile, vec4 four[4]) {
     if (n == 0u) keep(from + 6, tile, mean);
     return mean;
 }
-// [/reduce_by_shuffles]
 #endif

@@ -4,7 +4,6 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-// [kawase_down]
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (is_outside(texel)) return;
@@ -13,4 +12,3 @@ void main() {
     vec3 corners = read(middle + vec2(-s, -s)) + read(middle + vec2(s, -s)) + read(middle + vec2(-s, s)) + read(middle + vec2(s, s));
     put(texel, 0.5 * read(middle) + 0.125 * corners);
 }
-// [/kawase_down]

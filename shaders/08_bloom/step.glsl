@@ -9,7 +9,6 @@ layout(rgba32f) uniform image2D into;
 layout(rgba16f) uniform image2D into;
 #endif
 
-// [read]
 // In texels of `from`: 0 at the picture's left and top border, texel centres at halves. Beyond the picture the border
 // rule applies: a level has an apron of computed texels; farther out it ends, is clamped, or is mirrored at the
 // picture's border, which may lie within a texel.
@@ -28,7 +27,6 @@ vec3 read(vec2 position) {
 #endif
     return textureLod(from, (at + float(step_now.from_apron)) / size, 0.0).rgb;
 }
-// [/read]
 
 // Where a texel of the image that is written lies: 0 is the picture's first.
 ivec2 place_of(ivec2 texel) { return texel - step_now.apron; }

@@ -4,7 +4,6 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-// [up]
 // A 3×3 tent (1 2 1) on the coarser level: with linear filtering, two reads along each axis with the weights 3, 7, 5
 // and 1 sixteenths.
 const float near = -0.55, far = 11.0 / 12.0, near_weight = 0.625, far_weight = 0.375;
@@ -18,4 +17,3 @@ void main() {
     vec3 away = near_weight * read(middle + vec2(near, far) * side) + far_weight * read(middle + far * side);
     put(texel, near_weight * close + far_weight * away);
 }
-// [/up]

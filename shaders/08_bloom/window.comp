@@ -4,7 +4,6 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(scalar) readonly buffer TapBuffer { vec2 taps[]; };
 
-// [window]
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (is_outside(texel)) return;
@@ -16,4 +15,3 @@ void main() {
                    read(vec2(texel) + 0.5 + vec2(x, y));
     put(texel, sum);
 }
-// [/window]

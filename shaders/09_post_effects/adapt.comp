@@ -11,7 +11,6 @@ layout(rgba32f) writeonly uniform image2D now;
 shared float up_to[256];  // pixels in this bin and all darker ones
 shared float stops_of[256];
 
-// [adapt]
 void main() {
     uint i = gl_LocalInvocationIndex;
     float own = i == 0u ? 0.0 : float(picture_bins[i]);  // black pixels carry no information
@@ -38,4 +37,3 @@ void main() {
     wanted = clamp(wanted, auto_exposure.least_stops, auto_exposure.most_stops);
     imageStore(now, ivec2(0), vec4(mix(last, wanted, adapt_now.share), wanted, all, 1.0));
 }
-// [/adapt]

@@ -9,7 +9,6 @@ uniform sampler2D near_field;
 #endif
 layout(rgba16f) uniform image2D hdr;
 
-// [compose]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(hdr)))) return;
@@ -27,4 +26,3 @@ void main() {
 #endif
     imageStore(hdr, pixel, vec4(color, sharp.a));
 }
-// [/compose]

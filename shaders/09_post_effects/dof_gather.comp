@@ -14,7 +14,6 @@ vec4 read(vec2 texel) { return textureLod(half_picture, texel / vec2(textureSize
 // 1 where a disc of that diameter in pixels covers a place so many half texels away from its middle.
 float covers(float disc_px, float away) { return clamp(0.25 * disc_px - away + 0.5, 0.0, 1.0); }
 
-// [gather]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(far_field)))) return;
@@ -53,4 +52,3 @@ void main() {
     }
     imageStore(near_field, at, front);
 }
-// [/gather]

@@ -6,7 +6,6 @@ uniform sampler2D hdr;
 uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D result;
 
-// [half]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(result)))) return;
@@ -20,4 +19,3 @@ void main() {
     }
     imageStore(result, at, vec4(0.25 * sum, nearest));
 }
-// [/half]

@@ -17,7 +17,6 @@ vec3 split_channels(vec2 uv, ivec2 pixel) {
     return color;
 }
 
-// [gather]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(into)))) return;
@@ -34,4 +33,3 @@ void main() {
 #endif
     imageStore(into, at, vec4(c, 1.0));
 }
-// [/gather]

@@ -12,7 +12,6 @@ layout(rgba16f) uniform image2D into;
 uniform sampler2D from;
 #endif
 
-// [stack]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(into)))) return;
@@ -25,4 +24,3 @@ void main() {
 #endif
     imageStore(into, at, vec4(all_stages(c, pixel, uv), 1.0));
 }
-// [/stack]

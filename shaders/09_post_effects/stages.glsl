@@ -13,10 +13,8 @@
 
 // Tone curves: unbounded light to the range of a screen.
 
-// [narkowicz]
 // K. Narkowicz, "ACES filmic tone mapping curve", 2015: one fraction for each channel.
 vec3 narkowicz(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
-// [/narkowicz]
 
 // Khronos PBR neutral tone mapper, 2024: colours stay as they are up to 0.8, then the peak is compressed and drawn to white.
 vec3 neutral(vec3 c) {
@@ -119,7 +117,6 @@ float threshold(ivec2 pixel) {
 #endif
 }
 
-// [stages]
 vec3 all_stages(vec3 c, ivec2 pixel, vec2 uv) {
 #if POST_EXPOSURE != POST_EXPOSURE_OFF
     c = stored(expose(c, stops_now()));
@@ -166,4 +163,3 @@ vec3 all_stages(vec3 c, ivec2 pixel, vec2 uv) {
 #endif
     return c;
 }
-// [/stages]

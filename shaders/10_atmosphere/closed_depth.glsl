@@ -4,7 +4,6 @@
 #include "10_atmosphere/air.glsl"
 #include "10_atmosphere/optical_depth.glsl"
 
-// [polynomial]
 // S. O'Neil, "Accurate atmospheric scattering", GPU Gems 2, 2005, chapter 16: fitted to air whose scale height is a quarter
 // of its own height, which is 2.5% of the planet's radius. Anything else it gets wrong near the horizon.
 float polynomial_depth(float height, float slope, float scale_height) {
@@ -12,9 +11,7 @@ float polynomial_depth(float height, float slope, float scale_height) {
     float power = -0.00287 + x * (0.459 + x * (3.83 + x * (-6.80 + x * 5.25)));
     return scale_height > 0.0 ? scale_height * exp(-height / scale_height + min(power, 20.0)) : 0.0;
 }
-// [/polynomial]
 
-// [layer]
 vec3 layer_at(vec3 heights) { return max(1.0 - abs(heights - air.layer_center) / air.layer_width, 0.0); }
 
 // The layer's part on one side of the lowest point of a ray's line, from a point `from` metres away and of height
@@ -39,7 +36,6 @@ float layer_depth(float height, float slope) {
     float down = (air.radius + height) * slope * slope / (1.0 + sqrt(max(1.0 - slope * slope, 0.0)));
     return max(2.0 * layer_beyond(height, start, 0.0, max(height - down, 0.0)) - beyond, 0.0);
 }
-// [/layer]
 
 // The slope is above the horizon's.
 vec3 closed_depth(float height, float slope) {

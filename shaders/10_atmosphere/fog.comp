@@ -8,7 +8,6 @@ uniform sampler2D depth;
 layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform FogSunBlock { vec4 fog_sun; };  // to the sun; how far the sky is, metres
 
-// [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
@@ -21,4 +20,3 @@ void main() {
     vec4 seen = imageLoad(result, pixel);
     imageStore(result, pixel, vec4(through_fog(seen.rgb, rays.eye, direction, distance, fog_sun.xyz), seen.a));
 }
-// [/main]

@@ -20,7 +20,6 @@ bool unfinished = false;  // along() has found part of the light, and another di
 // Defined by each pass: light and transmittance of a path within the air, to a point `distance` metres from the eye.
 Along along(Path path, vec3 direction, ivec2 pixel, float distance);
 
-// [sun_disc]
 // The sun itself, in a direction: as bright as its light over its disc, darker towards its edge (D. Hestroffer and C. Magnan,
 // Astronomy and Astrophysics 333, 1998, for green light). The edge is as wide as a pixel.
 vec3 sun_disc(float cos_angle, float sine, float pixel_rad) {
@@ -29,7 +28,6 @@ vec3 sun_disc(float cos_angle, float sine, float pixel_rad) {
     float middle = 1.2 / (3.14159265 * air.sun_rad * air.sun_rad);  // of the disc the mean of mu to the power of 0.4 is 1 / 1.2
     return disc * middle * edge * pow(mu, 0.4) * air.sun;
 }
-// [/sun_disc]
 
 // The pixel's own picture and the air before it.
 void look(ivec2 pixel) {

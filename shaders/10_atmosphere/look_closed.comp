@@ -4,7 +4,6 @@
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/sun_closed.glsl"
 
-// [along]
 // The depth between the path's start and a point on it is a difference of two paths out, both away from the ground:
 // with the path if it leads up, against it if it leads down.
 vec3 depth_between(float height, float slope, float other, float other_slope, bool against) {
@@ -36,7 +35,6 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
     return Along(air.sun * (molecules + dust),
                  exp(-depth_between(path.height, path.slope, end.height, slope, against)));
 }
-// [/along]
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

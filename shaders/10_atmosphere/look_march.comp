@@ -7,7 +7,6 @@
 int light_steps() { return atmosphere.light_steps; }
 bool light_steps_grow() { return false; }
 
-// [main]
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
 #ifdef IN_PARTS
     SoFar found = so_far(pixel);
@@ -23,4 +22,3 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (all(lessThan(pixel, imageSize(result)))) look(pixel);
 }
-// [/main]

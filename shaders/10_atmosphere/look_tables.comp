@@ -9,7 +9,6 @@ uniform sampler2D air_sky;
 uniform sampler3D air_light, air_through;
 layout(scalar) uniform ReachBlock { float reach_m; };  // how far the volume's last slice is; 0: there is none
 
-// [along]
 Along near_by(vec2 pixel, float distance) {
     vec3 size = vec3(textureSize(air_light, 0)), at = vec3(pixel / vec2(imageSize(result)), sqrt(distance / reach_m));
     at = (0.5 + at * (size - 1.0)) / size;
@@ -36,7 +35,6 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
     }
     return result;
 }
-// [/along]
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

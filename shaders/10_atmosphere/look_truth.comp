@@ -12,7 +12,6 @@ layout(scalar) uniform SeedBlock { uint seed; };
 int light_steps() { return 48; }
 bool light_steps_grow() { return true; }
 
-// [along]
 Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
     SoFar found = so_far(pixel);
 #if ATMOSPHERE_ORDERS == ATMOSPHERE_ORDERS_MULTIPLE
@@ -34,7 +33,6 @@ Along along(Path path, vec3 direction, ivec2 pixel, float distance) {
     keep(found, pixel);
     return Along(found.light.rgb, found.through.rgb);
 }
-// [/along]
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

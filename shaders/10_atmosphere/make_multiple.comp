@@ -17,7 +17,6 @@ vec3 sunlight_at(Place place) {
     return share > 0.0 ? share * read_transmittance(place.height, max(place.sun, horizon_slope(place.height))) : vec3(0.0);
 }
 
-// [main]
 // A workgroup is a texel, a thread one of its 64 directions.
 void main() {
     ivec2 texel = ivec2(gl_WorkGroupID.xy);
@@ -61,4 +60,3 @@ void main() {
     }
     if (own == 0) imageStore(result, texel, vec4(second[0] / (1.0 - min(share[0], 0.98)), 1.0));
 }
-// [/main]

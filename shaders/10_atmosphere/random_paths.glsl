@@ -54,7 +54,6 @@ float draw_cosine(bool dust, inout float weight) {
     return cosine;
 }
 
-// [walk]
 // Radiance from -direction of light that the sun has sent and the air or the ground has turned, in one colour, for a sun of
 // 1. Free ways by delta tracking (E. R. Woodcock et al., 1965): steps as if all air were as dense as at its densest, of which
 // only as many meet something as there is.
@@ -97,7 +96,6 @@ float walk(vec3 position, vec3 direction, vec3 to_sun, int c) {
     }
     return light;
 }
-// [/walk]
 
 // Result of `walks` of them, spread over the path; `squares` grows by the squares of each one's contribution.
 // `through` is the transmittance from the path's start to the eye, and becomes that from its end.

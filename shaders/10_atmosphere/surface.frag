@@ -9,7 +9,6 @@ layout(scalar) uniform PlanetBlock { float snow_m; } planet;
 
 layout(location = 0) out vec4 color;
 
-// [main]
 void main() {
     Path here = path_from(world_position, to_sun, to_sun);
     if (here.height < 0.0) discard;  // under the sea
@@ -24,4 +23,3 @@ void main() {
     vec3 light = sunlight_on(place) * max(dot(normal, to_sun), 0.0) + skylight_on(place) * (0.5 + 0.5 * flatness);
     color = vec4(albedo / 3.14159265 * light, 1.0);
 }
-// [/main]

@@ -35,7 +35,6 @@ vec2 within_bound(vec3 from, vec3 along) {
     return vec2(max(middle - half_chord, 0.0), middle + half_chord);
 }
 
-// [march_fixed]
 // Steps of one length, each with the question whether the set is nearer than half of it.
 March march_fixed(float start, float end) {
     int steps = 0;
@@ -43,7 +42,6 @@ March march_fixed(float start, float end) {
         if (distance_at(t) < 0.5 * julia.step_m || ++steps >= 4096) return March(t, steps + 1, MARCH_HIT);
     return March(end, steps, MARCH_MISS);
 }
-// [/march_fixed]
 
 // By the method in use, from `start` on.
 March march_julia(float start, float end) {

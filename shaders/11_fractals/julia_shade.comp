@@ -30,14 +30,12 @@ vec3 julia_gradient(vec3 position) {
 }
 // [/analytic]
 
-// [difference]
 vec3 julia_difference(vec3 position) {
     vec2 h = vec2(julia.difference_m, 0.0);
     return vec3(julia_at(position + h.xyy) - julia_at(position - h.xyy),
                 julia_at(position + h.yxy) - julia_at(position - h.yxy),
                 julia_at(position + h.yyx) - julia_at(position - h.yyx));
 }
-// [/difference]
 
 // Unit length. Where the distance grows nowhere, as within the set, it faces the ray.
 vec3 julia_normal(vec3 position, vec3 along) {
@@ -100,7 +98,6 @@ float sunlit(vec3 position, vec3 normal) {
 #endif
 }
 
-// [shade]
 vec3 shade(vec3 position, vec3 along) {
     vec3 normal = julia_normal(position, along), to_eye = -along;
     vec3 albedo = mix(julia_look.color_deep, julia_look.color, smoothstep(0.05, 0.6, orbit_trap(position)));
@@ -121,7 +118,6 @@ vec3 shade(vec3 position, vec3 along) {
     vec3 reflection = environment_radiance(reflect(along, normal), 1.0) * open * julia_look.mirror;
     return mix(albedo / 3.14159265 * diffuse, reflection, mirrored) + specular;
 }
-// [/shade]
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

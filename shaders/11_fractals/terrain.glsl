@@ -29,7 +29,6 @@ float octaves_for(float footprint_m) {
 #endif
 }
 
-// [normal]
 // Unit length.
 vec3 terrain_normal(vec2 place, float octaves) {
 #if TERRAIN_METHOD == TERRAIN_METHOD_CENTRAL
@@ -41,4 +40,3 @@ vec3 terrain_normal(vec2 place, float octaves) {
 #endif
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
-// [/normal]

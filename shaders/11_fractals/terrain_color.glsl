@@ -21,15 +21,12 @@ vec3 photographed(sampler2D map, vec2 uv, vec2 across, vec2 down) {
            (0.4 + 1.8 * look_up(map, uv.yx * 0.137, across.yx * 0.137, down.yx * 0.137).g);
 }
 
-// [low_shadow]
 // The shadow of mountains without a map: the light on a ground of so few octaves that each slope is a mountain's side.
 float low_shadow(vec2 place) {
     vec3 ground = terrain_at(place, 3.0);
     return smoothstep(-0.1, 0.2, dot(normalize(vec3(-ground.y, 1.0, -ground.z)), terrain_now.to_sun));
 }
-// [/low_shadow]
 
-// [marched_shadow]
 // Its truth: along the ray to the sun, in steps that grow with the distance.
 float marched_shadow(vec3 from) {
     float t = 2.0, free = 1.0, top = 1.3 * terrain.height_m;
@@ -42,7 +39,6 @@ float marched_shadow(vec3 from) {
     }
     return clamp(free, 0.0, 1.0);
 }
-// [/marched_shadow]
 
 float sun_visible(vec3 from) {
 #if TERRAIN_SHADOW == TERRAIN_SHADOW_SMOOTH
@@ -84,7 +80,6 @@ vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
     vec2 begins = terrain_mix_look.snow_begins, ends = terrain_mix_look.snow_ends;
     float snow = terrain_mix(normal.y, rough, begins, ends, 1.0);
 
-    // [shade]
     // Land where it is flat, rock where it is steep: there the texture runs down the wall.
     vec2 uv = terrain_now.offset * terrain.wave_m + position.xz;
     vec3 land = terrain_mix_look.land * photographed(land_map, uv / 23.0, across.xz / 23.0, down.xz / 23.0);
@@ -97,5 +92,4 @@ vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
     vec3 sky = 3.14159265 * sky_light(normalize(vec3(normal.x, 1.5, normal.z)), terrain_now.to_sun);
     float open = pow(max(normal.y, 0.0), terrain.ambient_power) * (1.0 - terrain.ambient) + terrain.ambient;
     return min(albedo / 3.14159265 * (sun + open * sky), LARGEST_HALF);
-    // [/shade]
 }

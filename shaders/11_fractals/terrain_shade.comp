@@ -13,7 +13,6 @@ layout(rgba16f) writeonly uniform image2D result;
 // As texture() has it, from the same differences.
 vec4 look_up(sampler2D map, vec2 uv, vec2 across, vec2 down) { return textureGrad(map, uv, across, down); }
 
-// [shade]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = imageSize(result);
     if (any(greaterThanEqual(at, size))) return;
@@ -32,4 +31,3 @@ void main() {
     vec3 color = terrain_color(places * s.here, places * s.across, places * s.down);
     imageStore(result, at, vec4(color, 1.0));
 }
-// [/shade]

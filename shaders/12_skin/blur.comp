@@ -18,13 +18,11 @@ const int most_taps = 48;  // to each side
 #define SIGMA(s) (s).x
 #endif
 
-// [taps]
 // Of a Gaussian that is narrower than a texel the weights at texels' middles say little: three weights with its variance.
 WEIGHT weight_at(float texels, WEIGHT variance) {
     WEIGHT narrow = WEIGHT(texels == 0.0 ? 1.0 : 0.0) + (texels == 0.0 ? -1.0 : texels == 1.0 ? 0.5 : 0.0) * variance;
     return mix(exp(-0.5 * texels * texels / max(variance, 1e-6)), narrow, WEIGHT(lessThan(vec3(variance), vec3(0.36))));
 }
-// [/taps]
 
 // [blur]
 void main() {

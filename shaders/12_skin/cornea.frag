@@ -17,7 +17,7 @@ void main() {
     if (dot(n, v) > 0.0 && !any_hit(Ray(above(m.position, n), 0.0, mirrored, on_and_on)))
         sum += schlick_fresnel(dot(n, v), f0) * surroundings_mirrored(mirrored, rough);
     for (uint i = 0u; i < lights_data.length(); ++i) {
-        VisibleLight light = visible_light(i, m.position, n);
+        VisibleLight light = visible_light(i, m.position, n, m.surface.plane);
         if (dot(n, light.to_light) <= 0.0 || light.radiance == vec3(0.0)) continue;
         float shine = kelemen_szirmay_kalos(n, light.to_light, v, rough, f0);
         sum += 3.14159265 * shine * light.visible * light.radiance;

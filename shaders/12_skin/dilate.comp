@@ -4,7 +4,6 @@ uniform sampler2D position, normal, albedo, stretch;
 layout(rgba32f) writeonly uniform image2D wide_position;
 layout(rgba16f) writeonly uniform image2D wide_normal, wide_albedo, wide_stretch;
 
-// [dilate]
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(position, 0), nearest = texel;
     if (any(greaterThanEqual(texel, size))) return;
@@ -24,4 +23,3 @@ void main() {
     vec4 scale = texelFetch(stretch, nearest, 0);
     imageStore(wide_stretch, texel, vec4(scale.xy, nearest == texel ? scale.z : 0.0, scale.w));
 }
-// [/dilate]

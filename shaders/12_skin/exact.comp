@@ -7,7 +7,6 @@ uniform sampler2D from;     // light; a: the chart
 uniform sampler2D stretch;  // texels per mm along u and v, mm²
 layout(rgba32f) writeonly uniform image2D result;
 
-// [exact]
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(texel, imageSize(result)))) return;
@@ -40,4 +39,3 @@ void main() {
         sum += skin_weight[i] * (weights[i] > 0.0 ? sums[i] / weights[i] : texelFetch(from, texel, 0).rgb);
     imageStore(result, texel, vec4(sum, own.w));
 }
-// [/exact]

@@ -15,7 +15,7 @@ vec3 matt_radiance() {
 #endif
     vec3 sum = occlusion * surroundings_light(m.facing);
     for (uint i = 0u; i < lights_data.length(); ++i) {
-        VisibleLight light = visible_light(i, m.position, m.facing);
+        VisibleLight light = visible_light(i, m.position, m.facing, m.surface.plane);
         // Light goes through the white of the eye, too: its edge is soft.
         sum += light.visible * max((dot(m.facing, light.to_light) + 0.2) / 1.44, 0.0) * sqrt(occlusion) * light.radiance;
     }

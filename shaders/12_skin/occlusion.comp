@@ -8,7 +8,6 @@ uniform sampler2D skin_normal;
 layout(rgba16f) writeonly uniform image2D result;
 layout(scalar) uniform OcclusionRaysBlock { uint occlusion_rays; };
 
-// [occlusion]
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(texel, imageSize(result)))) return;
@@ -26,4 +25,3 @@ void main() {
     }
     imageStore(result, texel, vec4(seen, 0.0, 0.0, own.w));
 }
-// [/occlusion]

@@ -7,7 +7,6 @@ layout(rgba16f) writeonly uniform image2D into;
 layout(scalar) uniform ScreenBlurBlock { ScreenBlur blur; };
 layout(scalar) readonly buffer KernelBuffer { vec4 kernel[]; };  // share of red, green, blue; w: mm
 
-// [separable]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(into);
     if (any(greaterThanEqual(pixel, size))) return;
@@ -26,4 +25,3 @@ void main() {
     }
     imageStore(into, pixel, vec4(sum, own.a));
 }
-// [/separable]

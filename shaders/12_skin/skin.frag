@@ -22,7 +22,6 @@ layout(scalar) uniform ShownBlock { int shown; };
 #endif
 uniform sampler2D skin_occlusion, skin_diffused, skin_stretch, skin_position, skin_preintegrated;
 
-// [thickness]
 // Path of the light through the tissue to this point, in mm: from the nearest surface in the light's map. The point
 // is moved inwards, so that at an edge the map does not show its neighbourhood. Below 0: no map.
 float thickness_mm(uint index, vec3 position, vec3 facing, float inwards_m) {
@@ -39,9 +38,7 @@ float thickness_mm(uint index, vec3 position, vec3 facing, float inwards_m) {
     return 1000.0 * max(map_distance(map, place.z) - map_distance(map, read_depth(place.xy, map.layer)), 0.0);
 #endif
 }
-// [/thickness]
 
-// [diffuse]
 // Share of a light's radiance that a white surface with that cosine emits, near the point itself.
 vec3 entering(float cosine, float curvature) {
 #if DIFFUSE == BY_WRAP
@@ -56,7 +53,6 @@ vec3 entering(float cosine, float curvature) {
     return vec3(max(cosine, 0.0));
 #endif
 }
-// [/diffuse]
 
 // Light leaving the skin towards the eye, linear; BY_SCREEN: without `light`, which is blurred (a: distance in
 // metres) and then multiplied by `after_blur`.
@@ -78,9 +74,8 @@ void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
     float curvature = textureLod(skin_stretch, at, 0.0).a;
 #endif
 
-    // [lights]
     for (uint i = 0u; i < lights_data.length(); ++i) {
-        VisibleLight light = visible_light(i, position, m.facing);
+        VisibleLight light = visible_light(i, position, m.facing, m.surface.plane);
         if (light.radiance == vec3(0.0)) continue;
         float cosine = dot(m.facing, light.to_light);
         vec3 seen = light.visible * light.radiance;
@@ -96,7 +91,6 @@ void shade_skin(out vec4 color, out vec4 light_before, out vec4 after_blur) {
             through += clamp(0.3 - cosine, 0.0, 1.0) * transmittance(mm / max(skin.translucency, 1e-3)) * light.radiance;
         }
     }
-    // [/lights]
 
     float cos_v = max(dot(n, v), 0.0);
     specular += scale * reflected_share(cos_v, rough).x * occlusion * surroundings_mirrored(reflect(-v, n), rough);

@@ -51,7 +51,6 @@ vec2 reflected_share(float cosine, float m) {
     return textureLod(skin_reflected, (0.5 + clamp(vec2(cosine, m), 0.0, 1.0) * (size - 1.0)) / size, 0.0).xy;
 }
 
-// [coupling]
 // C. Kelemen and L. Szirmay-Kalos, 2001: with these two factors a white surface returns all light, for any `scale` of
 // the specular reflection and any roughness m.
 float way_in(float cosine, float m, float scale) {
@@ -60,4 +59,3 @@ float way_in(float cosine, float m, float scale) {
 }
 
 float way_out(float cosine, float m, float scale) { return 1.0 - scale * reflected_share(cosine, m).x; }
-// [/coupling]

@@ -6,7 +6,6 @@ layout(scalar) readonly buffer TangentBuffer { TangentFrame tangents[]; };
 layout(scalar) readonly buffer ChartBuffer { uint charts[]; };
 layout(location = 11) flat out uint chart;
 
-// [unwrap]
 void main() {
     Vertex vertex = vertices[gl_VertexIndex];
     set_varyings(vertex, tangents[gl_VertexIndex], instances[gl_InstanceIndex]);
@@ -14,4 +13,3 @@ void main() {
     // Row 0 of an image is its top, where v is 1: as image_uv() says.
     gl_Position = vec4(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y, 0.5, 1.0);
 }
-// [/unwrap]

@@ -62,7 +62,6 @@ void put_into_words(uint edges, ivec2 place) {
     atomicOr(column_word[place.x], right << place.y | below << place.y + tile_side);
 }
 
-// [edges]
 void main() {
     ivec2 place = ivec2(gl_LocalInvocationID.xy), pixel = corner() + place;
     int thread = int(gl_LocalInvocationIndex);
@@ -83,4 +82,3 @@ void main() {
     if (thread < tile_side) imageStore(row_words, ivec2(gl_WorkGroupID.x, corner().y + thread), uvec4(row_word[thread]));
     else if (thread < 2 * tile_side) imageStore(column_words, ivec2(corner().x + thread - tile_side, gl_WorkGroupID.y), uvec4(column_word[thread - tile_side]));
 }
-// [/edges]

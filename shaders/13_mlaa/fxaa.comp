@@ -76,7 +76,6 @@ void search_on(inout End end, int first, ivec2 place, ivec2 side, ivec2 along, f
         }
 }
 
-// [fxaa]
 // Writes the pixel's light, mixed with that of the neighbour across its edge. False where it takes nothing from it.
 bool fxaa(ivec2 place) {
     vec4 texel = texelFetch(picture, corner() + place, 0);
@@ -112,7 +111,6 @@ bool fxaa(ivec2 place) {
     imageStore(into, corner() + place, share > 0.0 ? vec4(mix(own, across, share), texel.a) : texel);
     return share > 0.0;
 }
-// [/fxaa]
 
 // Few pixels have contrast. The workgroup's first threads take those, so that no thread waits while others search. All
 // others are copied from registers.

@@ -8,7 +8,6 @@ layout(local_size_x = 256) in;
 layout(scalar) readonly buffer ListBuffer { uint listed[]; };
 layout(r32ui) writeonly uniform uimage2D into;
 
-// [links]
 // Where four edges meet, two corners touch: the apparent line consists of two outlines.
 bool is_crossing(ivec2 pixel, ivec2 across, bool horizontal) {
     return horizontal ? edge_right(pixel) && edge_right(pixel + across) : edge_below(pixel) && edge_below(pixel + across);
@@ -22,7 +21,6 @@ uint linked(ivec2 pixel, bool horizontal) {
     ahead = ahead && !is_crossing(pixel, across, horizontal);
     return (back ? 2u : 1u) | (ahead ? 2u : 1u) << 8;
 }
-// [/links]
 
 void main() {
     for (uint i = gl_GlobalInvocationID.x; i < work.listed_count; i += listed_threads * gl_NumWorkGroups.x) {

@@ -5,7 +5,6 @@
 
 // How much of a pixel the outline along one line of edges gives to the pixel on the other side.
 
-// [line_weight]
 // `near` is the pixel above or on the left of the edge; `side` is -1 where the share of that pixel is asked for, 1 where
 // that of the one across.
 float line_weight(ivec2 near, bool horizontal, int side) {
@@ -15,7 +14,6 @@ float line_weight(ivec2 near, bool horizontal, int side) {
     go_beyond_border(l, ends);
     return (ends.x == side ? area_at(l.back, l.ahead) : 0.0) + (ends.y == side ? area_at(l.ahead, l.back) : 0.0);
 }
-// [/line_weight]
 
 vec4 weights_of(ivec2 pixel) {
     return vec4(line_weight(pixel - ivec2(1, 0), false, 1), line_weight(pixel, false, -1),

@@ -10,7 +10,6 @@ layout(scalar) readonly buffer ListBuffer { uint listed[]; };
 layout(rgba16f) writeonly uniform image2D into;
 shared uint changed_here;
 
-// [mix]
 void main() {
     if (gl_LocalInvocationIndex == 0u) changed_here = 0u;
     barrier();
@@ -26,4 +25,3 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex == 0u && changed_here > 0u) atomicAdd(work.changed_count, changed_here);
 }
-// [/mix]

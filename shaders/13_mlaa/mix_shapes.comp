@@ -7,7 +7,6 @@
 
 // How far the outline along a staircase of single steps stands above the line through the middles of its steps.
 
-// [staircase_height]
 // In the middle between two edges that are twice as long as a step the outline changes sides: half a pixel above the steps'
 // middles at one end, half below at the other. `at`: where along the staircase, in steps from the step's start; the middle
 // of its edge below is 1/2, that of the edge across 1.
@@ -25,7 +24,6 @@ float staircase_height(Staircase s, float at) {
     float half_way = 0.5 * (from_start + to_end);
     return start.y * max(0.0, 1.0 - from_start / half_way) + end.y * max(0.0, 1.0 - to_end / half_way);
 }
-// [/staircase_height]
 
 // Above the edge a corner is cut off the pixel where the edge across before it stands, below it where that after it does;
 // both legs of that triangle are half a pixel, more by the height or less by it.
@@ -51,7 +49,6 @@ int across_at(ivec2 before, ivec2 across, bool horizontal) {
     return int(edge_across(before, horizontal)) + 2 * int(edge_across(before + across, horizontal));
 }
 
-// [corner]
 // At an end of a slanted line the edge across is one pixel long. If it goes on, two lines meet: a corner of the
 // object itself, which a straight silhouette through both would cut off. It keeps a quarter of its weight, for round
 // shapes. If all four edges meet behind its first pixel, it does not go on: another object begins there.
@@ -61,7 +58,6 @@ float corner_share(ivec2 before, ivec2 across, int side, bool horizontal) {
     bool crossing = edge_along(second, horizontal) && edge_along(second + across.yx, horizontal);
     return edge_across(next, horizontal) && !crossing ? kept_at_corner : 1.0;
 }
-// [/corner]
 
 float shape_weight(ivec2 near, bool horizontal, int side) {
     EdgeLine l = line_at(near, horizontal);
@@ -79,7 +75,6 @@ float shape_weight(ivec2 near, bool horizontal, int side) {
     return (turns.x == side ? area_at(l.back, l.ahead) * kept.x : 0.0) + (turns.y == side ? area_at(l.ahead, l.back) * kept.y : 0.0);
 }
 
-// [detail]
 // A pixel that differs from three or four of its neighbours is a detail too small for lines to tell its shape, and each of
 // those neighbours has a share of it. Least squares over seven scenes give 0.07 to 0.15 for a single pixel.
 const float detail_share = 1.0 / 8.0;
@@ -96,7 +91,6 @@ vec4 detail_weights(ivec2 pixel) {
                    own.y && own.x && edge_below(pixel + ivec2(1, 0)) && edge_right(pixel + ivec2(0, 1));
     return count == 3.0 && touches ? vec4(0.0) : detail_share * sides;
 }
-// [/detail]
 
 vec4 weights_of(ivec2 pixel) {
     vec4 of_detail = detail_weights(pixel);

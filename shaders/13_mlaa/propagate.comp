@@ -9,7 +9,6 @@ layout(scalar) readonly buffer ListBuffer { uint listed[]; };
 layout(scalar) uniform StepBlock { ivec2 directions[4]; int reads, reach; } pass_step;
 layout(r32ui) writeonly uniform uimage2D into;
 
-// [propagate]
 void main() {
     for (uint i = gl_GlobalInvocationID.x; i < work.listed_count; i += listed_threads * gl_NumWorkGroups.x) {
         known_from = unpack_pixel(listed[i]);
@@ -22,4 +21,3 @@ void main() {
         imageStore(into, known_from, uvec4(longer));
     }
 }
-// [/propagate]

@@ -5,7 +5,6 @@ vec3 colour_at(ivec2 pixel);  // the includer's, in CIELAB
 
 const float hidden_by = 2.0;  // as often as strong
 
-// [strong_edges]
 // The edge between a pixel and the next one is seen where none of those around it is more than twice as strong: along the
 // same axis before and behind it, and across it at either of its two pixels.
 bool is_seen(ivec2 pixel, ivec2 along) {
@@ -18,4 +17,3 @@ bool is_seen(ivec2 pixel, ivec2 along) {
     }
     return hidden_by * lab_distance(here, there) >= strongest;
 }
-// [/strong_edges]

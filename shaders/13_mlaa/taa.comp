@@ -66,7 +66,6 @@ Motion motion_of(ivec2 pixel, vec2 size, mat3 depths) {
 }
 // [/motion]
 
-// [resample]
 // Catmull-Rom in five bilinear reads, the corners left out (J. Jimenez, 2016).
 vec3 history_at(vec2 at, vec2 size) {
 #if TAA_RESAMPLE == TAA_RESAMPLE_BILINEAR
@@ -84,16 +83,13 @@ vec3 history_at(vec2 at, vec2 size) {
     return max(sum.rgb / sum.a, 0.0);
 #endif
 }
-// [/resample]
 
-// [rounded]
 // To the nearest half float: images may cut what they are given, which darkens a history more with every frame.
 vec3 to_nearest_half(vec3 light) {
     const float least = exp2(-14.0);  // below it halves are evenly spaced
     uvec3 kept = (floatBitsToUint(light) + 0x1000u) & 0xffffe000u;
     return mix(uintBitsToFloat(kept), round(light * exp2(24.0)) * exp2(-24.0), lessThan(light, vec3(least)));
 }
-// [/rounded]
 
 // [limits]
 const float still = 0.05;          // pixels a frame
@@ -138,7 +134,6 @@ vec3 limit(vec3 old, ivec2 pixel, bool rests) {
 }
 // [/limits]
 
-// [mix]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
     load_tile(16 * ivec2(gl_WorkGroupID.xy), size);
@@ -181,4 +176,3 @@ void main() {
     imageStore(light, pixel, vec4(to_nearest_half(max(from_ycocg(mixed), 0.0)), moves ? -count - 1.0 : count + 1.0));
     imageStore(behind, pixel, vec4(per_metre(farthest)));
 }
-// [/mix]

@@ -15,7 +15,6 @@ layout(scalar) uniform RaysBlock { ViewRays rays; };
 layout(scalar) uniform BackdropNowBlock { BackdropNow now; };
 layout(rgba16f) writeonly uniform image2D result;
 
-// [backdrop]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
@@ -32,4 +31,3 @@ void main() {
     }
     imageStore(result, pixel, vec4(min(environment_scale.intensity * light, LARGEST_HALF), 1.0));
 }
-// [/backdrop]

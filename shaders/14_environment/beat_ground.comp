@@ -12,7 +12,6 @@ layout(scalar) uniform GroundBlock {
     float height_m;     // of the plane
 } ground;
 
-// [ground]
 // Of all light that level ground receives from an even sky, a sphere of radius r at height h over it and at distance d
 // takes the share r^2 h / d^3: its projected solid angle over pi.
 void main() {
@@ -27,4 +26,3 @@ void main() {
     vec4 before = imageLoad(picture, pixel);
     imageStore(picture, pixel, vec4(min(before.rgb * (1.0 - share + share * ground.sphere_light), LARGEST_HALF), before.a));
 }
-// [/ground]

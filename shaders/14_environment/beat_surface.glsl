@@ -6,7 +6,6 @@
 
 layout(scalar) uniform BeatNowBlock { BeatNow beat_now; };
 
-// [brightness]
 // Doublings of the surroundings' radiance over its mean. Their logarithm, for the brightest texel of a sky has 300 to
 // 15,000 times the mean, and of a blurred level, for the sphere's triangles cannot follow single texels.
 float doublings(vec3 n) {
@@ -14,7 +13,6 @@ float doublings(vec3 n) {
     float mean = 0.282095 * luminance(image_light_sh[0].rgb);
     return clamp(log2(max(luminance(light), 1e-6) / max(mean, 1e-6)), -6.0, 6.0);
 }
-// [/brightness]
 
 vec4 band_heights(vec3 n) {
     const vec3 exponents = vec3(2.0, 6.0, 4.0);
@@ -38,7 +36,6 @@ vec4 brightness_height(vec3 n) {
 
 vec3 place_above(vec3 n) { return (1.0 + band_heights(n).w + beat_now.brightness * doublings(n)) * n; }
 
-// [normal]
 vec3 displaced_normal(vec3 n) {
 #if BEAT_NORMAL == BEAT_NORMAL_SPHERE
     return n;
@@ -52,4 +49,3 @@ vec3 displaced_normal(vec3 n) {
     return normal_above(n, band_heights(n) + brightness_height(n));
 #endif
 }
-// [/normal]

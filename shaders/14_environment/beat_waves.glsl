@@ -1,7 +1,6 @@
 // Waves on a sphere, and the normal of the displaced sphere. A wave is a vec4: w is its height over the sphere, as a
 // share of the radius, xyz its gradient there, in the space around.
 
-// [waves]
 // Plane waves along the six axes of an icosahedron: their sum has its symmetry on the sphere, and no pole. Heights are 0
 // to 1; the larger the exponent, the narrower the peaks and the wider the valleys. `n` has unit length.
 vec4 waves(vec3 n, float frequency, float exponent) {
@@ -17,7 +16,6 @@ vec4 waves(vec3 n, float frequency, float exponent) {
     float u = max(sum / 12.0 + 0.5, 1e-6), power = pow(u, exponent);
     return vec4(exponent * power / u / 12.0 * slope, power);
 }
-// [/waves]
 
 // [normal]
 // The unit normal of the surface (1 + h(n)) n. Along the sphere the height changes by the tangential part of its gradient,

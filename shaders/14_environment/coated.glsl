@@ -42,7 +42,6 @@ vec3 bumped(vec3 normal, vec3 position, float bumps_per_m, float depth) {
 layout(scalar) uniform SubstanceBlock { float roughness; } substance;
 layout(scalar) readonly buffer SubstancesBuffer { SubstanceData substances[]; };
 
-// [coated]
 struct CoatedSurface {
     MappedSurface m;
     vec3 albedo;  // of the body, in the light of the scene's lights; 0 for car paint, which has a table for them
@@ -68,4 +67,3 @@ CoatedSurface coated_surface() {
     if (c.is_paint) c.alpha = paint.coat_roughness * paint.coat_roughness;
     return c;
 }
-// [/coated]

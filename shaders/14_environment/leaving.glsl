@@ -7,7 +7,6 @@
 #include "14_environment/paint.glsl"
 #include "14_environment/all_open.glsl"
 
-// [paint_lights]
 // Paint under the scene's lights, by its table; each light's radiance is that of a matt white surface.
 vec3 paint_lights(MappedSurface m, float n_dot_v) {
     vec3 sum = vec3(0.0);
@@ -15,14 +14,12 @@ vec3 paint_lights(MappedSurface m, float n_dot_v) {
         Arriving arriving = arriving_light(lights_data[i], m.position, lights.fade_k);
         float n_dot_l = dot(m.surface.normal, arriving.to_light);
         if (n_dot_l <= 0.0 || dot(m.facing, arriving.to_light) <= 0.0) continue;
-        vec3 visible = light_visibility(i, m.position, m.facing, arriving.to_light);
+        vec3 visible = light_visibility(i, m.position, m.facing, m.surface.plane, arriving.to_light);
         sum += pi * n_dot_l * visible * arriving.radiance * paint_brdf(n_dot_l, n_dot_v);
     }
     return sum;
 }
-// [/paint_lights]
 
-// [leaving]
 // Radiance towards the eye, below the coat and of the coat itself.
 struct Leaving {
     vec3 body, coat;
@@ -51,4 +48,3 @@ Leaving leaving(CoatedSurface c) {
                      paint_albedo(n_dot_v, 1) * flake_light(m.position, normal, to_eye);
     return light;
 }
-// [/leaving]

@@ -21,7 +21,6 @@ float samples_of_level(uint samples) { return float(samples); }
 vec2 sample_point(uint i, uint samples) { return hammersley(i, samples); }
 #endif
 
-// [sampled]
 // M. Colbert and J. Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007, chapter 20: as the prefiltered cube's, but
 // with this pixel's own view. The sum is not split, and n·v is not taken for 1.
 vec3 reflection_of_samples(LitFromAround s, float n_dot_v, uint samples, float bias) {
@@ -46,7 +45,6 @@ vec3 reflection_of_samples(LitFromAround s, float n_dot_v, uint samples, float b
     }
     return sum / float(samples);
 }
-// [/sampled]
 
 // Irradiance over pi by directions distributed as the cosine is.
 vec3 diffuse_of_samples(vec3 position, vec3 normal, uint samples) {
@@ -63,7 +61,6 @@ vec3 diffuse_of_samples(vec3 position, vec3 normal, uint samples) {
     return sum / float(samples);
 }
 
-// [truth]
 // Every texel of a level of the cube times its solid angle, with GGX in full: 32 by 32 texels a face where the lobe is at
 // least four of them wide, else 64 by 64. A lobe that is narrower than four of those is sampled, from the finest level.
 // `level` is a constant wherever it is called: Mesa 22.3 takes one level for all of a texelFetch's invocations.
@@ -92,7 +89,6 @@ vec3 reflection_of_texels(LitFromAround s, float n_dot_v) {
     }
     return reflection_of_samples(s, n_dot_v, 4096u, 0.0);
 }
-// [/truth]
 
 vec3 sampled_reflection(LitFromAround s, float n_dot_v) {
 #if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_TRUTH

@@ -61,7 +61,6 @@ float horizon_of(ivec2 pixel, vec3 here, vec3 to_eye, vec3 normal, vec2 directio
 }
 // [/horizon_search]
 
-// [slices]
 // Sum of the directions between two angles of a slice, by solid angle: along the line of sight, and across it.
 vec2 directions_between(float before, float after) {
     vec2 h = vec2(before, after), sine = sin(h), both = h - sine * cos(h);
@@ -105,4 +104,3 @@ void main() {
     }
     imageStore(found, place, vec4(bent, visible) / float(occlusion_step.slices) + vec4(0.0, 0.0, 0.0, 1.0));
 }
-// [/slices]

@@ -16,13 +16,11 @@ Openness screen_openness(vec3 normal) {
     return Openness(dot(bent, bent) > 1e-6 ? normalize(bent) : normal, clamp(found.w, 0.0, 1.0));
 }
 
-// [multi_bounce]
 // What hides light sends some of it on: more where surfaces are bright (J. Jimenez et al., 2016, section 5).
 vec3 with_bounces(float visibility, vec3 albedo) {
     vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
     return max(vec3(visibility), ((a * visibility + b) * visibility + c) * visibility);
 }
-// [/multi_bounce]
 
 // Of the lobe around the mirrored direction, of its part above the surface. The cone around the bent normal has the
 // visibility as its share of the hemisphere's solid angle.

@@ -4,7 +4,6 @@
 #include "common/put_surface.glsl"
 #include "14_environment/unoccluded.glsl"
 
-// [surface]
 void main() {
     CoatedSurface c = coated_surface();
     Leaving light = lit_around(c, gl_FragCoord);
@@ -22,4 +21,3 @@ void main() {
     put_surface(min(light.body + light.coat, LARGEST_HALF), 1.0);
 #endif
 }
-// [/surface]

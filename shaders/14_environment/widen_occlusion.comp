@@ -6,7 +6,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D found;
 layout(rgba16f) writeonly uniform image2D wide;
 
-// [bilateral]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), small = textureSize(found, 0);
     if (any(greaterThanEqual(pixel, imageSize(wide)))) return;
@@ -34,4 +33,3 @@ void main() {
         }
     imageStore(wide, pixel, weights > 0.0 ? sum / weights : vec4(0.0, 0.0, 0.0, 1.0));
 }
-// [/bilateral]

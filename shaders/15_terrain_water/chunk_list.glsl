@@ -1,7 +1,6 @@
 // The list of chunks that are drawn, and the command that draws them.
 #include "15_terrain_water/chunks.glsl"
 
-// [list]
 layout(scalar) buffer ChunkListBlock { Chunk chunk_list[]; };
 layout(scalar) buffer ChunkDrawBlock {
     uint index_count;     // of one chunk's triangles
@@ -10,4 +9,3 @@ layout(scalar) buffer ChunkDrawBlock {
     int vertex_offset;
     uint first_instance;
 } chunk_draw;
-// [/list]

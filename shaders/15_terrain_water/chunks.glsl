@@ -29,7 +29,6 @@ void chunk_box(Chunk chunk, out vec3 low, out vec3 high) {
     high = vec3(corner.x + side, heights.y, corner.y + side);
 }
 
-// [given]
 // The level of the one chunk that covers the map.
 int top_level() { return land_map.top; }
 
@@ -58,4 +57,3 @@ bool chunk_in_view(Chunk chunk) {
     }
     return all(lessThan(max(below, above), ivec3(8)));
 }
-// [/given]

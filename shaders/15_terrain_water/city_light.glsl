@@ -16,7 +16,6 @@ float random_of(uvec3 v) {
     return float(v.x >> 8u) / 16777216.0;
 }
 
-// [windows]
 // A window of 1.5 by 1.6 m in every cell of 2.9 by 3.3 m of wall. Where cells are smaller than pixels their mean is shown:
 // single windows would be speckle.
 //
@@ -60,4 +59,3 @@ vec3 city_light_of(vec3 position, vec3 normal, vec3 on_wall, uint kind, uint num
     }
     return light;
 }
-// [/windows]

@@ -20,7 +20,6 @@ vec2 slab(float from, float step, float half_size) {
     return vec2(min(t.x, t.y), max(t.x, t.y));
 }
 
-// [city_box]
 void meet_box(uint index, vec3 from, vec3 along, inout CityHit hit) {
     CityBox box = city_boxes[index];
     float c = cos(box.yaw), s = sin(box.yaw);
@@ -35,9 +34,7 @@ void meet_box(uint index, vec3 from, vec3 along, inout CityHit hit) {
     vec3 own = first == y.x ? vec3(0.0, -sign(along.y), 0.0) : first == x.x ? vec3(-sign(along.x), 0.0, 0.0) : vec3(0.0, 0.0, -sign(along.z));
     hit = CityHit(first, index, vec3(at.x, height, at.y) + first * along, vec3(c * own.x + s * own.z, own.y, -s * own.x + c * own.z));
 }
-// [/city_box]
 
-// [city_march]
 // The nearest box that a ray meets within `most` times its direction.
 CityHit city_hit(vec3 origin, vec3 direction, float most) {
     CityHit hit = CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
@@ -63,4 +60,3 @@ CityHit city_hit(vec3 origin, vec3 direction, float most) {
     }
     return hit.t <= most ? hit : CityHit(-1.0, 0u, vec3(0.0), vec3(0.0));
 }
-// [/city_march]

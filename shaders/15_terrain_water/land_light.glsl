@@ -5,7 +5,6 @@
 #include "15_terrain_water/land_shadow.glsl"
 #include "15_terrain_water/land_materials.glsl"
 
-// [surface]
 // The normal of as much ground as the pixel shows, and the textures on it. `ray`: of unit length, from the eye; `footprint`:
 // metres that a pixel covers there, across the ray.
 LandSurface land_seen(vec3 position, vec3 ray, float footprint, out vec3 normal) {
@@ -14,9 +13,7 @@ LandSurface land_seen(vec3 position, vec3 ray, float footprint, out vec3 normal)
     float seen = max(-dot(ray, normal), 0.06);
     return land_surface(position, normal, footprint * inversesqrt(seen));
 }
-// [/surface]
 
-// [light]
 // Unoccluded sun; the sky, less of it in valleys and on walls; and light from sunny ground opposite.
 vec3 land_light(LandSurface surface, vec3 normal, vec3 position, float footprint, vec3 to_sun) {
     Path here = path_from(position, to_sun, to_sun);
@@ -30,4 +27,3 @@ vec3 land_light(LandSurface surface, vec3 normal, vec3 position, float footprint
     vec3 bounce = 0.12 * (1.0 - 0.6 * normal.y) * max(to_sun.y, 0.0) * sun * vec3(0.9, 0.8, 0.6);
     return surface.albedo / 3.14159265 * (sun * facing * lit + sky * open + bounce * surface.occlusion);
 }
-// [/light]

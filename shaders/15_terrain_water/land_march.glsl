@@ -1,7 +1,6 @@
 // Rays through the ground: through the pyramid of greatest heights to the triangles of single cells.
 #include "15_terrain_water/ground.glsl"
 
-// [cell]
 // Where the ray comes down through one of a cell's two triangles between t.x and t.y; below 0: nowhere. `at` and `step_t`
 // are in samples along x and z, metres along y.
 float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
@@ -28,7 +27,6 @@ float meet_cell(ivec2 cell, vec3 at, vec3 step_t, vec2 t) {
     }
     return -1.0;
 }
-// [/cell]
 
 // [march]
 float march(vec3 eye, vec3 ray) {

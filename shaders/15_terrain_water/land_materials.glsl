@@ -56,7 +56,6 @@ float joint_at(vec2 uv_m, float footprint_m) {
     return textureLod(material_bumps, vec3(uv, ROCK), log2(max(footprint_m / 260.0 * 512.0, 2.0))).r - 0.5;
 }
 
-// [triplanar]
 // On a wall a texture that is laid on from above runs down in streaks: there it comes from the sides.
 Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
     vec3 share = pow(abs(normal), vec3(6.0));
@@ -85,7 +84,6 @@ Texel rock_texel(vec3 position, vec3 normal, float footprint_m, out vec3 tilt) {
     }
     return sum;
 }
-// [/triplanar]
 
 // How much of each material is expected, by height, slope and a noise of hundreds of metres.
 vec4 weights_of(vec3 position, vec3 normal, float patches) {

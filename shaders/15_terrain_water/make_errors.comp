@@ -14,7 +14,6 @@ shared float greatest[64];
 
 float height_at(ivec2 at) { return texelFetch(heights, at, 0).r; }
 
-// [error]
 // From the plane of one of the two triangles of a cell, with the common edge from its upper right to its lower left
 // corner. On a wall that is far less than the vertical distance, which is invisible from in front.
 float distance_from_cell(ivec2 at, ivec2 corner, int cell) {
@@ -27,7 +26,6 @@ float distance_from_cell(ivec2 at, ivec2 corner, int cell) {
     vec2 slope = rise / (float(cell) * error_level.spacing_m);
     return abs(above) * inversesqrt(1.0 + dot(slope, slope));
 }
-// [/error]
 
 void main() {
     ivec2 chunk = ivec2(gl_WorkGroupID.xy);

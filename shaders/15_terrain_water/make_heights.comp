@@ -7,7 +7,6 @@ layout(scalar) uniform LandSourceBlock { LandSource land_source; };
 uniform sampler2D source;
 layout(r32f) writeonly uniform image2D result;
 
-// [catmull_rom]
 // Catmull and Rom's weights of four samples in a row, and their derivative: through every sample, without an edge there.
 vec4 weights_at(float t) {
     return 0.5 * vec4(t * (-1.0 + t * (2.0 - t)), 2.0 + t * t * (3.0 * t - 5.0), t * (1.0 + t * (4.0 - 3.0 * t)), t * t * (t - 1.0));
@@ -31,7 +30,6 @@ vec3 source_at(vec2 place) {
     }
     return sum;
 }
-// [/catmull_rom]
 
 vec3 noise_at(vec2 place_m, float wave_m, float octaves, float erosion) {
     vec2 place = place_m / wave_m, whole = floor(place);
@@ -52,7 +50,6 @@ void main() {
     float height = land_source.height_scale * (from.x - land_source.datum_m);
     float slope = land_source.height_scale * length(from.yz * land_source.step) / land_source.spacing_m;
 
-    // [detail]
     // Slopes erode to gullies and ribs; level ground is filled by sediment.
     float steep = smoothstep(0.03, 0.4, slope);
     if (land_source.detail_m > 0.0) {
@@ -64,7 +61,6 @@ void main() {
         float bend = 0.35 * land_source.cliff_m * noise_at(place + 7000.0, 1700.0, 4.0, 0.0).x;
         height = mix(height, terraced(height + bend, land_source.cliff_m) - bend, land_source.cliffs * smoothstep(0.1, 0.35, slope));
     }
-    // [/detail]
 
     if (land_source.plain.z > 0.0) {
         float away = length(place - land_source.plain.xy) + 0.12 * land_source.plain.z * noise_at(place, 1300.0, 3.0, 0.0).x;

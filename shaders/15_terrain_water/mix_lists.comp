@@ -9,7 +9,6 @@ layout(rgba16f) uniform image2D picture;
 
 const int most_sorted = 32;
 
-// [mix_lists]
 bool is_nearer(float depth, uint place, float than_depth, uint than_place) {
     return depth > than_depth || (depth == than_depth && place > than_place);
 }
@@ -57,4 +56,3 @@ void main() {
     vec4 before = imageLoad(picture, at);
     imageStore(picture, at, vec4(sum + left * before.rgb, before.a));
 }
-// [/mix_lists]

@@ -23,7 +23,6 @@ vec4 put(int level, uvec2 at, vec4 value) {
     return kept;
 }
 
-// [ocean_levels]
 // One level of the texels in shared memory, where they lie column by column. `columns` and 2^`bits` rows are written.
 void halve(int level, uvec2 first, uint columns, uint bits) {
     uint own = gl_LocalInvocationIndex, rows = 1u << bits;
@@ -50,7 +49,6 @@ void finish() {
     barrier();
     for (int level = 4; level < int(OCEAN_LEVELS); ++level) halve(level, uvec2(0), OCEAN_TEXELS >> level, 8u - uint(level));
 }
-// [/ocean_levels]
 
 void main() {
     uint own = gl_LocalInvocationIndex, column = own % 4u;

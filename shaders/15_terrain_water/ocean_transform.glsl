@@ -8,7 +8,6 @@ shared vec2 turns[OCEAN_TEXELS / 2u];
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec4 turned(vec4 two, uint by) { return vec4(times(two.xy, turns[by]), times(two.zw, turns[by])); }
 
-// [ocean_transform]
 // Two of the eight steps at a time, of the strides s and 2 s: each of a line's 64 threads keeps four texels in registers.
 void transform() {
     uint own = gl_LocalInvocationIndex;
@@ -30,4 +29,3 @@ void transform() {
     }
     barrier();
 }
-// [/ocean_transform]

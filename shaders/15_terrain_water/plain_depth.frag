@@ -8,7 +8,6 @@ layout(scalar) uniform ObliqueBlock {
 } oblique;
 uniform sampler2D oblique_depth;
 
-// [plain_depth]
 // Along a ray that rises by `up` for each metre along the view, from `below` metres under the water: depth
 // = 1 - scale (up t - below) / t, solved for the distance t.
 void main() {
@@ -18,4 +17,3 @@ void main() {
     float plain = (per_metre - mirror_rays.inverse_far) / (mirror_rays.inverse_near - mirror_rays.inverse_far);
     gl_FragDepth = depth > 0.0 ? clamp(plain, 1e-9, 1.0) : 0.0;
 }
-// [/plain_depth]

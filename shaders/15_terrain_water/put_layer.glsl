@@ -5,11 +5,9 @@ uniform sampler2D nearer_depth;  // of the layer before
 
 layout(location = 0) out vec4 color;
 
-// [put_layer]
 void put_surface(vec3 radiance, float alpha) {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float z = gl_FragCoord.z;
     if (z >= texelFetch(nearer_depth, at, 0).r || z < texelFetch(solid_depth, at, 0).r) discard;
     color = vec4(radiance, alpha);
 }
-// [/put_layer]

@@ -9,7 +9,6 @@ layout(scalar) buffer ListHeadsBuffer { uint list_heads[]; };
 layout(scalar) buffer ListedBuffer { ListedFragment listed[]; };
 layout(scalar) buffer ListCountBuffer { uint list_count[]; };
 
-// [put_listed]
 void put_surface(vec3 radiance, float alpha) {
     uint place = atomicAdd(list_count[0], 1u);
     if (place >= transparency_now.capacity) return;  // no room: this fragment is lost
@@ -17,4 +16,3 @@ void put_surface(vec3 radiance, float alpha) {
     uint next = atomicExchange(list_heads[pixel.y * transparency_now.width + pixel.x], place + 1u);
     listed[place] = ListedFragment(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, alpha)), gl_FragCoord.z, next);
 }
-// [/put_listed]

@@ -3,7 +3,6 @@
 
 // Transmittance before a depth from four power moments of absorbance.
 
-// [moment_transmittance]
 // `b`: the means of z, z², z³ and z⁴ over all absorbance `all`; `z`: -1 to 1. Of all distributions with these moments the
 // one is taken that has mass at z itself and at two other depths, of which at most `overestimation` at z counts as before it
 // (Muenstermann et al. 2018, section 3; C. Peters and R. Klein, "Moment Shadow Mapping", I3D 2015, algorithm 3).
@@ -28,7 +27,6 @@ float moment_transmittance(vec4 b, float all, float z, float bias, float overest
     float before = f0 + f01 * (b.x - z) + f012 * (b.y - (z + t1) * b.x + z * t1);
     return clamp(exp(-all * before), 0.0, 1.0);
 }
-// [/moment_transmittance]
 
 // Transmittance before a depth from six power moments of absorbance.
 
@@ -41,7 +39,6 @@ vec3 cubic_roots(vec4 c) {
     return 2.0 * r * turned - third;
 }
 
-// [moment_transmittance_6]
 // `b`: the means of z to z⁴ over all absorbance `all`; `high`: of z⁵ and z⁶; `z`: -1 to 1. As with four moments, of all
 // distributions that have them the one with mass at z itself; the others' depths are the roots of a cubic here.
 float moment_transmittance_6(vec4 b, vec2 high, float all, float z, float bias, float overestimation) {
@@ -70,7 +67,6 @@ float moment_transmittance_6(vec4 b, vec2 high, float all, float z, float bias, 
     float mass = overestimation + f01 * first + f012 * second + f0123 * third;
     return clamp(exp(-all * mass), 0.0, 1.0);
 }
-// [/moment_transmittance_6]
 
 uniform sampler2D moments;
 uniform sampler2D absorbance;

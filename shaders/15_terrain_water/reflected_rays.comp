@@ -40,7 +40,6 @@ vec3 object_light(RayHit hit, vec3 position, vec3 direction) {
     return ray_colors[hit.triangle] / 3.14159265 * (sunlight_on(place) * facing + skylight_on(place) * (0.5 + 0.5 * normal.y));
 }
 
-// [reflected]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(met)))) return;
@@ -83,4 +82,3 @@ void main() {
     }
     imageStore(met, pixel, light);
 }
-// [/reflected]

@@ -9,7 +9,6 @@ layout(scalar) uniform WaterRaysBlock { ViewRays water_rays; };
 uniform sampler2D depth;
 layout(rgba16f) uniform image2D picture;
 
-// [under_water]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(picture)))) return;
@@ -23,4 +22,3 @@ void main() {
     vec4 before = imageLoad(picture, at);
     imageStore(picture, at, vec4(mix(scattered, before.rgb, left), before.a));
 }
-// [/under_water]

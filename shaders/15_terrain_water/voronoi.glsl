@@ -7,7 +7,6 @@ uint voronoi_hash(uvec2 cell) {
     return n ^ n >> 16;
 }
 
-// [voronoi]
 // F1 and F2 in cells; the pattern repeats after `period` cells. `reach` 1: the cell and its eight neighbours; 2: 25. Two by two
 // cells (`reach` 0), those around the nearest corner, miss a nearest point now and then.
 vec2 voronoi(vec2 at, int period, int reach) {
@@ -26,4 +25,3 @@ vec2 voronoi(vec2 at, int period, int reach) {
         }
     return nearest;
 }
-// [/voronoi]

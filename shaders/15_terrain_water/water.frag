@@ -14,7 +14,6 @@ uniform sampler2D foam_tile;
 
 const float WATER_INDEX = 1.333;  // refractive index
 
-// [rough_reflectance]
 // Mean reflectance of rough water from above: C. Bruneton et al., "Real-time Realistic Ocean Lighting", Eurographics 2010,
 // equation 23. `smooth_share` is the reflectance of level water at that cosine, `deviation` the standard deviation of the
 // slopes along the view: one axis.
@@ -23,9 +22,7 @@ float rough_reflectance(float smooth_share, float cosine, float deviation) {
     float turned = pow(max(1.0 - cosine, 1e-3), 5.0 * exp(-2.69 * deviation) - 5.0);
     return f0 + (smooth_share - f0) * turned / (1.0 + 22.7 * pow(deviation, 1.5));
 }
-// [/rough_reflectance]
 
-// [refraction]
 // Light through the surface from below, after absorption, and light scattered by the water.
 vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m) {
     vec2 pixel = gl_FragCoord.xy;
@@ -42,9 +39,7 @@ vec3 through_water(vec3 normal, vec3 to_eye, float distance_m, out float depth_m
     vec3 scattered = water_now.turbid * (water_now.sky + water_now.sun * max(water_now.to_sun.y, 0.0) / 3.14159265);
     return mix(scattered, texelFetch(behind, ivec2(bent), 0).rgb, left);
 }
-// [/refraction]
 
-// [glitter]
 // The sun in facets with normally distributed slopes of `variance` (both axes together). R. Cook and K. Torrance's
 // model with P. Beckmann's distribution; C. Bruneton et al., "Real-time Realistic Ocean Lighting using Seamless
 // Transitions from Geometry to BRDF", Eurographics 2010.
@@ -58,9 +53,7 @@ vec3 glitter(vec3 normal, vec3 to_eye, float variance) {
     float n_dot_v = max(dot(normal, to_eye), 0.02), n_dot_l = max(dot(normal, water_now.to_sun), 0.0);
     return water_now.sun * reflected * facets * n_dot_l / (4.0 * max(n_dot_v * n_dot_l, 0.02) + 1e-4);
 }
-// [/glitter]
 
-// [foam]
 // Share of the water that foam covers. `jacobian`: 1 at rest, below 0 where the surface folds. `depth_m`: of the water.
 // `around`: share of foam around an object.
 float foam_share(vec2 at, float jacobian, float depth_m, float spacing, float around) {
@@ -73,9 +66,7 @@ float foam_share(vec2 at, float jacobian, float depth_m, float spacing, float ar
     // Little foam keeps the bubbles' borders alone; much fills them.
     return amount * smoothstep(1.0 - amount, 1.6 - amount, bubbles + 0.35);
 }
-// [/foam]
 
-// [water]
 void main() {
     vec3 away = view.eye - position;
     float distance_m = 1.0 / gl_FragCoord.w, far_m = length(away);
@@ -114,4 +105,3 @@ void main() {
     light = mix(light, 0.8 * lit, below ? 0.5 * white : white);
     color = vec4(min(light, LARGEST_HALF), 1.0);
 }
-// [/water]

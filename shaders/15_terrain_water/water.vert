@@ -9,7 +9,6 @@ invariant gl_Position;  // two passes draw the same surface, and the second meet
 layout(location = 0) out vec2 at_rest;
 layout(location = 1) out vec3 position;
 
-// [rings]
 void main() {
     uvec2 place = uvec2(uint(gl_VertexIndex) % (SPOKES + 1u), uint(gl_VertexIndex) / (SPOKES + 1u));
     float angle = water_now.from_rad + water_now.wide_rad * float(place.x) / float(SPOKES);
@@ -20,4 +19,3 @@ void main() {
     position = vec3(at_rest.x, water_now.level_m, at_rest.y) + moved;
     gl_Position = view.view_projection * vec4(position, 1.0);
 }
-// [/rings]

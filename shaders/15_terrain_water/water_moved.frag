@@ -31,7 +31,6 @@ void add_wave(inout Travel travel, vec2 k, float slope, float turn) {
     travel.slopes += square;
 }
 
-// [travel]
 // Metres by which the slopes have travelled, as one pattern. Light follows slopes, and slopes travel with the waves, while the
 // water circles in place. Waves travel at different speeds; this is the motion that leaves the least change of slope. z: what
 // it leaves, as a share of the slopes.
@@ -63,7 +62,6 @@ vec3 travelled(vec2 at, vec2 moved, float spacing) {
     vec2 b = travel.sums.turned, way = vec2(m.z * b.x - m.y * b.y, m.x * b.y - m.y * b.x) / (m.x * m.z - m.y * m.y);
     return vec3(way, sqrt(max(travel.sums.changed - dot(way, b), 0.0) / travel.slopes));
 }
-// [/travel]
 
 vec3 moved_before(vec2 at, float spacing) {
     vec3 sum = vec3(0.0);

@@ -24,7 +24,6 @@ vec3 sky_along(vec3 from, vec3 direction, float deviation) {
     return radiance_along(from, direction, min(level, 4.0));  // beyond it texels of the cube would be seen
 }
 
-// [screen_space]
 // The ray's hit within the picture: steps that grow with the distance, then halved. w: 0 if there is none.
 vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
     float t = 0.05 * distance_m, before = 0.0;
@@ -55,9 +54,7 @@ vec4 screen_space(vec3 from, vec3 direction, float distance_m) {
     }
     return vec4(0.0);
 }
-// [/screen_space]
 
-// [planar]
 // The mirror image at this pixel, counted from the opposite edge. A normal tilted by an angle turns the reflection by
 // twice that angle in the plane of view, and less sideways at flatter views. Exact for distant objects.
 vec3 planar(vec3 normal, vec3 to_eye) {
@@ -70,7 +67,6 @@ vec3 planar(vec3 normal, vec3 to_eye) {
     vec2 pixel = vec2(size.x - gl_FragCoord.x, gl_FragCoord.y) - moved;
     return textureLod(mirror, clamp(pixel, vec2(0.5), size - 0.5) / size, 0.0).rgb;
 }
-// [/planar]
 
 vec3 reflected_light(vec3 from, vec3 normal, vec3 to_eye, vec3 direction, float deviation, float distance_m) {
 #if WATER_REFLECTION == WATER_REFLECTION_NONE

@@ -25,7 +25,6 @@ vec4 ocean_point(sampler2DArray of, vec2 at, int part, float spacing) {
     return textureLod(of, vec3(at / water_now.tile_m[part], float(part)), log2(max(texels, 1.0)));
 }
 
-// [water_at]
 // The point that rests at `at` = (x, z), with the surface sampled every `spacing` metres.
 WaterPoint water_at(vec2 at, float spacing) {
     WaterPoint p = WaterPoint(vec3(0.0), mat3(0.0), 0.0);
@@ -50,7 +49,6 @@ WaterPoint water_at(vec2 at, float spacing) {
 #endif
     return p;
 }
-// [/water_at]
 
 // How much the surface is stretched at a place, as an area: below 0 it is folded.
 float jacobian(mat3 slopes) {

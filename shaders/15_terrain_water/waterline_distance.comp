@@ -9,7 +9,6 @@ layout(scalar) uniform LineBlock { Line line; };
 uniform sampler2D from;
 layout(r32f) writeonly uniform image2D result;
 
-// [distance]
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy), last = imageSize(result) - 1;
     if (any(greaterThan(at, last))) return;
@@ -31,4 +30,3 @@ void main() {
     imageStore(result, at, vec4(nearest));
 #endif
 }
-// [/distance]

@@ -10,7 +10,6 @@ float depth_of_opacity(float opacity) {
 // 1 - exp(-depth), likewise.
 float opacity_of_depth(float depth) { return depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth); }
 
-// [exact]
 // Thousands of steps, each of an opacity near 1e-5: 1 - 1e-5 keeps two digits in a float, rounded in one direction. So
 // steps add optical depth over a voxel, and voxels are composited. A step is cut if the transfer function changes
 // within it, so that no part exceeds half of an entry.
@@ -40,5 +39,4 @@ vec4 march_exact(vec3 from, vec3 along, vec2 range, float step_m, int samples) {
     }
     return sum;
 }
-// [/exact]
 #endif

@@ -28,7 +28,6 @@ float turned_offset(ivec2 pixel) {
     return fract(fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))) + volume_now.turn);
 }
 
-// [march]
 vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
     float way = range.y - range.x;
@@ -98,9 +97,7 @@ vec4 march(vec3 from, vec3 along, vec2 range, ivec2 pixel, float step_m) {
     }
     return sum;
 }
-// [/march]
 
-// [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
@@ -139,4 +136,3 @@ void main() {
 #endif
     imageStore(result, pixel, vec4(min(light, LARGEST_HALF), behind.a));
 }
-// [/main]

@@ -31,7 +31,6 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(r16f) writeonly uniform image3D result;
 layout(scalar) uniform NebulaBlock { int variety; } nebula;
 
-// [nebula]
 float nebula_density(vec3 at) {
     float radius = length(at);
     if (radius >= 1.0) return 0.0;
@@ -49,7 +48,6 @@ float nebula_density(vec3 at) {
     float heart = 0.9 * exp(-34.0 * radius * radius);
     return clamp((1.25 * strands * mix(0.5, 1.0, disc) + heart * (0.6 + 0.6 * ridge)) * fade, 0.0, 1.0);
 }
-// [/nebula]
 
 void main() {
     ivec3 voxel = ivec3(gl_GlobalInvocationID), size = imageSize(result);

@@ -8,7 +8,6 @@
 uniform sampler3D volume_light;
 #endif
 
-// [arriving]
 // Radiance of a white scatterer there, times pi: without emission.
 vec3 light_at(vec3 position) {
 #if VOLUME_LIGHT == VOLUME_LIGHT_NONE
@@ -24,9 +23,7 @@ vec3 light_at(vec3 position) {
 #endif
 #endif
 }
-// [/arriving]
 
-// [radiance]
 vec3 radiance_at(vec3 position, vec3 along, vec3 color) {
     vec3 lit = position;
     vec3 reflected = vec3(1.0);
@@ -45,4 +42,3 @@ vec3 radiance_at(vec3 position, vec3 along, vec3 color) {
 #endif
     return color * (volume.glow + light_at(lit) * reflected / 3.14159265);
 }
-// [/radiance]

@@ -3,7 +3,6 @@
 #include "16_volume/noise_methods.glsl"
 #include "16_volume/surroundings.glsl"
 
-// [shell]
 vec3 shell_over(vec3 light, vec3 position, vec3 along) {
     vec3 normal = position / volume_now.radius_m;
     // The slope of the noise by differences, a tenth of a cell apart.
@@ -17,4 +16,3 @@ vec3 shell_over(vec3 light, vec3 position, vec3 along) {
     float mirrored = volume.shell_strength * schlick(facing, 0.04);
     return mix(light, surroundings(reflect(along, bumped)), clamp(mirrored, 0.0, 1.0));
 }
-// [/shell]

@@ -12,7 +12,6 @@ vec4 simplex_direction(ivec4 cell) {
          : none == 2 ? vec4(signs.xy, 0.0, signs.z) : vec4(signs, 0.0);
 }
 
-// [simplex]
 // At a point in metres and a time, with whole cells kept apart: exact after a week.
 float simplex_4d(vec3 at, NoiseMoment moment) {
     const float skew = 0.309016994, unskew = 0.138196601;  // (sqrt(5) - 1) / 4 and (5 - sqrt(5)) / 20
@@ -38,4 +37,3 @@ float simplex_4d(vec3 at, NoiseMoment moment) {
     }
     return 27.0 * sum_of;
 }
-// [/simplex]

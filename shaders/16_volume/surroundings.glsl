@@ -1,7 +1,6 @@
 // Surroundings of the shell: a dark hall with strips of light above and a warm glow below. An environment cube can
 // replace this function.
 
-// [surroundings]
 vec3 surroundings(vec3 direction) {
     float height = direction.y;
     float around = atan(direction.z, direction.x);
@@ -10,4 +9,3 @@ vec3 surroundings(vec3 direction) {
     vec3 walls = mix(vec3(0.015, 0.013, 0.012), vec3(0.05, 0.07, 0.11), smoothstep(-0.5, 0.9, height));
     return walls + lamp * vec3(3.2, 3.6, 4.6) + exp(-40.0 * (height + 0.35) * (height + 0.35)) * vec3(0.1, 0.05, 0.02);
 }
-// [/surroundings]

@@ -3,7 +3,6 @@
 #include "10_atmosphere/sun_closed.glsl"
 #include "common/light.glsl"
 
-// [air_before]
 // The air on a ray from `from` (from the body's centre, where the body is a sphere) along `direction` for at most `way`
 // metres. The path begins where the ray enters the air, or at the camera in it.
 Along air_before(vec3 from, vec3 direction, vec3 to_sun, float way, int samples) {
@@ -18,7 +17,6 @@ Along air_before(vec3 from, vec3 direction, vec3 to_sun, float way, int samples)
                      leaves - enters);
     return in_scatter(samples, path);
 }
-// [/air_before]
 
 // Single scattering alone is red under a low sun. Multiply scattered light there is blue, from the sunlit air around,
 // and both together are nearly grey (chapter 10's method `tables` computes it): towards the terminator the colour

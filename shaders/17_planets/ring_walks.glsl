@@ -18,7 +18,6 @@ vec3 ring_scattered(vec3 along, inout uint state) {
     return normalize(cosine * along + sine * (cos(turn) * side + sin(turn) * cross(along, side)));
 }
 
-// [walks]
 // Radiance towards `to_eye` after two or more scatterings, in units of a white surface that faces the sun. `to_sun.y` is
 // above 0. Every free path ends within the layer, at a weight; at each end the walk looks at the eye.
 vec3 scattered_often(float depth, vec3 albedo, vec3 to_sun, vec3 to_eye, uint walks, uint seed) {
@@ -43,4 +42,3 @@ vec3 scattered_often(float depth, vec3 albedo, vec3 to_sun, vec3 to_eye, uint wa
     }
     return sum * to_sun.y / (4.0 * abs(to_eye.y) * float(walks));
 }
-// [/walks]

@@ -15,7 +15,6 @@ float ring_level(Rings rings, float width_m) {
     return log2(max(width_m / texel, 1.0));
 }
 
-// [ring_shadow]
 // Transmittance of the rings towards `point`, from the planet's centre in the body's axes. The sun's disc averages a
 // part of them as wide as itself. In the rings' plane nothing is between.
 float ring_shadow(Rings rings, vec3 point, vec3 to_sun, float sun_rad) {
@@ -25,9 +24,7 @@ float ring_shadow(Rings rings, vec3 point, vec3 to_sun, float sun_rad) {
     float lod = ring_level(rings, 2.0 * sun_rad * t / max(abs(to_sun.y), 0.02));
     return exp(-ring_texel(0, (r - rings.inner) / (rings.outer - rings.inner), lod).a / abs(to_sun.y));
 }
-// [/ring_shadow]
 
-// [ring_light]
 // Light towards the camera, premultiplied, in units of a white surface that faces the sun, and alpha. `point` is in the rings' plane;
 // a pixel covers `width_m` of their radius. Directions of unit length, the body's axes.
 vec4 ring_light(Rings rings, vec3 point, vec3 to_eye, vec3 to_sun, float width_m) {
@@ -60,4 +57,3 @@ vec4 ring_light(Rings rings, vec3 point, vec3 to_eye, vec3 to_sun, float width_m
 #endif
 #endif
 }
-// [/ring_light]

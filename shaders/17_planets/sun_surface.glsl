@@ -1,10 +1,8 @@
 // The Sun: limb darkening, granules, spots.
 #include "16_volume/noise_4d.glsl"
 
-// [limb_darkening]
 // D. Hestroffer and C. Magnan, Astronomy and Astrophysics 333, 1998: µ^α, α = 0.292 / λ - 0.023 with λ in µm: here 0.65, 0.55, 0.45.
 vec3 limb_darkening(float mu) { return pow(vec3(max(mu, 1e-3)), vec3(0.426, 0.508, 0.626)); }
-// [/limb_darkening]
 
 // Noise over space and time, -1 to 1.
 float boiling(vec3 at, float moment) {

@@ -30,7 +30,6 @@ float within_letter(vec2 at) {
     return most;
 }
 
-// [outline]
 // On any ground: white letters in a line of nearly black, in a shadow that fades.
 void main() {
     ivec2 pixel = ivec2(title.first) + ivec2(gl_GlobalInvocationID.xy);
@@ -46,4 +45,3 @@ void main() {
     light = mix(light, vec3(0.95, 0.94, 0.92), letter * title.strength);
     imageStore(picture, pixel, vec4(light, 1.0));
 }
-// [/outline]

@@ -5,7 +5,6 @@ uniform sampler2D hdr;
 layout(rgba32f) uniform image2D mean;
 layout(scalar) uniform WeightBlock { float weight; };  // 1 / number of pictures so far, this one included
 
-// [main]
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(mean)))) return;
@@ -14,4 +13,3 @@ void main() {
     vec4 before = weight == 1.0 ? now : imageLoad(mean, pixel);
     imageStore(mean, pixel, before + (now - before) * weight);
 }
-// [/main]

@@ -106,9 +106,9 @@ const float LARGEST_HALF = 65504.0f;  // largest finite half
 #ifndef __cplusplus
 // Surface point for reflection models.
 struct Surface {
-    vec3 normal;      // unit length, world space
-    vec3 to_eye;      // unit length, world space
-    float shininess;  // Blinn–Phong exponent
+    vec3 normal, to_eye;  // unit length, world space
+    float shininess;      // Blinn–Phong exponent
+    vec3 plane;           // normal of the triangle, which receives shadows; unit length, world space
 };
 
 // Radiance towards the camera for incident radiance 1, per unit of diffuse and of specular colour.

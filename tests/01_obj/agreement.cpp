@@ -25,7 +25,7 @@ std::string difference(const Outcome& a, const Outcome& b) {
 Outcome outcome_of(std::string_view text, Loader loader, ParseOptions options) {
     Outcome outcome;
     try {
-        outcome.data = parse_obj_text(text, "test.obj", loader, options);
+        outcome.data = parse_obj_text(std::string(text), "test.obj", loader, options);
     } catch (const InputError& error) {
         outcome.error = error.what();
         outcome.place = outcome.error.substr(0, outcome.error.find(": "));

@@ -1,18 +1,12 @@
 // Inputs that the loaders refuse, and those that would take long.
-#include <unistd.h>
-
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 
-#include "01_obj/mapped_file.h"
 #include "01_obj/scan.h"
 #include "common/base/error.h"
-#include "common/base/files.h"
 #include "loader_fixture.h"
 
 using namespace lightwalk;
-namespace fs = std::filesystem;
 
 TEST_CASE("loaders: malformed files are refused with their line") {
     refuse(triangle + "f 0 1 2\n", 4);
@@ -60,25 +54,6 @@ TEST_CASE("loaders: a file whose polygons take too long to cut is refused") {
     for (int i = 0; i < 3; ++i) time.count(5, slow);  // small polygons are not worth a look at the clock
     time.count(1000, [] {});
     CHECK_THROWS_AS((time.count(1000, slow), time.count(1000, slow)), InputError);
-}
-
-TEST_CASE("loaders: a file that becomes shorter while it is mapped is an error, not a signal") {
-    const fs::path path = fs::temp_directory_path() / fmt::format("lightwalk_cut_{}.obj", getpid());
-    std::string text = triangle;
-    while (text.size() < 400000) text += "f 1 2 3\n";
-    for (const size_t keep : {size_t{0}, size_t{5000}, size_t{200000}}) {
-        write_file(path, text);
-        const MappedFile file(path);
-        size_t lines = static_cast<size_t>(std::count(file.text().begin(), file.text().begin() + 4096, '\n'));
-        fs::resize_file(path, keep);
-        lines += static_cast<size_t>(std::count(file.text().begin() + 4096, file.text().end(), '\n'));
-        CHECK(lines < text.size() / 8);
-        CHECK_THROWS_AS(file.check(), InputError);
-    }
-    write_file(path, text);
-    const MappedFile whole(path);
-    whole.check();
-    fs::remove(path);
 }
 
 TEST_CASE("loaders: one long face") {

@@ -38,7 +38,7 @@ const int steps = 300, turns = 128;  // lavapipe ends loops after 65,535 iterati
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= uint(rows.length())) return;
-    Surface surface = Surface(vec3(0.0, 0.0, 1.0), rows[i].to_eye, shininess_of(0.0, rows[i].alpha));
+    Surface surface = Surface(vec3(0.0, 0.0, 1.0), rows[i].to_eye, shininess_of(0.0, rows[i].alpha), vec3(0.0, 0.0, 1.0));
     coat_surface(surface, rows[i].f0, rows[i].body);
     vec3 diffuse = vec3(0.0), specular = vec3(0.0);
     Reflected pair = reflect_light(surface, rows[i].to_light);

@@ -29,7 +29,7 @@ void main() {
     if (i >= points.length()) return;
     Point p = points[i];
     vec3 to_light = arriving_light(lights_data[p.light], p.position, 1.0).to_light;
-    result[i] = light_visibility(p.light, p.position, p.facing, to_light).r;
+    result[i] = light_visibility(p.light, p.position, p.facing, p.facing, to_light).r;
 }
 )"});
 

@@ -115,7 +115,6 @@ TEST_CASE("rays hit what they hit in double precision") {
     CHECK(worst < 1e-4);
 }
 
-// [watertight]
 TEST_CASE("no ray leaves a closed surface, not through its edges and corners either") {
     Gpu& gpu = check_device();
     const auto ball = triangles_of("models/sphere.obj");
@@ -126,7 +125,6 @@ TEST_CASE("no ray leaves a closed surface, not through its edges and corners eit
         CHECK(leaks == 0);
     }
 }
-// [/watertight]
 
 TEST_CASE("rays along a flat surface, within boxes without a height, and through nothing") {
     Gpu& gpu = check_device();

@@ -64,7 +64,7 @@ void main() {
     cell.slopes_y = vec2(-100.0, 100.0);
     cell.margin = 1e-3;
     vec3 position = vec3(x + 0.25 * float(gl_LocalInvocationID.x), 0.0, 8.0 + 0.125 * float(gl_LocalInvocationID.y));
-    Surface surface = Surface(vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), 20.0);
+    Surface surface = Surface(vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), 20.0, vec3(0.0, 1.0, 0.0));
     bool has_surface = gl_LocalInvocationIndex % 16u != 5u;
     Lit got = accumulate_lights(surface, surface.normal, position, cell, has_surface);
     uint barriers = check_barriers_passed;
