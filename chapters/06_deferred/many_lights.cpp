@@ -62,12 +62,6 @@ class House {
 
 }  // namespace
 
-ManyLights::ManyLights(Module& owner) : World(owner) {
-    objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
-    objects.surfaces.drawn = [this] { return screens.batches(scene()); };
-    objects.shading.with = {screens};
-}
-
 Screens::Screens(Module& owner, std::string name) : Module(owner, std::move(name), "screens") {}
 
 std::vector<SceneObject> town_objects(int count) {

@@ -71,7 +71,11 @@ struct Town : Module {
 
 // [many_lights]
 struct ManyLights : World {
-    explicit ManyLights(Module& owner);
+    explicit ManyLights(Module& owner) : World(owner) {
+        objects.surfaces.all_lights = [this](const Frame& frame) { return all_lights(frame); };
+        objects.surfaces.drawn = [this] { return screens.batches(scene()); };
+        objects.shading.with = {screens};
+    }
     Town town{*this, "town"};  // declared first: other modules prepare its objects
     DeferredScene objects{*this, "objects"};
     Screens screens{*this, "screens"};
