@@ -23,14 +23,8 @@ class ModelChapter : public Chapter {
   public:
     MtlReading mtl{*this, "mtl"};
 
-    Model load_model(const std::filesystem::path& file) override {
-        Model own;
-        return any_proxy(file, own) ? own : lightwalk::load_model(file, loader(), static_cast<Tr>(mtl.tr.index));
-    }
-
-    std::vector<std::string> load_exercises() const override {
-        return {"01.parse_vertex_line", "01.parse_face", "01.triangulate"};
-    }
+    Model load_model(const std::filesystem::path& file) override;
+    std::vector<std::string> load_exercises() const override;
 
   protected:
     /// Which loader reads .obj files.
@@ -38,13 +32,7 @@ class ModelChapter : public Chapter {
 
     /// Places moving objects, and sets this frame's uniform block `view`, the camera's view.
     View set_view(Frame& frame) { return set_view(frame, camera); }
-    View set_view(Frame& frame, const Camera& from) {
-        animate(scene, frame.time_s);
-        scene.upload_moved(frame);
-        const View view = view_of(from, frame);
-        look_from(view, frame);
-        return view;
-    }
+    View set_view(Frame& frame, const Camera& from);
     View set_view(Frame& frame, World& world) { return look_at(world, frame, scene, camera); }
 };
 

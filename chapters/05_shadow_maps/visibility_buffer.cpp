@@ -13,6 +13,8 @@ Attachment visibility_target(Frame& frame, Image& image, const Canvas& canvas) {
     return clear(image, glm::vec4(0.0f));
 }
 
+VisibilityBuffer::VisibilityBuffer() = default;
+
 bool VisibilityBuffer::suits(const Maps& maps, const Canvas& canvas) {
     return maps.mesh.is("loaded") && canvas.depth_read_only().view.image->desc.samples == 1;
 }

@@ -10,6 +10,8 @@ namespace lightwalk {
 /// Hunt, JCGT 2(2), 2013).
 class VisibilityBuffer {
   public:
+    VisibilityBuffer();
+
     /// Whether it can replace raster shading: not for displaced meshes or several samples a pixel.
     static bool suits(const Maps& maps, const Canvas& canvas);
 
