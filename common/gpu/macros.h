@@ -5,10 +5,15 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "common/base/files.h"
 
 namespace lightwalk {
+
+/// True for a letter, then letters, digits and _.
+bool is_macro_word(std::string_view name);
+inline constexpr const char* a_macro_word = "a name is a letter, then letters, digits and _: it becomes a macro";
 
 /// Macros, substituted files and a hash of both. Copy-on-write.
 class Macros {
