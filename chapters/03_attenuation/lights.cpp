@@ -154,7 +154,7 @@ void LightGrid::record(Frame& frame, const PassInputs& lights, const ImageView& 
                       [&](Compute& pass) {
                           pass.use(cull_tiles).set("depth", depth, nearest_clamp).dispatch({view.tiles, 1});
                       });
-    else
+    else if (group_count() > 0)
         frame.compute("cull_lights", {.writes = {masks, groups}, .with = {lights}}, [&](Compute& pass) {
             pass.use(cull_clusters).dispatch_threads(glm::uvec2(cell_count(), group_count()));
         });

@@ -63,7 +63,7 @@ struct Attenuation : ModelChapter {
                               pass.use(grid.cull_tiles).set("depth", frame.depth, nearest_clamp);
                               pass.dispatch({grid.view.tiles, 1});
                           });
-        else if (lights.method.is("clustered"))
+        else if (lights.method.is("clustered") && grid.group_count() > 0)
             frame.compute("cull_lights", {.writes = {grid.masks, grid.groups}, .with = {lights}}, [&](Compute& pass) {
                 pass.use(grid.cull_clusters).dispatch_threads(glm::uvec2(grid.cell_count(), grid.group_count()));
             });

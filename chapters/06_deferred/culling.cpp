@@ -162,13 +162,13 @@ void Culling::list(Frame& frame, const Pipeline& which, size_t into) {
         pass.use(which).set("objects", object_data_).set("ranks", list.ranks).set("sums", list.sums).set("look", look);
         if (pyramid.levels() > 0) pass.set_if_present("pyramid", pyramid.image(), nearest_clamp);
         if (into > 0) pass.set("earlier", lists_[0].ranks);
-        pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
+        if (objects > 0) pass.dispatch_threads(glm::uvec2(objects, 1)).wait();
         pass.use(sum_).set("sums", list.sums).set("total", list.total).set("look", look);
         pass.dispatch({1, 1, 1}).wait();
         pass.use(write_).set("objects", object_data_).set("groups", group_data_).set("ranks", list.ranks);
         pass.set("sums", list.sums).set("total", list.total).set("instances", scene_->instances).set("look", look);
         pass.set("listed_instances", list.instances).set("draws", list.draws);
-        pass.dispatch_threads(glm::uvec2(std::max(objects, groups), 1));
+        if (objects > 0) pass.dispatch_threads(glm::uvec2(std::max(objects, groups), 1));
     });
     frame.read_back(list.total, list.count);
 }

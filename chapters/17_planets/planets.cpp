@@ -183,7 +183,7 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     Rectangle around = pixels_of(view, glm::dvec3(now.center), static_cast<double>(now.reach));
     const bool outside = around.first.x >= around.end.x || around.first.y >= around.end.y;
     if (outside && !WarmUp::is_recording()) return;
-    if (outside) around = {};
+    if (outside) around = {glm::ivec2(0), glm::ivec2(1)};
     now.corner = around.first;
     const auto found = maps_.find(one.body);
     const bool mapped = found != maps_.end();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "common/app/module.h"
@@ -44,13 +45,6 @@ struct Components<glm::vec<N, float>> {
     static void put(glm::vec<N, float>& value, int i, double number) { value[i] = static_cast<float>(number); }
 };
 
-constexpr const char* a_word = "a name is a letter, then letters, digits and _: it becomes a macro";
-
-bool is_word(std::string_view name) {
-    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) &&
-           std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-}
-
 template <class T>
 constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
                              : Components<T>::count == 1 ? "number"
@@ -58,12 +52,15 @@ constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
 
 }  // namespace
 
-KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit)
+KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit,
+                   std::source_location where)
     : owner(knob_owner), name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
-    if (!is_word(name)) throw Failure("knob '{}': {}", path(), a_word);
+    if (!is_macro_word(name)) throw Failure("{}: knob '{}': {}", place_of(where), path(), a_macro_word);
+    if (help.empty())
+        throw Failure("{}: knob '{}' has no help; say in a noun phrase what it sets", place_of(where), path());
     for (const Module::Member& other : owner.members_)
         if (other.knob && other.knob->name == name)
-            throw Failure("knob '{}' stands twice in one module; give one another name", path());
+            throw Failure("{}: knob '{}' stands twice in one module; give one another name", place_of(where), path());
     owner.members_.push_back({.knob = this});
     owner.forget_macros();
 }
@@ -79,15 +76,19 @@ std::string KnobBase::macro() const { return upper(owner.kind().empty() ? name :
 
 template <class T>
 Knob<T>::Knob(Module& knob_owner, std::string knob_name, T initial, Range<T> knob_range, std::string knob_help,
-              std::string knob_unit, std::source_location where) try
-    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit)),
+              std::string knob_unit, std::source_location where)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit), where),
       value(initial),
       default_value(initial),
       range(knob_range) {
+    using C = Components<T>;
+    for (int i = 1; i < C::count; ++i)
+        if (C::get(range.lower, i) != C::get(range.lower, 0) || C::get(range.upper, i) != C::get(range.upper, 0))
+            throw Failure("{}: the range of {} differs by component, and one holds for all", place_of(where), path());
     try {
         set(text());
-    } catch (const InputError& e) { throw Failure("default of {}", e.what()); }
-} catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }
+    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
+}
 
 template <class T>
 void Knob<T>::set(const std::string& given) {
@@ -160,8 +161,11 @@ template class Knob<float>;
 template class Knob<int>;
 template class Knob<glm::vec3>;
 
-Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::string knob_help)
-    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), value(initial), default_value(initial) {}
+Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::string knob_help,
+                 std::source_location where)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), "", where),
+      value(initial),
+      default_value(initial) {}
 
 void Knob<bool>::set(const std::string& given) {
     if (given != "on" && given != "off" && given != "true" && given != "false")
@@ -174,17 +178,19 @@ nlohmann::json Knob<bool>::describe() const {
 }
 
 Choice::Choice(Module& knob_owner, std::string knob_name, std::vector<std::string> names, std::string initial,
-               std::string knob_help, std::source_location where) try
-    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), ""), options(std::move(names)) {
+               std::string knob_help, std::source_location where)
+    : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), "", where), options(std::move(names)) {
     for (const std::string& option : options) {
-        if (!is_word("x" + option)) throw Failure("option '{}' of {}: {}", option, path(), a_word);
-        if (std::ranges::count(options, option) > 1) throw Failure("option '{}' of {} stands twice", option, path());
+        if (!is_macro_word("x" + option))
+            throw Failure("{}: option '{}' of {}: {}", place_of(where), option, path(), a_macro_word);
+        if (std::ranges::count(options, option) > 1)
+            throw Failure("{}: option '{}' of {} stands twice", place_of(where), option, path());
     }
     try {
         set(initial);
-    } catch (const InputError& e) { throw Failure("default of {}", e.what()); }
+    } catch (const InputError& e) { throw Failure("{}: default of {}", place_of(where), e.what()); }
     default_index_ = index;
-} catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }
+}
 
 void Choice::set(const std::string& given) {
     const auto it = std::find(options.begin(), options.end(), given);
@@ -241,6 +247,21 @@ KnobBase& find_knob(const KnobList& knobs, const std::string& name) {
     std::vector<std::string> known;
     for (const KnobBase* knob : knobs) known.push_back(knob->path());
     throw unknown_name("knob", name, known, "--list knobs lists all");
+}
+
+void check_macros(const KnobList& knobs) {
+    std::map<std::string, const KnobBase*> known;
+    for (const KnobBase* knob : knobs) {
+        Macros macros;
+        knob->add_macros(macros);
+        for (const auto& [name, value] : macros) {
+            const KnobBase& other = *known.emplace(name, knob).first->second;
+            // Modules of one kind share their shaders; a pass has one of them.
+            if (other.owner.kind() != knob->owner.kind() || other.name != knob->name)
+                throw Failure("{} and {} both define the macro {}; give one another name", other.path(), knob->path(),
+                              name);
+        }
+    }
 }
 
 bool has_short_name(const KnobList& knobs, const KnobBase& knob) {

@@ -16,7 +16,8 @@ class Module;
 
 class KnobBase {
   public:
-    KnobBase(Module& owner, std::string name, std::string help, std::string unit);
+    /// Throws Failure, which names the statement `where`: a name that is no word or stands twice, no help.
+    KnobBase(Module& owner, std::string name, std::string help, std::string unit, std::source_location where);
     virtual ~KnobBase();
     KnobBase(const KnobBase&) = delete;
 
@@ -71,7 +72,8 @@ struct Range {
 template <class T>
 class Knob : public KnobBase {
   public:
-    /// Throws Failure, which names the statement `where`, for a default outside the range.
+    /// Throws Failure, which names the statement `where`, for a default outside the range, and for a range that differs
+    /// by component.
     Knob(Module& owner, std::string name, T default_value, Range<T> range, std::string help, std::string unit = "",
          std::source_location where = std::source_location::current());
     void set(const std::string& text) override;
@@ -93,7 +95,8 @@ class Knob : public KnobBase {
 template <>
 class Knob<bool> : public KnobBase {
   public:
-    Knob(Module& owner, std::string name, bool default_value, std::string help);
+    Knob(Module& owner, std::string name, bool default_value, std::string help,
+         std::source_location where = std::source_location::current());
     void set(const std::string& text) override;
     std::string text() const override { return value ? "on" : "off"; }
     void reset() override { value = default_value; }
@@ -135,6 +138,9 @@ class Choice : public KnobBase {
 
 /// Knob by path, or by short name if unambiguous. Throws InputError, listing candidate paths.
 KnobBase& find_knob(const KnobList& knobs, const std::string& name);
+
+/// Throws Failure if two knobs define one macro, as `b_c` of a module `a` and `c` of a module `a_b` do.
+void check_macros(const KnobList& knobs);
 
 /// True if find_knob() accepts the knob's name without its module.
 bool has_short_name(const KnobList& knobs, const KnobBase& knob);

@@ -35,8 +35,10 @@ struct Accumulation {
 /// accepts only one of them. A pass that lists a module in `.with` also receives the modules it owns.
 class Module : public PassInputs {
   public:
-    /// Without a name, members have the owner's path, macros and uniform block.
-    Module(Module& owner, std::string name, std::string kind = "");
+    /// Without a name, members have the owner's path, macros and uniform block. Throws Failure, which names the
+    /// statement `where`: a name that is no word, that another module of `owner` has, or that GLSL has otherwise.
+    Module(Module& owner, std::string name, std::string kind = "",
+           std::source_location where = std::source_location::current());
     ~Module() override;
     Module(const Module&) = delete;
 

@@ -170,6 +170,7 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
         ->type_name("FOLDER");
     std::map<std::string, std::string> by_knob, by_command;
     const KnobList knobs = chapter.all_knobs();
+    check_macros(knobs);
     add_knobs(app, knobs, by_knob);
     const bool own_method = chapter.method_knob != "method";
     if (own_method) app.add_option("--method", method, "Same as --" + chapter.method_knob)->type_name("NAME");

@@ -102,7 +102,7 @@ void step_again(Any& pass, const RecordedStep& step, const Cast& cast) {
             return;
         }
         case Kind::set_bytes:
-            (pass.*set_bytes)(step.binding, std::as_bytes(std::span(step.bytes)));
+            (pass.*set_bytes)(step.binding, std::as_bytes(std::span(step.bytes)), BlockMember::Type::other);
             return;
         case Kind::wait:
             if constexpr (std::is_same_v<Any, Compute>) return void(pass.wait());

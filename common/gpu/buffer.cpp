@@ -43,6 +43,7 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(handle, other.handle);
     std::swap(bytes, other.bytes);
     std::swap(capacity, other.capacity);
+    std::swap(stride, other.stride);
     std::swap(mapped, other.mapped);
     std::swap(name, other.name);
     std::swap(history, other.history);

@@ -28,6 +28,7 @@ class Buffer {
     VkBuffer handle = VK_NULL_HANDLE;
     VkDeviceSize bytes = 0;  ///< range visible to shaders
     VkDeviceSize capacity = 0;
+    uint32_t stride = 0;  ///< bytes of an element, if uploaded as a vector; 0: unknown
     std::byte* mapped = nullptr;
     std::string name;
     mutable AccessHistory history;

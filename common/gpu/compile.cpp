@@ -93,6 +93,33 @@ std::string place_in(const std::string& text, size_t at) {
                        std::atoi(text.c_str() + directive + 6) + std::ranges::count(between, '\n'));
 }
 
+// Whether a text before an image's name calls a function that only reads the image.
+bool only_reads(std::string_view before) {
+    static constexpr std::string_view readers[] = {"imageLoad(", "imageSize(", "imageSamples("};
+    return std::ranges::any_of(readers, [&](std::string_view reader) { return before.ends_with(reader); });
+}
+
+// A writable image counts as written by its pass: one that no variant of the shader stores to would hold what was there.
+void refuse_unstored(const std::string& text) {
+    static const std::regex declared(R"(\b([iu]?image(?:[123]D|Cube)\w*)\s+(\w+)\s*(?:\[\w*\]\s*)?;)");
+    for (std::sregex_iterator one(text.begin(), text.end(), declared), end; one != end; ++one) {
+        const std::string name = (*one)[2];
+        const size_t at = static_cast<size_t>(one->position()), begin = text.find_last_of(";{}#", at) + 1;
+        const std::string_view qualifiers = std::string_view(text).substr(begin, at - begin);
+        if (!names_macro(qualifiers, "uniform") || names_macro(qualifiers, "readonly")) continue;
+        const size_t own = static_cast<size_t>(one->position(2));
+        bool is_stored = false;
+        for (size_t use = text.find(name); use != text.npos; use = text.find(name, use + 1)) {
+            const size_t after = use + name.size();
+            if (use == own || in_word(text[use - 1]) || (after < text.size() && in_word(text[after]))) continue;
+            is_stored |= !only_reads(std::string_view(text).substr(0, use));
+        }
+        if (!is_stored)
+            throw ShaderError("{}: image '{}' is never stored to; declare it readonly, or leave it out",
+                              place_in(text, at), name);
+    }
+}
+
 // What GLSL accepts and passes ignore: numbers of bindings, and one thread where no local size is given; and no main().
 void refuse_ignored(Stage stage, const std::string& commented) {
     const std::string text = without_comments(commented);
@@ -106,6 +133,7 @@ void refuse_ignored(Stage stage, const std::string& commented) {
                     throw ShaderError("{}: '{}' has no effect: bindings are set by name; leave it out",
                                       place_in(text, at), word);
     }
+    refuse_unstored(text);
     const size_t end = text.find_last_not_of(" \t\n");
     if (!names_macro(text, "main")) throw ShaderError("{}: no void main()", place_in(text, end));
     if (stage == Stage::compute && text.find("local_size_") == text.npos)

@@ -66,7 +66,7 @@ class Device {
     VkPhysicalDeviceProperties properties{};
     VkDeviceSize max_buffer_bytes = 0;
     DeviceInfo info;
-    bool software_paths = false;  ///< side of each branch by device (docs/framework.md#what-differs-between-devices)
+    bool software_paths = false;  ///< side of each branch by device (docs/devices.md#what-differs-between-devices)
 
     bool software() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 

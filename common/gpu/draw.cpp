@@ -27,6 +27,7 @@ Raster& Raster::mirrored(bool mirrors) {
 
 Raster& Raster::draw(uint32_t vertices, uint32_t instances, uint32_t first_instance) {
     if (listener()) listener()->draws(vertices, instances, first_instance);
+    if (vertices == 0) fail(where_, " draws 0 vertices");
     if (flush()) vkCmdDraw(commands, vertices, instances, 0, first_instance);
     return *this;
 }
@@ -50,6 +51,7 @@ Raster& Raster::draw_indexed(const Buffer& indices, uint32_t first_index, uint32
 void Raster::check_draws(const Buffer& draws, uint32_t count, VkDeviceSize offset, uint32_t stride) const {
     if (listener()) listener()->does_more("the indirect draw '" + draws.name + "'");
     check_indirect(draws);
+    if (count == 0) fail(where_, " draws 0 times from '{}'", draws.name);
     if (offset % 4 || offset + VkDeviceSize(count) * stride > draws.bytes)
         fail(where_, ": {} indirect draws from byte {} on are not in '{}'", count, offset, draws.name);
 }
@@ -89,7 +91,9 @@ Compute& Compute::dispatch_threads(glm::uvec3 threads) {
 
 Compute& Compute::dispatch(glm::uvec3 groups) {
     if (listener()) listener()->dispatches(groups);
-    if (flush() && groups.x && groups.y && groups.z) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+    if (!groups.x || !groups.y || !groups.z)
+        fail(where_, " dispatches {}×{}×{} workgroups", groups.x, groups.y, groups.z);
+    if (flush()) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
     return *this;
 }
 

@@ -334,6 +334,10 @@ FlatShader with_header(FlatShader shader, const Macros& macros) {
 
 }  // namespace
 
+bool is_macro_word(std::string_view name) {
+    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, is_word);
+}
+
 bool names_macro(std::string_view text, std::string_view name) {
     for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
         const size_t end = at + name.size();

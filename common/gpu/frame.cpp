@@ -119,7 +119,7 @@ void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stat
 
 void Frame::note_writes(const std::vector<Stated>& stated, const Rendering* targets) const {
     for (const Stated& one : stated)
-        if (one.writable && one.resource.view) one.resource.view.image->written_in = number();
+        if (one.bound && one.resource.view) one.resource.view.image->written_in = number();
     if (!targets) return;
     for (const auto& [view, access] : targets->accesses)
         if (access.writes) view.image->written_in = number();
@@ -161,7 +161,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     Raster pass(*this, name, commands, lists_, where);
     rendering.begin(commands);
     if (watch_.listener) watch_.listener->begins(name, targets);
-    record_and_end([&] { record(pass); },
+    record_and_end([&] { record(pass), pass.check_written(); },
                    [&] {
                        vkCmdEndRendering(commands);
                        end_pass();
@@ -186,7 +186,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
     for (const Resource& written : access.writes) add_output(name, written.view);
     Compute pass(*this, name, commands, lists_, where);
     if (watch_.listener) watch_.listener->begins(name, access);
-    record_and_end([&] { record(pass); }, [&] { end_pass(); });
+    record_and_end([&] { record(pass), pass.check_written(); }, [&] { end_pass(); });
     run_after_pass(outputs_before);
 }
 
@@ -198,6 +198,7 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access, Funct
         state(stated, name, access.reads, access.writes);
         commands = begin_pass(name, "transfer");
     });
+    for (Stated& one : stated) one.bound = one.writable;
     note_writes(stated, nullptr);
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;

@@ -90,6 +90,7 @@ class Frame {
     template <class T>
     void upload(const std::string& name, Buffer& buffer, const std::vector<T>& items) {
         upload(name, buffer, std::as_bytes(std::span(items)));
+        buffer.stride = sizeof(T);
     }
     /// Transfer pass that updates parts of an existing buffer: srcOffset in `bytes` to dstOffset in the buffer.
     void upload(const std::string& name, const Buffer& buffer, std::span<const std::byte> bytes,

@@ -17,6 +17,7 @@ void Frame::upload(const std::string& name, Buffer& buffer, std::span<const std:
     if (buffer.capacity < needed)
         buffer = Buffer(gpu.device, {.name = name, .bytes = std::max(needed, buffer.capacity + buffer.capacity / 2)});
     buffer.bytes = needed;
+    buffer.stride = 0;
     buffer.constant = true;
     make_room();
     const VkDescriptorBufferInfo from = recording().uploads.copy(bytes, 16);

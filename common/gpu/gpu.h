@@ -26,7 +26,9 @@ class Gpu {
     Buffer upload(const std::string& name, std::span<const std::byte> bytes);
     template <class T>
     Buffer upload(const std::string& name, const std::vector<T>& items) {
-        return upload(name, std::as_bytes(std::span(items)));
+        Buffer buffer = upload(name, std::as_bytes(std::span(items)));
+        buffer.stride = sizeof(T);
+        return buffer;
     }
 
     /// Fills an image with one mip level, layer by layer, tightly packed. Throws Failure if the byte count differs.

@@ -87,6 +87,7 @@ class Image {
     mutable uint64_t written_in = 0;  ///< Frame::number() of the last frame that wrote it
     mutable uint64_t shown_in = 0;    ///< Frame::number() of the last frame that tone-mapped it
     explicit operator bool() const { return handle != VK_NULL_HANDLE; }
+    bool is_storable() const { return usage_ & VK_IMAGE_USAGE_STORAGE_BIT; }
     bool is_depth() const { return desc.format == VK_FORMAT_D32_SFLOAT || desc.format == VK_FORMAT_D16_UNORM; }
 
     ImageView mip(uint32_t m) const { return ImageView(*this).mip(m); }

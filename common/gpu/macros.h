@@ -5,8 +5,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace lightwalk {
+
+/// True for a letter, then letters, digits and _.
+bool is_macro_word(std::string_view name);
+inline constexpr const char* a_macro_word = "a name is a letter, then letters, digits and _: it becomes a macro";
 
 /// Macros, substituted files and a hash of both. Copy-on-write.
 class Macros {

@@ -139,9 +139,11 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) {  // while its shader does not compile, what it would write is left as it is
+        for (Stated& one : lists_.stated) one.bound = true;
         frame.note_writes(lists_.stated, nullptr);
         return;
     }
+    if (!pipeline->mismatch.empty()) fail(where, ": {}: {}", wanted.shaders().back(), pipeline->mismatch);
     vkCmdBindPipeline(commands, point, pipeline->handle);
     if (frame.gpu.device.software_paths) {
         const uint32_t index = 0;
@@ -204,6 +206,34 @@ void Pass::check_view(const std::source_location& where, const Binding& binding,
                 binding.multisampled ? "not" : "multisampled: resolve it first");
 }
 
+void Pass::check_sampler(const std::source_location& where, const Binding& binding, const ImageView& view,
+                         const Sampler& sampler) const {
+    if (binding.compares && sampler.compare == Compare::off)
+        fail(where, ": '{}' compares in the shader, and its sampler does not; set Sampler::compare", binding.name);
+    if (!binding.compares && sampler.compare != Compare::off)
+        fail(where, ": '{}' is read in the shader, and its sampler compares; declare a sampler2DShadow", binding.name);
+    if (binding.compares && !view.image->is_depth())
+        fail(where, ": '{}' compares depths in the shader, and {} is no depth image", binding.name, view.name());
+}
+
+// Images that a variant of the shader does not store to count as well: its source does.
+void Pass::note_bound(const Binding& binding, std::span<const ImageView> views) const {
+    if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE || !binding.writable) return;
+    for (const ImageView& view : views)
+        for (Stated& one : lists_.stated)
+            if (one.writable && view && one.resource.view && one.resource.view.overlaps(view)) one.bound = true;
+}
+
+void Pass::check_written() const {
+    for (const Stated& one : lists_.stated) {
+        const ImageView& view = one.resource.view;
+        if (!one.writable || !view) continue;
+        if (!one.bound) fail(where_, " states {} in its writes, and sets it nowhere as an image to write", view.name());
+        if (view.image->written_in != frame.number())
+            fail(where_, " states {} in its writes, and draws and dispatches nothing", view.name());
+    }
+}
+
 // `view` becomes the part and the type that the shader declares.
 VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const Binding& binding, ImageView& view,
                                        const Sampler& sampler) const {
@@ -216,6 +246,10 @@ VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const 
         fail(where, ": '{}' is {} in the shader, and {} is {}", binding.name, shape(binding.view_type), view.name(),
              shape(view));
     check_view(where, binding, view);
+    if (!storage) check_sampler(where, binding, view, sampler);
+    if (storage && !view.image->is_storable())
+        fail(where, ": '{}' is a storage image in the shader, and the device has none of {}, which {} is", binding.name,
+             name_of(view.image->desc.format), view.name());
     const Stated* found = stated(view, storage && binding.writable);
     if (found && storage && found->layout != VK_IMAGE_LAYOUT_GENERAL) {
         if (point_ != VK_PIPELINE_BIND_POINT_COMPUTE || view.image->constant)
@@ -241,6 +275,7 @@ VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const 
 
 void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> views, const Sampler& sampler) {
     const Binding* found = find(name_in_shader);
+    if (!found && pipeline_ && !name_in_shader.by_slot) note_bound(*pipeline_->find(name_in_shader.name), views);
     if (!found) return;
     const Binding& binding = *found;
     const std::source_location& where = name_in_shader.where;
@@ -259,6 +294,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
         store(binding, i, lists_.image_infos, info);
         lists_.views[binding.first + i] = view;
     }
+    note_bound(binding, views);
     missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
 }
 
@@ -271,13 +307,28 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
         fail(where, ": '{}' is not a storage buffer in the shader", binding->name);
     if (binding->count > 1) fail(where, ": '{}' is an array of buffers, which passes do not bind", binding->name);
     if (!buffer.handle) return;  // a module's that is not prepared: refused by the draw, unless another is set
+    // Vectors may be read by their components.
+    const auto divides = [](uint32_t a, uint32_t b) { return a == 0 || b % a == 0; };
+    if (!divides(buffer.stride, binding->stride) && !divides(binding->stride, buffer.stride))
+        fail(where, ": an element of '{}' has {} bytes in the shader, and one of {} has {} in C++", binding->name,
+             binding->stride, buffer.name, buffer.stride);
     check_stated(where, binding->name, buffer, binding->writable);
     store(*binding, 0, lists_.buffer_infos, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
     missing_ -= !std::exchange(lists_.bound[binding->number].set, true);
 }
 
-void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes) {
-    if (const Binding* binding = find(name_in_shader)) set_block(name_in_shader.where, *binding, bytes);
+void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes, BlockMember::Type type) {
+    const Binding* const binding = find(name_in_shader);
+    if (!binding) return;
+    using Type = BlockMember::Type;
+    if (type != Type::other && binding->members.size() == 1) {
+        const Type own = binding->members[0].type;
+        if (own != Type::other && (own == Type::number) != (type == Type::number))
+            fail(name_in_shader.where, ": '{}' is {} in C++ and {} in the shader, which would take its bits",
+                 binding->name, type == Type::number ? "a float" : "an integer",
+                 own == Type::number ? "a float" : "an integer");
+    }
+    set_block(name_in_shader.where, *binding, bytes);
 }
 
 void Pass::set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes) {

@@ -66,6 +66,9 @@ class Pass {
 
     bool wants(const BindingName& binding) const { return static_cast<bool>(slot(binding)); }
 
+    /// Throws Failure for an image stated in writes that no shader of the pass had as an image to write.
+    void check_written() const;
+
     struct Name {
         template <size_t length>
         consteval Name(const char (&literal)[length], std::source_location at = std::source_location::current())
@@ -94,7 +97,7 @@ class Pass {
     requires(std::is_trivially_copyable_v<T> &&
              !std::convertible_to<const T&, ImageView>) void set_if_present(const BindingName& binding,
                                                                             const T& value) {
-        set_bytes({slot(binding), where_}, std::as_bytes(std::span(&value, 1)));
+        set_bytes({slot(binding), where_}, std::as_bytes(std::span(&value, 1)), component_of<T>());
     }
 
   protected:
@@ -113,7 +116,16 @@ class Pass {
     const std::source_location where_;  ///< the pass's statement
     void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
     void set_buffer(const Name& binding, const Buffer& buffer);
-    void set_bytes(const Name& binding, std::span<const std::byte> bytes);
+    /// `type`: of a number or vector; other: a structure.
+    void set_bytes(const Name& binding, std::span<const std::byte> bytes, BlockMember::Type type);
+    template <class T>
+    static constexpr BlockMember::Type component_of() {
+        if constexpr (requires { typename T::value_type; }) return component_of<typename T::value_type>();
+        return std::is_same_v<T, float>      ? BlockMember::Type::number
+               : std::is_same_v<T, int>      ? BlockMember::Type::integer
+               : std::is_same_v<T, uint32_t> ? BlockMember::Type::unsigned_integer
+                                             : BlockMember::Type::other;
+    }
     /// Binds pending descriptors. False if there is no valid pipeline.
     bool flush();
     /// Throws Failure if the pass does not declare `buffer`, the source of indices or indirect commands, as read.
@@ -133,6 +145,9 @@ class Pass {
     VkDescriptorImageInfo image_info(const std::source_location& where, const Binding& binding, ImageView& view,
                                      const Sampler& sampler) const;
     void check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const;
+    void check_sampler(const std::source_location& where, const Binding& binding, const ImageView& view,
+                       const Sampler& sampler) const;
+    void note_bound(const Binding& binding, std::span<const ImageView> views) const;
     void check_not_sampled() const;
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
@@ -166,7 +181,7 @@ class PassSetters : public Pass {
     requires(std::is_trivially_copyable_v<T> && !std::convertible_to<const T&, ImageView> &&
              !std::convertible_to<const T&, std::span<const ImageView>>) Self& set(const Name& binding,
                                                                                    const T& value) {
-        set_bytes(binding, std::as_bytes(std::span(&value, 1)));
+        this->set_bytes(binding, std::as_bytes(std::span(&value, 1)), this->template component_of<T>());
         return self();
     }
 

@@ -124,7 +124,58 @@ CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatSh
     return result;
 }
 
-std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size) {
+namespace {
+
+// Vertices are read from buffers, so that the first stage has no inputs.
+void check_inputs(const CompiledStages& stages, const std::vector<Reflection>& reflections, size_t stage) {
+    const auto fail = [&](const Varying& in, const std::string& why) {
+        throw ShaderError("shaders/{}: 'in {}' {}", stages.names[stage], in.name, why);
+    };
+    for (const Varying& in : reflections[stage].inputs) {
+        if (stage == 0) fail(in, "is a vertex attribute, and no pipeline has any; read the buffer 'vertices'");
+        const auto& outputs = reflections[stage - 1].outputs;
+        const auto out = std::ranges::find(outputs, in.location, &Varying::location);
+        const std::string& before = stages.names[stage - 1];
+        if (out == outputs.end())
+            fail(in, fmt::format("is at location {}, to which {} writes nothing", in.location, before));
+        if (out->type != in.type || out->components < in.components)
+            fail(in, fmt::format("differs in type from 'out {}' of {}", out->name, before));
+    }
+}
+
+// One letter and number for each component: R8G8B8A8Unorm has four.
+size_t components_of(VkFormat format) {
+    const std::string name = name_of(format);
+    size_t count = 0;
+    for (size_t i = 1; i < name.size(); ++i)
+        count += std::isdigit(static_cast<unsigned char>(name[i])) && std::string("RGBA").find(name[i - 1]) < 4;
+    return count;
+}
+
+std::string target_mismatch(const Pipeline::Graphics& desc, const std::vector<Varying>& outputs,
+                            const TargetFormats& formats) {
+    if (std::ranges::count(formats.color, VK_FORMAT_UNDEFINED)) return {};  // depth alone
+    for (size_t i = 0; i < formats.color.size(); ++i) {
+        const VkFormat format = formats.color[i];
+        if (desc.color_write[i] == write_nothing) continue;
+        const auto out = std::ranges::find(outputs, i, &Varying::location);
+        if (out == outputs.end())
+            return fmt::format("nothing is written to color target {}; declare layout(location = {}) out", i, i);
+        constexpr const char* types[] = {"floats", "integers", "unsigned integers"};
+        if (out->type != texels_of(format))
+            return fmt::format("'out {}' has {}, and its target is {}", out->name, types[size_t(out->type)],
+                               name_of(format));
+        const size_t written = std::min<size_t>(components_of(format), desc.color_write[i] == write_rgb ? 3 : 4);
+        if (out->components < written)
+            return fmt::format("'out {}' has {} components, and {} of its target, {}, are written", out->name,
+                               out->components, written, name_of(format));
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<Binding> assign_bindings(CompiledStages& stages, Reflection* last) {
     std::map<std::string, Binding> merged;
     std::vector<Reflection> reflections;
     for (size_t i = 0; i < stages.stages.size(); ++i) {
@@ -134,11 +185,12 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
             const bool is_file = std::filesystem::exists(course_root() / "shaders" / stages.names[i]);
             throw ShaderError("{}{}: {}", is_file ? "shaders/" : "", stages.names[i], e.what());
         }
-        if (local_size) *local_size = reflections.back().local_size;
+        if (stages.stages[i] != Stage::compute) check_inputs(stages, reflections, i);
         for (const Binding& binding : reflections.back().bindings) {
             auto [it, added] = merged.emplace(binding.name, binding);
-            if (!added && (it->second.type != binding.type || it->second.bytes != binding.bytes ||
-                           it->second.count != binding.count || it->second.view_type != binding.view_type))
+            if (!added && (it->second.compares != binding.compares || it->second.type != binding.type ||
+                           it->second.bytes != binding.bytes || it->second.count != binding.count ||
+                           it->second.view_type != binding.view_type))
                 throw ShaderError("{}: '{}' is declared otherwise in another stage", stages.names[i], binding.name);
             it->second.stages |= stage_bit(stages.stages[i]);
             it->second.used |= binding.used;
@@ -158,6 +210,7 @@ std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_s
     for (size_t i = 0; i < reflections.size(); ++i)
         for (const Binding& binding : reflections[i].bindings)
             stages.spirv[i][binding.offset_of_number] = merged.at(binding.name).number;
+    if (last) *last = std::move(reflections.back());
     std::vector<Binding> result(merged.size());
     for (auto& [name, binding] : merged) result[binding.number] = std::move(binding);
     return result;
@@ -271,12 +324,20 @@ std::unique_ptr<BuiltPipeline> PipelineLibrary::build(const Pipeline& pipeline, 
     CompiledStages stages = compile_stages(pipeline, flat);
 
     auto built = std::make_unique<BuiltPipeline>(device_);
-    built->bindings = assign_bindings(stages, &built->local_size);
+    Reflection last;
+    built->bindings = assign_bindings(stages, &last);
+    built->local_size = last.local_size;
+    if (stages.stages.back() == Stage::fragment)
+        built->mismatch = target_mismatch(pipeline.graphics, last.outputs, formats);
+    if (!built->mismatch.empty()) return built;  // refused by the pass, which knows its statement
     const VkPhysicalDeviceLimits& limits = device_.properties.limits;
     const glm::uvec3& local = built->local_size;
     if (const uint32_t most = limits.maxComputeWorkGroupInvocations; local.x * local.y * local.z > most)
         throw ShaderError("shaders/{}: a local size of {}×{}×{} is {} threads; this device has at most {}",
                           stages.names[0], local.x, local.y, local.z, local.x * local.y * local.z, most);
+    if (const uint32_t most = limits.maxComputeSharedMemorySize; last.shared_bytes > most)
+        throw ShaderError("shaders/{}: its shared variables take {} bytes; this device has at most {}", stages.names[0],
+                          last.shared_bytes, most);
     std::vector<VkDescriptorSetLayoutBinding> entries;
     bool samples = false, writes = false;
     for (const Binding& binding : built->bindings) {

@@ -84,6 +84,7 @@ struct BuiltPipeline {
     uint32_t descriptors = 0;
     bool samples_and_writes = false;  ///< has both sampled and writable storage images
     glm::uvec3 local_size{1};
+    std::string mismatch;  ///< disagreement of the fragment shader's outputs with the targets; empty: none
     std::vector<VkShaderModule> modules;
 
     void index_names();
@@ -158,7 +159,8 @@ struct CompiledStages {
 };
 CompiledStages compile_stages(const Pipeline& pipeline, const std::vector<FlatShader>& flat);
 
-/// Numbers the bindings by name and patches the modules. Throws ShaderError if stages declare one name differently.
-std::vector<Binding> assign_bindings(CompiledStages& stages, glm::uvec3* local_size = nullptr);
+/// Numbers the bindings by name and patches the modules; `last` receives the reflection of the last stage. Throws
+/// ShaderError if stages declare one name differently, or if one reads what the stage before it does not write.
+std::vector<Binding> assign_bindings(CompiledStages& stages, Reflection* last = nullptr);
 
 }  // namespace lightwalk

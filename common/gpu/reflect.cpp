@@ -3,6 +3,7 @@
 #include <spirv_cross/spirv_cross_c.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -104,9 +105,8 @@ VkImageViewType view_type_of(spvc_type type) {
     }
 }
 
-Texels texels_of(spvc_compiler compiler, spvc_type type) {
-    const spvc_type texel = spvc_compiler_get_type_handle(compiler, spvc_type_get_image_sampled_type(type));
-    switch (spvc_type_get_basetype(texel)) {
+Texels components_of(spvc_type type) {
+    switch (spvc_type_get_basetype(type)) {
         case SPVC_BASETYPE_INT32:
             return Texels::integers;
         case SPVC_BASETYPE_UINT32:
@@ -114,6 +114,70 @@ Texels texels_of(spvc_compiler compiler, spvc_type type) {
         default:
             return Texels::floats;
     }
+}
+
+Texels texels_of(spvc_compiler compiler, spvc_type type) {
+    return components_of(spvc_compiler_get_type_handle(compiler, spvc_type_get_image_sampled_type(type)));
+}
+
+// An array of inputs or outputs, such as a geometry shader's, is one entry.
+std::vector<Varying> varyings_of(spvc_compiler compiler, spvc_resources resources, spvc_resource_type kind) {
+    const spvc_reflected_resource* list = nullptr;
+    size_t count = 0;
+    spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
+    std::vector<Varying> result;
+    for (size_t i = 0; i < count; ++i) {
+        const spvc_type type = spvc_compiler_get_type_handle(compiler, list[i].type_id);
+        result.push_back({.name = list[i].name,
+                          .location = spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationLocation),
+                          .components = spvc_type_get_vector_size(type) * spvc_type_get_columns(type),
+                          .type = components_of(type)});
+    }
+    return result;
+}
+
+// Bytes of all shared variables, without padding. SPIRV-Cross lists none.
+uint32_t shared_bytes_of(const std::vector<uint32_t>& spirv) {
+    std::map<uint32_t, uint32_t> bytes, constants, pointees;  // by id
+    uint32_t sum = 0;
+    constexpr size_t header_words = 5;
+    for (size_t at = header_words; at < spirv.size(); at += std::max(spirv[at] >> SpvWordCountShift, 1u)) {
+        const uint32_t* const word = &spirv[at];
+        const uint32_t count = word[0] >> SpvWordCountShift;
+        switch (word[0] & SpvOpCodeMask) {
+            case SpvOpTypeBool:
+                bytes[word[1]] = 4;
+                break;
+            case SpvOpTypeInt:
+            case SpvOpTypeFloat:
+                bytes[word[1]] = word[2] / 8;
+                break;
+            case SpvOpTypeVector:
+            case SpvOpTypeMatrix:
+                bytes[word[1]] = bytes[word[2]] * word[3];
+                break;
+            case SpvOpTypeArray:
+                bytes[word[1]] = bytes[word[2]] * constants[word[3]];
+                break;
+            case SpvOpTypeStruct:
+                for (uint32_t i = 2; i < count; ++i) bytes[word[1]] += bytes[word[i]];
+                break;
+            case SpvOpTypePointer:
+                pointees[word[1]] = word[3];
+                break;
+            case SpvOpConstant:
+                constants[word[2]] = word[3];
+                break;
+            case SpvOpVariable:
+                if (word[3] == SpvStorageClassWorkgroup) sum += bytes[pointees[word[1]]];
+                break;
+            case SpvOpFunction:
+                return sum;
+            default:
+                break;
+        }
+    }
+    return sum;
 }
 
 VkFormat storage_format_of(spvc_type type) {
@@ -291,8 +355,11 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
                 binding.view_type = view_type_of(base);
                 binding.texels = texels_of(compiler, base);
                 binding.multisampled = spvc_type_get_image_multisampled(base);
+                binding.compares = spvc_type_get_image_is_depth(base);
             }
             if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) binding.format = storage_format_of(base);
+            if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER && spvc_type_get_num_member_types(base) == 1)
+                spvc_compiler_type_struct_member_array_stride(compiler, base, 0, &binding.stride);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
                 size_t bytes = 0;
                 spvc_compiler_get_declared_struct_size(compiler, base, &bytes);
@@ -309,6 +376,9 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             result.bindings.push_back(std::move(binding));
         }
     }
+    result.inputs = varyings_of(compiler, used, SPVC_RESOURCE_TYPE_STAGE_INPUT);
+    result.outputs = varyings_of(compiler, resources, SPVC_RESOURCE_TYPE_STAGE_OUTPUT);
+    result.shared_bytes = shared_bytes_of(spirv);
     if (spvc_compiler_get_execution_model(compiler) == SpvExecutionModelGLCompute)
         for (unsigned i = 0; i < 3; ++i)
             result.local_size[static_cast<int>(i)] =

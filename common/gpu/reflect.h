@@ -51,8 +51,10 @@ struct Binding {
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< storage images: from layout(); undefined: any
     Texels texels = Texels::floats;         ///< images: type of a texel's components in the shader
     bool multisampled = false;
+    bool compares = false;  ///< sampler2DShadow and its like
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;
+    uint32_t stride = 0;    ///< storage buffer that is one array: bytes of an element
     bool writable = false;  ///< storage buffer or image without `readonly`
     bool readable = true;   ///< image without `writeonly`
     bool used = true;       ///< statically used by main(); others are not bound
@@ -60,9 +62,18 @@ struct Binding {
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };
 
+/// Input or output of a stage.
+struct Varying {
+    std::string name;
+    uint32_t location = 0, components = 1;
+    Texels type = Texels::floats;
+};
+
 struct Reflection {
     std::vector<Binding> bindings;
+    std::vector<Varying> inputs, outputs;
     glm::uvec3 local_size{1};
+    uint32_t shared_bytes = 0;
 };
 
 /// Throws Failure if the module is invalid, or declares what passes do not set: push constants, sets other than 0,

@@ -131,6 +131,8 @@ VkRenderingAttachmentInfo Rendering::add(const std::string& pass, Attachment tar
     const glm::uvec2 extent(view.size());
     if (!accesses.empty() && (extent != size || desc.samples != formats.samples))
         fail("differs in size or samples from the pass's others");
+    for (const auto& [other, access] : accesses)
+        if (other.overlaps(view)) fail("is stated twice");
     size = extent;
     formats.samples = desc.samples;
     (is_depth ? formats.depth : formats.color.emplace_back()) = desc.format;

@@ -37,6 +37,17 @@ const Pipeline listed = shader("listed.comp", into + "layout(scalar) readonly bu
                                "imageStore(into, at, vec4(values[0]));");
 const Pipeline truncated = shader("truncated.comp", into + "layout(scalar) uniform TintBlock { int strength; } tint;",
                                   "imageStore(into, at, vec4(tint.strength));");
+const Pipeline compares = shader("compares.comp", into + "uniform sampler2DShadow from;",
+                                 "imageStore(into, at, vec4(texture(from, vec3(0.5))));");
+const Pipeline scaled = shader("scaled.comp", into + "layout(scalar) uniform ScaleBlock { float scale; };",
+                               "imageStore(into, at, vec4(scale));");
+const Pipeline counted = shader("counted.comp", into + "layout(scalar) uniform CountBlock { int count; };",
+                                "imageStore(into, at, vec4(count));");
+const Pipeline points = shader("points.comp", into + "layout(scalar) readonly buffer Points { vec3 points[]; };",
+                               "imageStore(into, at, vec4(points[0], 0.0));");
+const Pipeline partly =
+    shader("partly.comp", into + "layout(r32f) writeonly uniform image2D more;",
+           store + "\n#if TINT_METHOD == TINT_METHOD_TWO\nimageStore(more, at, vec4(1.0));\n#endif\n");
 const Pipeline compiled_in = shader("in.comp", into + "layout(scalar) uniform TintBlock { int method; } tint;",
                                     "imageStore(into, at, vec4(tint.method));");
 
@@ -68,6 +79,7 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
         frame.raster("fill", {.color = {clear(made)}}, [](Raster&) {});
         return made;
     };
+    frame.raster("fill", {.depth = clear(frame.depth, 0.0f)}, [](Raster&) {});
     const Image one = four("one", one_float), two = four("two", one_float),
                 halves = four("halves", VK_FORMAT_R16G16B16A16_SFLOAT);
     Image uploaded = image({.name = "uploaded", .format = one_float});
@@ -78,8 +90,10 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     const Tint tint{root, "tint"}, other{root, "other", "tint"};
     const auto in_shader = [&](const std::string& condition) {
         const Pipeline pipeline = shader("x.comp", "#" + condition + "\n#endif\n" + into, store);
-        return failure_at(
-            [&] { frame.compute("x", {.writes = {one}, .with = {tint}}, [&](Compute& pass) { pass.use(pipeline); }); });
+        return failure_at([&] {
+            frame.compute("x", {.writes = {one}, .with = {tint}},
+                          [&](Compute& pass) { pass.use(pipeline).set("into", one).dispatch_threads(frame.size); });
+        });
     };
     const std::string says = "x.comp:2: ";
     CHECK(in_shader("if TINT_METHD == TINT_METHOD_ONE") ==
@@ -156,9 +170,49 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
         [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(in_place).set("into", one); }); });
     refused("pass 'x' reads unwritten, which no pass of this frame wrote",
             [&] { frame.compute("x", {.reads = {unwritten}}, [](Compute&) {}); });
-    refused("pass 'x' reads unwritten, which no pass of this frame wrote", [&] {  // stated, but neither drawn nor set
-        frame.compute("fill", {.writes = {unwritten}}, [&](Compute& pass) { pass.use(writes).set("into", unwritten); });
-        frame.compute("x", {.reads = {unwritten}}, [](Compute&) {});
+    refused("pass 'x' states unwritten in its writes, and draws and dispatches nothing", [&] {
+        frame.compute("x", {.writes = {unwritten}}, [&](Compute& pass) { pass.use(writes).set("into", unwritten); });
+    });
+    refused("pass 'x' states two in its writes, and sets it nowhere as an image to write", [&] {
+        frame.compute("x", {.writes = {one, two}},
+                      [&](Compute& pass) { pass.use(writes).set("into", one).dispatch_threads(frame.size); });
+    });
+    refused("pass 'x': 'from' compares in the shader, and its sampler does not; set Sampler::compare", [&] {
+        frame.compute("x", {.reads = {frame.depth}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(compares).set("from", frame.depth); });
+    });
+    constexpr Sampler comparing{.compare = Compare::greater};
+    refused("pass 'x': 'from' is read in the shader, and its sampler compares; declare a sampler2DShadow", [&] {
+        frame.compute("x", {.reads = {frame.depth}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(samples).set("from", frame.depth, comparing); });
+    });
+    refused("pass 'x': 'from' compares depths in the shader, and two is no depth image", [&] {
+        frame.compute("x", {.reads = {two}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(compares).set("from", two, comparing); });
+    });
+    const auto of = [](const char* binding, const char* in_cpp, const char* in_glsl) {
+        return fmt::format("pass 'x': '{}' is {} in C++ and {} in the shader, which would take its bits", binding,
+                           in_cpp, in_glsl);
+    };
+    refused(of("scale", "an integer", "a float"),
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(scaled).set("scale", 1); }); });
+    refused(of("count", "a float", "an integer"), [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(counted).set("count", 1.0f); });
+    });
+    const Buffer wide = gpu.upload("wide", std::vector<glm::vec4>(2));
+    refused("pass 'x': an element of 'points' has 12 bytes in the shader, and one of wide has 16 in C++", [&] {
+        frame.compute("x", {.reads = {wide}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(points).set("points", wide); });
+    });
+    refused("pass 'x' dispatches 0×1×1 workgroups", [&] {
+        frame.compute("x", {.writes = {one}},
+                      [&](Compute& pass) { pass.use(writes).set("into", one).dispatch_threads(glm::uvec2(0, 4)); });
+    });
+    refused("pass 'x' draws 0 vertices", [&] {
+        frame.raster("x", {.color = {clear(one)}}, [&](Raster& pass) { pass.use(quad_pipeline()).draw(0); });
+    });
+    refused("pass 'x': target one is stated twice", [&] {
+        frame.raster("x", {.color = {clear(one), clear(one)}}, [](Raster&) {});
     });
     refused("a pass has no name, by which timers and messages call it",
             [&] { frame.compute("", {}, [](Compute&) {}); });
@@ -169,6 +223,53 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
             [&] { frame.raster("x", {.color = {clear(none)}}, [](Raster&) {}); });
     frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a shader's outputs and a pass's targets are the same", "[refused]") {
+    const auto four = [&](const char* name, VkFormat format) {
+        return image({.name = name, .format = format, .size = {4, 4}});
+    };
+    const Image first = four("first", four_floats), second = four("second", four_floats),
+                whole = four("whole", VK_FORMAT_R32_UINT);
+    const Pipeline paints = quad_pipeline(), both = quad_pipeline({}, "paint.frag"),
+                   masked = quad_pipeline({.color_write = {write_rgba, write_nothing}});
+    const auto draw = [&](const Pipeline& pipeline, std::vector<Attachment> targets) {
+        frame.raster("x", {.color = std::move(targets)},
+                     [&](Raster& pass) { pass.use(pipeline).set("quad", Quad{}).set("paint", Paint{}).draw(6); });
+    };
+    const std::string of = "pass 'x': ../tests/common/shaders/paint";
+    CHECK(failure_of([&] {
+              draw(paints, {clear(first), clear(second)});
+          }) == of + "_one.frag: nothing is written to color target 1; declare layout(location = 1) out");
+    CHECK(failure_of([&] { draw(paints, {clear(whole)}); }) ==
+          of + "_one.frag: 'out first' has floats, and its target is R32Uint");
+    const auto built = [&](const std::string& fragment) {
+        const Pipeline pipeline = graphics({.vertex = test_shader("quad.vert"), .fragment = fragment});
+        return failure_at([&] { draw(pipeline, {clear(first)}); });
+    };
+    CHECK(built("05_shadow_maps/visible.frag") ==
+          "shaders/05_shadow_maps/visible.frag: 'in item' is at location 7, to which " + test_shader("quad.vert") +
+              " writes nothing");
+    CHECK(built("18_playground/line.frag") ==
+          "shaders/18_playground/line.frag: 'in color' differs in type from 'out instance' of " +
+              test_shader("quad.vert"));
+    CHECK_NOTHROW(draw(both, {clear(first), clear(second)}));
+    CHECK_NOTHROW(draw(masked, {clear(first), clear(second)}));
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "what a variant of a shader does not write, its pass may state", "[refused]") {
+    const auto four = [&](const char* name) {
+        return image({.name = name, .format = one_float, .size = {4, 4}, .kept = true});
+    };
+    const Image one = four("one"), more = four("more");
+    Root root;
+    const Tint tint{root, "tint"};  // its method is `one`, which leaves `more` as it is
+    frame.compute("x", {.writes = {one, more}, .with = {tint}}, [&](Compute& pass) {
+        pass.use(partly).set("into", one).set("more", more).dispatch_threads(frame.size);
+    });
+    frame.end();
+    CHECK(value(one) == 1);
 }
 
 TEST_CASE_METHOD(OnDevice, "a readonly image is stated in reads, and may be sampled as well", "[refused]") {
@@ -190,7 +291,10 @@ TEST_CASE_METHOD(OnDevice, "a readonly image is stated in reads, and may be samp
 TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its line", "[refused]") {
     const Image one = image({.name = "one", .format = one_float, .size = {4, 4}});
     const auto said = [&](const Pipeline& pipeline) {
-        return failure_at([&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(pipeline); }); });
+        return failure_at([&] {
+            frame.compute("x", {.writes = {one}},
+                          [&](Compute& pass) { pass.use(pipeline).set("into", one).dispatch_threads(frame.size); });
+        });
     };
     const auto declared = [&](const std::string& text) { return said(shader("x.comp", text + "\n" + into, store)); };
     const std::string numbered = "' has no effect: bindings are set by name; leave it out";
@@ -221,6 +325,17 @@ TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its lin
           "shaders/x.comp: a local size of 64×64×1 is 4096 threads; this device has at most " + most);
     CHECK(said(compute_pipeline("x.comp", "layout(local_size_x = 4) in;\nvoid mein() {}")) ==
           "x.comp:2: no void main()");
+    const std::string stored = "' is never stored to; declare it readonly, or leave it out";
+    CHECK(declared("layout(r32f) uniform image2D idle;") == "x.comp:2: image 'idle" + stored);
+    CHECK(said(shader("x.comp", into + "layout(r32f) uniform image2D from;",
+                      "imageStore(into, at, imageLoad(from, at) * float(imageSize(from).x));")) ==
+          "x.comp:3: image 'from" + stored);
+    CHECK(declared("layout(r32f) uniform image2D array[2];\nvoid f() { imageStore(array[0], ivec2(0), vec4(1)); }")
+              .empty());
+    const std::string shared = std::to_string(gpu.device.properties.limits.maxComputeSharedMemorySize);
+    CHECK(said(shader("x.comp", into + "shared vec4 tile[20][1024];",
+                      "tile[0][at.x] = vec4(at.x); barrier(); imageStore(into, at, tile[0][at.y]);")) ==
+          "shaders/x.comp: its shared variables take 327680 bytes; this device has at most " + shared);
     CHECK(declared("#include <common/hash.glsl>") == "x.comp:2: a shader is included as \"common/hash.glsl\"");
     frame.end();
 }
@@ -257,6 +372,15 @@ TEST_CASE("a knob's default is one of its values", "[refused]") {
     refused("option 'one' of method stands twice", [&] {
         const Choice method{root, "method", {"one", "one"}, "one", "which"};
     });
+    refused("knob 'silent' has no help; say in a noun phrase what it sets", [&] {
+        const Knob<float> silent{root, "silent", 0.5f, {0, 1}, ""};
+    });
+    refused("knob 'flag' has no help; say in a noun phrase what it sets", [&] {
+        const Knob<bool> flag{root, "flag", true, ""};
+    });
+    refused("the range of color differs by component, and one holds for all", [&] {
+        const Knob<glm::vec3> color{root, "color", glm::vec3(0), {glm::vec3(0), glm::vec3(1, 1, 2)}, "Colour"};
+    });
     refused("default of count=0: expected an integer from 1 to 8", [&] {
         const Knob<int> count{root, "count", 0, {1, 8}, "how many"};
     });
@@ -265,6 +389,29 @@ TEST_CASE("a knob's default is one of its values", "[refused]") {
     });
     const Knob<float> tenth{root, "tenth", 0.1f, {0.1f, 0.7f}, "ends of a range are floats"};
     CHECK(tenth == 0.1f);
+}
+
+TEST_CASE("a module has a name of its own", "[refused]") {
+    Root root;
+    const Tint tint{root, "tint"};
+    refused("module 'tint': another module has this name; give one another", [&] { const Tint twice{root, "tint"}; });
+    refused("module 'my tint': a name is a letter, then letters, digits and _: it becomes a macro", [&] {
+        const Tint spaced{root, "my tint"};
+    });
+    refused("module 'knobs': the block 'knobs' is not a module's; take another name", [&] {
+        const Tint knobs{root, "knobs"};
+    });
+    struct Eye : Module {
+        explicit Eye(Module& owner) : Module(owner, "eye", "view") {}
+    };
+    CHECK(failure_at([&] {
+              const Eye eye{root};
+          }).ends_with("module 'eye': the block 'view' is not a module's; take another name"));
+    const Tint other{root, "other", "tint"};
+    CHECK_NOTHROW(check_macros(root.all_knobs()));  // modules of one kind share their macros
+    const Knob<bool> clashing{root, "tint_method", true, "Whether it is tinted"};
+    CHECK(failure_at([&] { check_macros(root.all_knobs()); }) ==
+          "tint.method and tint_method both define the macro TINT_METHOD; give one another name");
 }
 
 }  // namespace refusals
