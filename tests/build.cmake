@@ -137,7 +137,7 @@ foreach(script ${scripts})
     lightwalk_python_test(python.${name} unit ${run})
     lightwalk_script_needs(python.${name} ${script})
     set_tests_properties(python.${name} PROPERTIES COST 100)  # so that the shots, which take a blink each, come last
-    if(name MATCHES "(newcomer|autograder_container)$")
+    if(name MATCHES "(newcomer|autograder_container|first_contact)$")
       set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600)  # it builds the course in a clone
     endif()
     if(name MATCHES "page_(site|firefox)$")

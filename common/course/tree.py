@@ -84,6 +84,10 @@ def copy_words() -> str:
     return f"; what is built goes below the course; for a copy of your own, type cp -r {shlex.quote(str(ROOT))} {shlex.quote(str(copy))}"
 
 
+def unwritable(folder: Path, error: OSError) -> UsageError:
+    return UsageError(f"{folder} cannot be written: {error.strerror}{copy_words() if folder.is_relative_to(ROOT) else ''}")
+
+
 SOURCE = re.compile(r"[A-Za-z0-9]\w*(\.[A-Za-z0-9]+)+")
 MANIFEST = Path("tests/starters.txt")  # of the exercises, with digests of their starters
 

@@ -126,6 +126,7 @@ Display::Display(const std::string& title, WindowSize size, const std::string& i
     watch_x_server();
     if (!glfwVulkanSupported()) {
         glfwTerminate();
+        list_devices();  // throws where there is no driver
         throw InputError("this display cannot show Vulkan's pictures; " + without);
     }
     glm::ivec2 wanted = size.pixels + size.scaled;

@@ -21,8 +21,8 @@ PATIENCE_S = 900  # ccache knows the machine's earlier compilations; an empty on
 
 
 def clone(to: Path):
-    """The tree as it is here, including uncommitted files."""
-    subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", REAL, to], check=True)
+    """The tree as it is here, including uncommitted files, by a git that is set to give texts the line ends of Windows."""
+    subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", "-c", "core.autocrlf=true", REAL, to], check=True)
     for command in (["diff", "--name-only", "--diff-filter=d", "-z", "HEAD"], ["ls-files", "-z", "--others", "--exclude-standard"],
                     ["diff", "--name-only", "--diff-filter=D", "-z", "HEAD"]):
         listed = subprocess.run(["git", "-C", REAL, *command], check=True, stdout=subprocess.PIPE, text=True).stdout

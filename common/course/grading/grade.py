@@ -24,7 +24,7 @@ from grading.submission import cell, find, printable, read, time_of
 from many import shards, slurm
 from progress import Progress
 from tree import (BUILD, Failure, Unjudged, UsageError, chapters, cores, exercises, find_chapter, has_solutions, nearest, say,
-                  warn, write_atomically)
+                  unwritable, warn, write_atomically)
 
 HELP = """Grades the exercises that students handed in, by the checks of this tree.
 
@@ -108,7 +108,7 @@ def out_folder(arguments) -> Path:
     try:
         write_atomically(out / "grades.json", "[]\n", 0o600)
     except OSError as error:
-        raise UsageError(f"{printable(str(out))} cannot be written: {error.strerror}") from None
+        raise unwritable(out, error) from None
     return out
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from pages.lesson_html import Lesson, blocks, code_css, embedded, katex_css, katex_js, words
 from pages.page import TEMPLATES
-from tree import BUILD, Failure, UsageError, find_lesson, lesson_pages, lessons, relative, say, warn
+from tree import BUILD, Failure, UsageError, find_lesson, lesson_pages, lessons, relative, say, unwritable, warn
 
 ALONE = True
 HELP = """Makes one PDF of all lessons: build/book/lightwalk.pdf, with contents, numbered figures and the answers at its end.
@@ -42,7 +42,7 @@ def run(arguments, _rest) -> int:
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UsageError(f"{out.parent} cannot be written: {error.strerror}") from None
+        raise unwritable(out.parent, error) from None
     book = [chapter_part(page.stem) for page in named]
     with tempfile.TemporaryDirectory(prefix=".book.", dir=out.parent) as made:
         file, printed = Path(made, "book.html"), Path(made, "book.pdf")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pages.lesson_html import Lesson, blocks, code_css, embedded, inner, katex_css, katex_js, words
 from pages.page import TEMPLATES
-from tree import BUILD, ROOT, UsageError, chapter_title, find_lesson, lessons, relative, say, shots, write_atomically
+from tree import BUILD, ROOT, chapter_title, find_lesson, lessons, relative, say, shots, unwritable, write_atomically
 
 HELP = """Makes slides of a chapter's lesson: build/slides/NN_name.html, one file that needs no network.
 
@@ -35,7 +35,7 @@ def run(arguments, _rest) -> int:
         try:
             write_atomically(out / f"{chapter}.html", page(chapter, slides))
         except OSError as error:
-            raise UsageError(f"{out} cannot be written: {error.strerror}") from None
+            raise unwritable(out, error) from None
         say(f"{relative(out / f'{chapter}.html')}: {len(slides)} slides")
     return 0
 
