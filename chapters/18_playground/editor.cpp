@@ -228,7 +228,7 @@ void Editor::follow_steps(Chapter& chapter, std::string what) {
 void Editor::save(const Chapter& chapter, const std::filesystem::path& as) {
     store.camera = chapter.camera;
     const Said said = as.empty() ? store.save(document) : store.save_as(document, as);
-    notice = "saved " + store.path.string() + (said.empty() ? "" : "; " + said);
+    notice = "saved " + std::filesystem::absolute(store.path).string() + (said.empty() ? "" : "; " + said);
 }
 
 void Editor::begin_drag(const GizmoPlace& place, const Handle& handle, const View& view, glm::vec2 cursor_px) {

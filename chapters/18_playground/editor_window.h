@@ -53,6 +53,10 @@ struct EditorWindow : Playground, WindowTool {
     bool draw_panels(const Area& picture, float dock_px, float scale) override;
     int dock_width() const override { return 310; }
     std::vector<std::string> mouse_words() const override { return pointer_.words(); }
+    std::string document() const override {
+        return clean_name((editor.store.path.empty() ? "untitled" : editor.store.path.filename().string()) +
+                          (editor.store.has_unsaved(editor.document) ? " *" : ""));
+    }
     bool on_save() override;
     bool may_close() override { return files_.may_close(); }
     bool wants_to_close() override { return files_.closes(); }

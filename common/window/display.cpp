@@ -215,7 +215,12 @@ std::vector<std::filesystem::path> Display::take_dropped() { return std::exchang
 
 void Display::stay_open() { glfwSetWindowShouldClose(window, GLFW_FALSE); }
 void Display::say(const std::string& words) {
-    glfwSetWindowTitle(window, (words.empty() ? title_ : title_ + " · " + words).c_str());
+    const std::string& behind = words.empty() ? document_ : words;
+    glfwSetWindowTitle(window, (behind.empty() ? title_ : title_ + " · " + behind).c_str());
+}
+
+void Display::name_document(const std::string& name) {
+    if (std::exchange(document_, name) != name) say("");
 }
 
 bool Display::wants_to_close() const { return glfwWindowShouldClose(window); }

@@ -65,11 +65,13 @@ class Display {
     glm::ivec2 size() const;              ///< in the window's own coordinates
     float pixels_per_unit() const { return float(framebuffer_size().x) / float(size().x); }
     float scale() const;                 ///< of text, as the desktop asks for
-    void say(const std::string& words);  ///< behind the window's title; empty: nothing
+    void say(const std::string& words);  ///< behind the window's title; empty: the document's name
+    void name_document(const std::string& name);
 
   private:
     struct Events;
     const std::string title_;
+    std::string document_;
     std::unique_ptr<Events> events_;
 };
 

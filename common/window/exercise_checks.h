@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,15 @@ CheckVerdict read_check(const std::string& exercise, const std::string& said, in
 
 /// Hash of the student's file, ignoring white space; 0 if missing. Cached by modification time and size.
 uint64_t answer_digest(std::string_view id);
+
+/// Last verdict on the student's file as it is, by a check from anywhere (./course check, a page); empty: not checked.
+std::optional<bool> kept_verdict(std::string_view id);
+
+/// Number of a chapter's exercises ("02_lambert"), and of those that are solved.
+struct Solved {
+    int solved = 0, exercises = 0;
+};
+Solved solved_of(std::string_view chapter);
 
 /// True if the file equals the starter in tests/starters.txt, ignoring white space; false if none is recorded.
 bool is_untouched(std::string_view id);

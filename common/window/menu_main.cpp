@@ -8,6 +8,7 @@
 #include "common/window/blit.h"
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
+#include "common/window/exercise_checks.h"
 #include "common/window/lesson_pages.h"
 #include "common/window/menu_chapters.h"
 #include "common/window/overlay.h"
@@ -27,7 +28,9 @@ class Menu {
           overlay_(gpu, display, swapchain_),
           screen_(gpu),
           programs_(programs),
-          entries_(find_chapters(gpu, display.scale(), programs_)) {}
+          entries_(find_chapters(gpu, display.scale(), programs_)) {
+        enable_keyboard();
+    }
 
     void run() {
         int settle = 3;  // pictures to draw until the widgets have come to rest
@@ -137,6 +140,12 @@ class Menu {
         list.AddText(text, ImGui::GetColorU32(mine_color), number.c_str());
         list.AddText({text.x + 30.0f * display_.scale(), text.y}, ImGui::GetColorU32(ImGuiCol_Text),
                      entry.title.c_str());
+        if (const Solved of = solved_of(entry.chapter); of.solved > 0) {
+            const std::string words = std::to_string(of.solved) + " of " + std::to_string(of.exercises) + " solved";
+            list.AddText({end.x - ImGui::CalcTextSize(words.c_str()).x - 10.0f, text.y},
+                         ImGui::GetColorU32(right_color), words.c_str());
+            log_place("solved." + entry.chapter);
+        }
         if (entry.picture) {
             tiles_.push_back({&entry, {corner.x, corner.y}, {size.x, foot}});
         } else {
@@ -154,7 +163,8 @@ class Menu {
     }
 
     std::string what_to_do() const {
-        if (!programs_.are_building()) return "Click a chapter to start it; Esc in it comes back here.";
+        if (!programs_.are_building())
+            return "Click a chapter to start it, or press Space where the arrow keys lead; Esc in it comes back here.";
         size_t ready = 0;
         for (const MenuEntry& entry : entries_) ready += programs_.state(entry.chapter).name == "ready";
         return std::to_string(ready) + " of " + std::to_string(entries_.size()) +

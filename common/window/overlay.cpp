@@ -232,6 +232,19 @@ bool close_popup() {
     return true;
 }
 
+void enable_keyboard() { ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard; }
+
+bool keyboard_marks() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+#if IMGUI_VERSION_NUM >= 19140
+    return context.NavId != 0 && context.NavCursorVisible;
+#else
+    return context.NavId != 0 && !context.NavDisableHighlight;
+#endif
+}
+
+void leave_keyboard() { ImGui::SetWindowFocus(nullptr); }
+
 void stop_dragging() { ImGui::ClearActiveID(); }
 
 bool has_icons() { return icons_are_there; }

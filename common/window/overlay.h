@@ -64,6 +64,14 @@ ImGuiID number_typed_into();
 /// Closes the list, menu or colour picker opened last; false: none is open but a question that waits for its answer.
 bool close_popup();
 
+/// Arrow keys go from widget to widget, Space presses the one that is marked. Not in windows that give these keys a
+/// meaning of their own.
+void enable_keyboard();
+
+/// Whether a widget is marked by the keyboard. leave_keyboard() takes the mark away.
+bool keyboard_marks();
+void leave_keyboard();
+
 /// The mouse drags no number any more, though it is still held.
 void stop_dragging();
 

@@ -53,9 +53,9 @@ Verdict verdict(const CheckVerdict& check) {
         case CheckVerdict::State::running:
             return {"checking ...", quiet_color};
         case CheckVerdict::State::passed:
-            return {"right", right_color};
+            return {"solved", right_color};
         case CheckVerdict::State::open:
-            return {"wrong", error_color};
+            return {"open", error_color};
         case CheckVerdict::State::invalid:
             return {"does not compile", error_color};
         default:
@@ -63,10 +63,13 @@ Verdict verdict(const CheckVerdict& check) {
     }
 }
 
-// Of an exercise that was not checked as it stands.
+// Of an exercise that this window has not checked as it is.
 Verdict verdict(const std::string& id) {
     if (!Exercises::compiles(id)) return {"does not compile", error_color};
-    return {is_untouched(id) ? "untouched" : "not checked", quiet_color};
+    if (is_untouched(id)) return {"untouched", quiet_color};
+    const std::optional<bool> solved = kept_verdict(id);
+    return solved ? Verdict{*solved ? "solved" : "open", *solved ? right_color : error_color}
+                  : Verdict{"not checked", quiet_color};
 }
 
 // The check's words, as high as needed but at most ten lines, and its hint in a fold.

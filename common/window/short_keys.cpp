@@ -77,9 +77,10 @@ bool may_pass(const KeyEvent& event) {
     return changed_keys.insert(event.key).second;
 }
 
-// Letters and Shift for the text that they make, which comes as characters: nobody asks for their state.
+// Letters and Shift for the text that they make, which comes as characters: nobody asks for their state, but for that of
+// Space, which presses what the arrow keys mark.
 bool makes_text(const KeyEvent& event) {
-    if (event.character) return false;
+    if (event.character || event.key == GLFW_KEY_SPACE) return false;
     if (is_shift(event.key)) return waiting.empty() && changed_keys.empty();
     if (event.key >= GLFW_KEY_ESCAPE || (event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER))) return false;
     return !changed_keys.contains(event.key) &&

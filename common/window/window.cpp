@@ -87,7 +87,10 @@ Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& dis
             automatic_.offered.insert(knob->path());
         else if (dynamic_cast<const Choice*>(knob) && knob->name == "method")
             automatic_.without.insert(knob->path());
-    if (tool_) tool_->automatic = &automatic_;
+    if (tool_)
+        tool_->automatic = &automatic_;
+    else
+        enable_keyboard();
 }
 
 Area Window::picture_area() const {

@@ -40,6 +40,10 @@ void Window::handle_keys(const Input& input, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const auto& [key, mods] : input.pressed) {
         if (key == GLFW_KEY_ESCAPE && !typing && close_popup()) continue;
+        if (key == GLFW_KEY_ESCAPE && !typing && keyboard_marks()) {
+            leave_keyboard();
+            continue;
+        }
         if (tool_ && !typing && tool_->on_key({key, mods})) {
             requests.changed = true;
             continue;
@@ -56,7 +60,7 @@ void Window::handle_keys(const Input& input, Requests& requests) {
         if (key == GLFW_KEY_F) requests.frame_scene = true;
         if (key == GLFW_KEY_HOME) requests.home = true;
         if (key == GLFW_KEY_H) requests.panel = true;
-        if (key == GLFW_KEY_SPACE) requests.clock = true;
+        if (key == GLFW_KEY_SPACE && !keyboard_marks()) requests.clock = true;
     }
 }
 
@@ -99,6 +103,7 @@ void Window::ask_tool() {
     if (clock_.time_s != before.time_s || clock_.runs != before.runs) activity_.stay(0.3);
     if (tool_->is_busy()) activity_.stay_panel(0.1);  // its panels report changes of the picture
     if (tool_->wants_to_close()) close_ = true;
+    display_.name_document(tool_->document());
     if (const std::string notice = tool_->take_notice(); !notice.empty()) {
         notice_.tell(notice);
         log_event("notice " + notice);

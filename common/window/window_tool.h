@@ -33,7 +33,8 @@ class WindowTool {
     virtual int dock_width() const { return 0; }                         ///< in pixels at scale 1
     virtual std::vector<std::string> mouse_words() const { return {}; }  ///< what it does; none: it moves the camera
 
-    virtual bool on_save() = 0;         ///< Ctrl+S
+    virtual std::string document() const { return {}; }  ///< for the window's title: what Ctrl+S writes
+    virtual bool on_save() = 0;                          ///< Ctrl+S
     virtual bool may_close() = 0;       ///< false: it asks first, and closes itself when wants_to_close()
     virtual bool wants_to_close() = 0;  ///< the answer was yes
     virtual bool is_busy() = 0;  ///< asked once per frame: something goes on beside the picture, the panels show it

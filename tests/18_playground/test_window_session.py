@@ -69,7 +69,10 @@ class Building(EditorTest):
         self.add("cube.obj")
         self.add("teapot.obj")
         self.assert_other(session.pixels(left, 0, WIDTH, HEIGHT), start)
+        name = lambda: session.xdotool("getwindowname", session.window).strip()  # noqa: E731
+        session.wait(lambda: name().endswith(f"{self.scene.name} *"), "a title that says what is not saved")
         cube, teapot = (one["position"] for one in self.saved()["objects"])
+        session.wait(lambda: name().endswith(self.scene.name), "a title that says what is edited")
         self.assert_near(cube, [0, 0.5, 0])  # on the ground below the middle of the picture
         self.assert_near(teapot, [0, 0.1, 0.5 + 0.634921])  # before the cube's side that is in the middle
         x, y = self.in_window(EMPTY["camera"], teapot)

@@ -1,13 +1,18 @@
 """The window as a person uses it: keys, mouse, resizing. Under Xvfb, validated."""
+import json
 import os
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest, read_png
-from window_session import BUILD, Session
+from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest, copy_of_course, read_png
+from window_session import BUILD, ROOT, Session
+
+sys.path.insert(0, str(ROOT / "common/course"))
+from check.starters import digest  # noqa: E402
 
 
 class Window(WindowTest):
@@ -16,6 +21,18 @@ class Window(WindowTest):
         file = self.folder / "headless.png"
         subprocess.run([CHAPTER, "--screenshot", file, "--size", f"{width}x{height}", "--scene", self.scene], check=True)
         return file.read_bytes(), read_png(file)[2]
+
+    def test_space_presses_what_the_arrow_keys_mark(self):
+        since = self.session.said()
+        for _ in range(12):
+            self.session.key("Down")
+            self.session.key("space")
+            if "reloaded" in self.session.lines[since:]:
+                break
+        self.session.wait_for_line("reloaded", since)
+        self.session.key("Escape")  # takes the mark away; the next one would close the window
+        self.session.read_all()
+        self.assertIsNone(self.session.process.poll())
 
     def test_picture_is_the_one_without_a_window(self):
         shot = self.screenshot()
@@ -154,6 +171,17 @@ class NoDisplay(unittest.TestCase):
 
 
 class Menu(StartedTest):
+    def test_a_tile_says_how_many_exercises_are_solved(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        root = copy_of_course(self.folder)
+        (root / "build/live").mkdir(parents=True)
+        solved = {"of": digest((ROOT / "shaders/02_lambert_phong/exercise/lambert.glsl").read_bytes()), "ok": True}
+        known = {"02.lambert": solved, "02.phong": solved, "05.pcf": solved | {"ok": False}}  # of phong's file it says nothing
+        (root / "build/live/verdicts.json").write_text(json.dumps(known))
+        menu = self.start(BUILD / "menu", "--events", "on", LIGHTWALK_ROOT=str(root))
+        self.assertEqual([place for place in menu.places if place.startswith("solved.")], ["solved.02_lambert_phong"])
+        self.end(menu)
+
     def test_click_starts_a_chapter_and_comes_back(self):
         menu = self.start(BUILD / "menu", "--validate", "on")
         menu.settled(0, 0, 400, 300)
