@@ -22,6 +22,7 @@ struct GreyStudy : Chapter {
     bool measures = false, rude = false;
     bool codes = false;    // the encoded picture is judged
     bool gathers = false;  // adds the previous value
+    float a_seed = 0;      // added for each seed
     History past{*this, {.name = "past", .size = {1, 1}}};
 
     GreyStudy() { name = "99_grey"; }
@@ -35,7 +36,8 @@ struct GreyStudy : Chapter {
     void frame(Frame& frame) override {
         const float before = gathers && past.valid() ? 0.125f : 0.0f;
         frame.raster("past", {.color = {past.now()}}, [](Raster&) {});
-        const float grey = before + light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
+        const float grey = before + light + a_seed * float(frame.seed) +
+                           (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         encode_srgb(frame);
     }

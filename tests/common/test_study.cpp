@@ -53,6 +53,18 @@ TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scen
     CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("a: doubling the truth's samples changes it by 0.0039"));
 }
 
+TEST_CASE_METHOD(StudyTest, "study: a truth of pictures is their mean, and half of them say how far it moves") {
+    chapter.a_seed = 0.125f;
+    study["truth"] = {{"set", {{"method", "exact"}}}, {"pictures", 4}, {"most_change", 0.125}};
+    const json result = measure();
+    CHECK(result["points"][0]["error"]["max"] == 0.1875);  // the mean of seeds 0 to 3 against 0
+    CHECK(result["scenes"]["a"]["doubling"]["max"] == 0.125);
+    CHECK(result["truth"]["doubling_change"] == 0.125);
+    CHECK(result["truth"]["pictures"] == 4);
+    study["truth"]["most_change"] = 0.124;
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("a: doubling the truth's samples changes it by 0.125"));
+}
+
 TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point's knobs, which it finds put back") {
     chapter.measures = true;
     study["error_metric"] = "missing";
