@@ -183,17 +183,26 @@ class PlanReader {
     }
 
     void read_truth(const JsonNode& truth) {
-        truth.expect_keys({"set", "doubled", "most_change", "exact"});
+        truth.expect_keys({"set", "doubled", "pictures", "most_change", "exact"});
         plan_.truth = read_set(truth["set"]);
         if (truth.has("exact")) {
             truth["exact"].expect(truth["exact"].value == true, "true");
-            for (const char* key : {"doubled", "most_change"})
+            for (const char* key : {"doubled", "pictures", "most_change"})
                 if (truth.has(key)) truth[key].refuse("does not go with \"exact\": it has no samples to double");
             return;
         }
-        if (!truth.has("doubled"))
-            truth.refuse("needs \"doubled\" and \"most_change\", or \"exact\": true where it has no samples to double");
-        plan_.doubled = read_set(truth["doubled"]);
+        if (truth.has("doubled") == truth.has("pictures"))
+            truth.refuse(
+                "needs \"doubled\" or \"pictures\", and \"most_change\", or \"exact\": true where it has no samples to "
+                "double");
+        if (truth.has("doubled")) plan_.doubled = read_set(truth["doubled"]);
+        if (truth.has("pictures")) {
+            const json& pictures = truth["pictures"].value;
+            truth["pictures"].expect(
+                pictures.is_number_unsigned() && pictures >= 2 && pictures <= 65536 && pictures.get<int>() % 2 == 0,
+                "an even integer from 2 to 65536");
+            plan_.pictures = pictures.get<int>();
+        }
         const JsonNode most = truth["most_change"];
         most.expect(most.value.is_number() && most.value >= 0, "a number from 0");
         plan_.most_change = most.value.get<double>();

@@ -62,14 +62,16 @@ struct StudyPoint {
 ///      "charts": [{"name": "lights", "title": "...", "x": "knob lights", "y": "time", "scenes": ["100 lights"],
 ///                  "methods": ["phong"], "knobs": {"samples": 4}, "x_scale": "linear"}]}
 ///
-/// A truth without samples that could be doubled has "exact": true instead of "doubled" and "most_change".
+/// A truth without samples that could be doubled has "exact": true instead of "doubled" and "most_change". "pictures": 64 in
+/// place of "doubled": the mean of so many pictures, each with a seed of its own, against that of half of them.
 /// docs/study_format.md says what each key means.
 struct StudyPlan {
     std::string title, error_metric, stage;
     std::optional<glm::uvec2> size;  ///< pixels
     int rounds = 11;
     KnobValues truth;
-    std::optional<KnobValues> doubled;  ///< none: the truth is exact
+    std::optional<KnobValues> doubled;
+    int pictures = 1;  ///< whose mean is the truth
     double most_change = 0;
     std::vector<StudyScene> scenes;
     std::vector<StudyPoint> points;      ///< every curve's: the product of the values its knobs list
@@ -77,6 +79,8 @@ struct StudyPlan {
     std::vector<double> budgets;         ///< for each of which the need rule is asked in each scene
     bool crops = false;                  ///< it is to draw crops also where whole pictures cost less
     nlohmann::json charts, metrics = nlohmann::json::object();  ///< for the result as they are; charts may be null
+
+    bool is_exact() const { return !doubled && pictures == 1; }
 };
 
 /// Throws InputError with file, line and key: a key that is missing, unknown or of a wrong type, a file that is not

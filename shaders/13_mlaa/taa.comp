@@ -158,12 +158,12 @@ void main() {
             float speed = length(motion.pixels);
             float kept = texelFetch(history, texel, 0).a;
             float worth = mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0));
-            worth = min(worth, 0.25 / max(1.0 - motion.stays, 1e-4));  // until a quarter of its light is another
+            worth = min(worth, 0.125 / max(1.0 - motion.stays, 1e-4));  // until an eighth of its slopes is another
             if (unchanged) worth = most_samples;
             count = min(abs(kept), max(worth - 1.0, 0.0));
             vec3 old = unchanged || speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
             old = to_ycocg(old);
-            if (!unchanged) old = limit(old, pixel, speed < still && kept > 0.0);
+            if (!unchanged) old = limit(old, pixel, speed < still && motion.stays >= 1.0 && kept > 0.0);
             moves = !unchanged && speed >= still;
             float weight = 1.0, old_weight = count;
 #if TAA_WEIGHTS == TAA_WEIGHTS_TONE

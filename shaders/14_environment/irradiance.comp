@@ -4,7 +4,7 @@
 #include "14_environment/cube_texel.glsl"
 #include "common/structs.h"
 
-const uint LANES = 64u;
+const uint LANES = 64u, BRIGHT_WORDS = 6u * 16u * 16u / 32u;  // of a level of at most 16 by 16
 layout(local_size_x = 64) in;  // LANES
 
 uniform sampler2DArray radiance;
@@ -12,15 +12,17 @@ layout(scalar) uniform SourceLevelBlock { int source_level; };
 layout(rgba16f) writeonly uniform image2DArray irradiance;
 
 shared vec4 sums[LANES];  // of light, and of weights
+shared uint bright[BRIGHT_WORDS];  // a bit for each texel of the small level
 
-// Light of a texel of the small level by the finest ones: a sun is where it is, not in the middle of the texel.
-vec3 light_within(uvec3 at, vec3 normal) {
-    uint size = uint(textureSize(radiance, 0).x), side = size / uint(textureSize(radiance, source_level).x);
+// Light of every LANES-th of the finest texels within one of the small level: a sun is where it is, not in the middle of the
+// texel.
+vec3 light_within(uvec3 at, vec3 normal, uint side, uint lane) {
+    float size = float(textureSize(radiance, 0).x);
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < side * side; ++i) {
+    for (uint i = lane; i < side * side; i += LANES) {
         uvec3 fine = uvec3(side * at.xy + uvec2(i % side, i / side), at.z);
-        float cosine = max(dot(normal, cube_direction(fine, float(size))), 0.0);
-        sum += cosine * texel_solid_angle(fine.xy, float(size)) * texelFetch(radiance, ivec3(fine), 0).rgb;
+        float cosine = max(dot(normal, cube_direction(fine, size)), 0.0);
+        sum += cosine * texel_solid_angle(fine.xy, size) * texelFetch(radiance, ivec3(fine), 0).rgb;
     }
     return sum;
 }
@@ -28,20 +30,30 @@ vec3 light_within(uvec3 at, vec3 normal) {
 void main() {
     uvec3 texel = gl_WorkGroupID;
     vec3 normal = cube_direction(texel, float(imageSize(irradiance).x));
-    uint lane = gl_LocalInvocationIndex, size = uint(textureSize(radiance, source_level).x);
+    uint lane = gl_LocalInvocationIndex, size = uint(textureSize(radiance, source_level).x), texels = 6u * size * size;
+    for (uint word = lane; word < BRIGHT_WORDS; word += LANES) bright[word] = 0u;
+    barrier();
     vec4 sum = vec4(0.0);
     vec3 all = vec3(0.0);  // of six faces: their last level is one texel
     for (int face = 0; face < 6; ++face) all += texelFetch(radiance, ivec3(0, 0, face), textureQueryLevels(radiance) - 1).rgb;
-    float bright = 0.005 * 4.0 / 6.0 * 3.14159265 * max(all.r, max(all.g, all.b));  // half a hundredth of all light
-    for (uint i = lane; i < 6u * size * size; i += LANES) {
+    float least = 0.005 * 4.0 / 6.0 * 3.14159265 * max(all.r, max(all.g, all.b));  // half a hundredth of all light
+    for (uint i = lane; i < texels; i += LANES) {
         uvec3 at = uvec3(i % size, i / size % size, i / (size * size));
         float angle = texel_solid_angle(at.xy, float(size));
         float weight = max(dot(normal, cube_direction(at, float(size))), 0.0) * angle;
         vec3 light = texelFetch(radiance, ivec3(at), source_level).rgb;
-        vec3 sent = weight * light;
-        if (max(light.r, max(light.g, light.b)) * angle > bright) sent = light_within(at, normal);
-        sum += vec4(sent, weight);
+        bool is_bright = max(light.r, max(light.g, light.b)) * angle > least;
+        if (is_bright) atomicOr(bright[i / 32u], 1u << i % 32u);
+        sum += vec4(is_bright ? vec3(0.0) : weight * light, weight);
     }
+    barrier();
+    // All lanes share the finest texels of each bright one. The bits are read in order, so that the sum has one.
+    for (uint word = 0u; word < BRIGHT_WORDS; ++word)
+        for (uint rest = bright[word]; rest != 0u; rest &= rest - 1u) {
+            uint i = 32u * word + uint(findLSB(rest));
+            uvec3 at = uvec3(i % size, i / size % size, i / (size * size));
+            sum.rgb += light_within(at, normal, uint(textureSize(radiance, 0).x) / size, lane);
+        }
     sums[lane] = sum;
     for (uint half_way = LANES / 2u; half_way > 0u; half_way /= 2u) {
         barrier();

@@ -8,7 +8,8 @@ Leaving lit_around(inout CoatedSurface c, vec4 frag_coord) {
     return Leaving(vec3(0.0), c.m.glow);
 #endif
 #ifdef OCCLUDED
-    sample_shift = hash3(ivec3(frag_coord.xy, 0)).xy;
+    // M. Roberts' sequence R2 over seeds: pictures of one pixel go on with each other's points.
+    sample_shift = hash3(ivec3(frag_coord.xy, 0)).xy + float(view.seed) * vec2(0.7548777, 0.5698403);
 #endif
     Leaving light = leaving(c);
     c.m.substance.mixed.specular = c.f0;

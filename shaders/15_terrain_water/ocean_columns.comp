@@ -13,9 +13,11 @@ const uint tiles_across = OCEAN_TEXELS / 4u;
 
 uint layer;  // three of one image, then three of the other
 
-// Stored without the 13 bits that a half float lacks, so that each level is the mean of the one before it.
+// Stored without the bits that a half float lacks, so that each level is the mean of the one before it: 13, and below 2^-14
+// all that are no multiple of 2^-24.
 vec4 put(int level, uvec2 at, vec4 value) {
     vec4 kept = uintBitsToFloat(floatBitsToUint(value) & 0xffffe000u);
+    kept = mix(kept, trunc(value * exp2(24.0)) * exp2(-24.0), lessThan(abs(value), vec4(exp2(-14.0))));
     if (layer < 3u)
         imageStore(moved[level], ivec3(at, layer), kept);
     else

@@ -281,6 +281,6 @@ TEST_CASE_METHOD(OnMovingWater,
         "{:.4f} "
         "with the waves'\n",
         still.x, still.y, followed.x, followed.y);
-    CHECK(followed.x < 0.75 * still.x);
+    CHECK(followed.x < 0.7 * still.x);
     CHECK(followed.y < still.y);
 }

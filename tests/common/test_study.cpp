@@ -25,6 +25,7 @@ struct GreyStudy : Chapter {
     bool measures = false, rude = false;
     bool codes = false;    // the encoded picture is judged
     bool gathers = false;  // adds the previous value
+    float a_seed = 0;      // added for each seed
     History past{*this, {.name = "past", .size = {1, 1}}};
 
     GreyStudy() { name = "99_grey"; }
@@ -38,7 +39,8 @@ struct GreyStudy : Chapter {
     void frame(Frame& frame) override {
         const float before = gathers && past.valid() ? 0.125f : 0.0f;
         frame.raster("past", {.color = {past.now()}}, [](Raster&) {});
-        const float grey = before + light + (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
+        const float grey = before + light + a_seed * float(frame.seed) +
+                           (method.is("coarse") ? 0.125f / static_cast<float>(looks.value) : 0.0f);
         frame.raster("fill", {.color = {clear(frame.hdr, glm::vec4(glm::vec3(grey), 1))}}, [](Raster&) {});
         encode_srgb(frame);
     }
@@ -138,6 +140,18 @@ TEST_CASE_METHOD(StudyTest, "study: a truth with samples is doubled in each scen
     CHECK_FALSE(result["truth"].contains("exact"));
     study["truth"]["most_change"] = 0.0039;
     CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("a: doubling the truth's samples changes it by 0.0039"));
+}
+
+TEST_CASE_METHOD(StudyTest, "study: a truth of pictures is their mean, and half of them say how far it moves") {
+    chapter.a_seed = 0.125f;
+    study["truth"] = {{"set", {{"method", "exact"}}}, {"pictures", 4}, {"most_change", 0.125}};
+    const json result = measure();
+    CHECK(result["points"][0]["error"]["max"] == 0.1875);  // the mean of seeds 0 to 3 against 0
+    CHECK(result["scenes"]["a"]["doubling"]["max"] == 0.125);
+    CHECK(result["truth"]["doubling_change"] == 0.125);
+    CHECK(result["truth"]["pictures"] == 4);
+    study["truth"]["most_change"] = 0.124;
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("a: doubling the truth's samples changes it by 0.125"));
 }
 
 TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point's knobs, which it finds put back") {
@@ -300,7 +314,11 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
         {"/curves/1/method", "\"none\"", "method=none: expected one of exact, coarse"},
         {"/curves/1/set/looks", "[1, 0]", "looks=0: expected an integer"},
         {"/curves/1/better", "\"lower\"", "key 'better' is unknown here"},
-        {"/truth", R"({"set": {}})", R"(needs "doubled" and "most_change", or "exact": true)"},
+        {"/truth", R"({"set": {}})", R"(needs "doubled" or "pictures", and "most_change", or "exact": true)"},
+        {"/truth", R"({"set": {}, "doubled": {}, "pictures": 4, "most_change": 0})",
+         R"(needs "doubled" or "pictures")"},
+        {"/truth", R"({"set": {}, "pictures": 3, "most_change": 0})", "key 'pictures' is 3, expected an even integer"},
+        {"/truth/pictures", "4", "key 'pictures' does not go with \"exact\""},
         {"/truth", R"({"set": {}, "doubled": {}})", R"(has no "most_change")"},
         {"/truth/exact", "false", "key 'exact' is false, expected true"},
         {"/truth/doubled", "{}", "key 'doubled' does not go with \"exact\""},

@@ -143,6 +143,7 @@ def truth_note(chart: Chart) -> str:
     """The reference of the errors, and its own uncertainty."""
     truth = chart.study.data["truth"]
     knobs = ", ".join(f"{name} {value}" for name, value in truth.get("knobs", {}).items())
+    knobs += f", mean of {truth['pictures']} pictures" if "pictures" in truth else ""
     named = f'Truth: {truth["method"]} ({knobs})' if truth["method"] and knobs else f'Truth: {truth["method"] or knobs}'
     change = truth.get("doubling_change")
     if truth.get("exact"):
