@@ -236,13 +236,10 @@ class PropertiesPanel : public EditorPart {
     void draw_object(EntryId id);
     void draw_offers(EntryId id);
     void draw_material(EntryId id);
-    void draw_light(EntryId id);
+    void draw_light();
+    bool draw_field(const PropertyField& field, glm::vec3& value, glm::bvec3 mixed);
     /// A field of a property of together_: an edit applies to all of them.
-    void edit(const Property& property, const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field);
-    void edit_number(const Property& property, const char* label, const char* help, float speed, float lower,
-                     float upper);
-    void edit_numbers(const Property& property, const char* label, const char* help, float speed);
-    void edit_color(const Property& property, const char* label, const char* help, float most);
+    void edit(const Property& property);
     void edit_map(const std::string& slot);
     EditorFields& fields_;
     SettingsPanel& settings_;

@@ -46,7 +46,7 @@ void PropertiesPanel::draw() {
         if (editor.document.at(id).object())
             draw_object(id);
         else
-            draw_light(id);
+            draw_light();
     }
     ImGui::PopID();
     ImGui::EndChild();
@@ -85,9 +85,11 @@ void PropertiesPanel::draw_object(EntryId id) {
     if (is_terrain(editor.document.at(id))) return ImGui::TextColored(quiet_color, "tuned under terrain, in the tree");
     const float size = std::max(glm::length(scene.bounds.empty() ? glm::vec3(1.0f) : scene.bounds.extent()), 1e-3f);
     focus_next(wants_keyboard);
-    edit_numbers(object_property("position"), "position", "Position in the parent's space, in metres", 0.001f * size);
-    edit_numbers(object_property("rotation"), "rotation", "Rotation about x, then y, then z, in degrees", 0.5f);
-    edit_numbers(object_property("scale"), "scale", "Scale along the object's own axes; negative: mirrored", 0.01f);
+    Property position = object_property("position");
+    position.field.speed = 0.001f * size;
+    edit(position);
+    edit(object_property("rotation"));
+    edit(object_property("scale"));
     if (editor.document.at(id).object()->model.empty()) return;
     draw_offers(id);
     draw_material(id);
@@ -116,17 +118,10 @@ void PropertiesPanel::draw_material(EntryId id) {
         const uint32_t object = editor.live.object_of(one);
         return object < firsts.size() ? firsts[object] : nullptr;
     };
-    const auto of = [&](const char* key) {
-        return material_property(key, [&](EntryId one) { return first(one) ? &first(one)->material : nullptr; });
-    };
     if (first(id)) ball.draw(id, *first(id));
-    edit_color(of("diffuse"), "diffuse", "Diffuse colour: the share of light that is scattered, linear", 1.0f);
-    edit_color(of("specular"), "specular", "Specular colour: the share that is reflected, linear", 1.0f);
-    edit_color(of("emissive"), "emissive", "Emitted radiance, in the unit of the scene's light", 1e4f);
-    edit_number(of("shininess"), "shininess", "Exponent of the highlight; a larger one is sharper", 1.0f, 0.0f, 1e5f);
-    edit_number(of("roughness"), "roughness", "Roughness: 0 is a mirror, 1 is dull", 0.01f, 0.0f, 1.0f);
-    edit_number(of("metalness"), "metalness", "Metalness: 0 is an insulator, 1 is a metal", 0.01f, 0.0f, 1.0f);
-    edit_number(of("opacity"), "opacity", "Opacity: 0 is invisible, 1 is opaque", 0.01f, 0.0f, 1.0f);
+    for (const Property& property :
+         material_properties([&](EntryId one) { return first(one) ? &first(one)->material : nullptr; }))
+        edit(property);
     ImGui::TextColored(quiet_color, "maps");
     log_place("module.maps");
     for (const MapSlotInfo& slot : map_slots()) edit_map(slot.name);
@@ -169,49 +164,34 @@ void PropertiesPanel::set_map(std::vector<EntryId> ids, const std::string& slot,
         }));
 }
 
-void PropertiesPanel::draw_light(EntryId id) {
-    const Light own = *editor.document.at(id).light();
-    const bool has_place = own.kind != Light::Kind::directional, is_spot = own.kind == Light::Kind::spot;
-    edit(light_property("type"), [&](glm::vec3& value, glm::bvec3 mixed) {
-        return fields_.choice("type", {"directional", "point", "spot"}, value.x, mixed.x);
-    });
-    edit_color(light_property("colour"), "color", "Colour of the light, linear", 1.0f);
-    edit_number(light_property("intensity"), "intensity", "Intensity: the factor of the colour",
-                0.02f * std::max(own.intensity, 0.1f), 0.0f, 1e6f);
-    if (own.kind != Light::Kind::point) {
-        focus_next(wants_keyboard);
-        edit(light_property("direction"), [&](glm::vec3& value, glm::bvec3 mixed) {
-            return fields_.numbers("direction", "Direction in which the light travels", value, 0.01f, mixed) &&
-                   glm::length(value) > 1e-6f;
-        });
+void PropertiesPanel::draw_light() {
+    for (const Property& property : light_properties()) {
+        if (property.name == "direction" || property.name == "position") focus_next(wants_keyboard);
+        edit(property);
     }
-    if (!has_place) {
-        edit_number(light_property("angular size"), "lamp size",
-                    "Angle that the lamp subtends, in degrees (the sun: 0.53); it softens shadows", 0.01f, 0.0f, 90.0f);
-    } else {
-        focus_next(wants_keyboard);
-        edit_numbers(light_property("position"), "position", "Position in the world, in metres", 0.01f);
-        edit_number(light_property("range"), "range", "Distance at which the light ends, in metres", 0.05f, 0.0f, 1e6f);
-        edit_number(light_property("lamp size"), "lamp size", "Diameter of the lamp, in metres; it softens shadows",
-                    0.005f, 0.0f, 1e3f);
-    }
-    if (is_spot) {
-        edit_number(light_property("inner angle"), "inner angle",
-                    "Half angle of the cone with the full intensity, in degrees", 0.2f, 0.0f, 180.0f);
-        edit_number(light_property("outer angle"), "outer angle", "Half angle of the whole cone, in degrees", 0.2f,
-                    0.0f, 180.0f);
-        edit_number(light_property("softness"), "softness", "Softness of the cone's edge", 0.01f, 0.0f, 1.0f);
-    }
-    edit(light_property("shadow"), [&](glm::vec3& value, glm::bvec3 mixed) {
-        bool on = value.x == 1.0f;
-        const bool changed = fields_.check("shadow", "Whether the light casts shadows", on, mixed.x);
-        if (changed) value.x = on ? 1.0f : 0.0f;
-        return changed;
-    });
 }
 
-void PropertiesPanel::edit(const Property& property,
-                           const std::function<bool(glm::vec3& value, glm::bvec3 mixed)>& field) {
+bool PropertiesPanel::draw_field(const PropertyField& field, glm::vec3& value, glm::bvec3 mixed) {
+    const float speed = field.speed < 0 ? -field.speed * std::max(value.x, 0.1f) : field.speed;
+    switch (field.kind) {
+        case PropertyField::number:
+            return fields_.number(field.label, field.help, value.x, speed, field.lower, field.upper, mixed.x);
+        case PropertyField::numbers:
+            return fields_.numbers(field.label, field.help, value, speed, mixed);
+        case PropertyField::color:
+            return fields_.color(field.label, field.help, value, field.upper, mixed);
+        case PropertyField::choice:
+            return fields_.choice(field.label, {"directional", "point", "spot"}, value.x, mixed.x);
+        case PropertyField::check:
+            break;
+    }
+    bool on = value.x == 1.0f;
+    const bool changed = fields_.check(field.label, field.help, on, mixed.x);
+    if (changed) value.x = on ? 1.0f : 0.0f;
+    return changed;
+}
+
+void PropertiesPanel::edit(const Property& property) {
     const SharedValue shared = shared_value(editor.document, together_, property);
     if (shared.ids.empty()) return;
     glm::vec3 value = shared.value;
@@ -219,7 +199,7 @@ void PropertiesPanel::edit(const Property& property,
     for (int i = 0; i < 3; ++i)
         if (shared.mixed[i]) value[i] = std::nextafter(value[i], INFINITY);
     const glm::vec3 before = value;
-    const bool changed = field(value, shared.mixed);
+    const bool changed = draw_field(property.field, value, shared.mixed);
     if (!resettable(editor.document, shared.ids, property).empty()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
         ImGui::PushID(property.name.c_str());
@@ -230,22 +210,6 @@ void PropertiesPanel::edit(const Property& property,
     if (!changed) return;
     fields_.refuse(set_property(editor.document, shared.ids, property, value, glm::notEqual(value, before),
                                 editor.gesture, editor.store.path));
-}
-
-void PropertiesPanel::edit_number(const Property& property, const char* label, const char* help, float speed,
-                                  float lower, float upper) {
-    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) {
-        return fields_.number(label, help, value.x, speed, lower, upper, mixed.x);
-    });
-}
-
-void PropertiesPanel::edit_numbers(const Property& property, const char* label, const char* help, float speed) {
-    edit(property,
-         [&](glm::vec3& value, glm::bvec3 mixed) { return fields_.numbers(label, help, value, speed, mixed); });
-}
-
-void PropertiesPanel::edit_color(const Property& property, const char* label, const char* help, float most) {
-    edit(property, [&](glm::vec3& value, glm::bvec3 mixed) { return fields_.color(label, help, value, most, mixed); });
 }
 
 // It is drawn when nobody drags: a new material means its textures' levels again.

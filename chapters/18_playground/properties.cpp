@@ -21,19 +21,24 @@ bool is_object(const Entry& entry) { return entry.object(); }
 bool has_model(const Entry& entry) { return entry.object() && !entry.object()->model.empty(); }
 
 template <class Value>
-Property of_light(const char* name, bool (*has)(const Entry&), Value Light::*field) {
-    return {name, has, [=](EntryId, const Entry& entry) { return glm::vec3(entry.light()->*field); },
+Property of_light(const char* name, bool (*has)(const Entry&), Value Light::*field, const PropertyField& shown) {
+    return {name,
+            has,
+            [=](EntryId, const Entry& entry) { return glm::vec3(entry.light()->*field); },
             [=](Entry& entry, const glm::vec3& value) {
                 if constexpr (std::is_same_v<Value, glm::vec3>)
                     entry.light()->*field = value;
                 else
                     entry.light()->*field = static_cast<Value>(value.x);
             },
-            [=](Entry& entry) { entry.light()->*field = Light().*field; }};
+            [=](Entry& entry) { entry.light()->*field = Light().*field; },
+            shown};
 }
 
-Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light::*field) {
-    return {name, has, [=](EntryId, const Entry& entry) { return glm::vec3(glm::degrees(entry.light()->*field)); },
+Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light::*field, const PropertyField& shown) {
+    return {name,
+            has,
+            [=](EntryId, const Entry& entry) { return glm::vec3(glm::degrees(entry.light()->*field)); },
             [=](Entry& entry, const glm::vec3& value) {
                 Light& light = *entry.light();
                 light.*field = glm::radians(value.x);
@@ -43,20 +48,25 @@ Property angle_of_light(const char* name, bool (*has)(const Entry&), float Light
                 Light& light = *entry.light();
                 light.*field = Light().*field;
                 light.inner_rad = std::min(light.inner_rad, light.outer_rad);
-            }};
+            },
+            shown};
 }
 
-Property of_object(const char* name, glm::vec3 SceneObject::*field) {
-    return {name, is_object, [=](EntryId, const Entry& entry) { return entry.object()->*field; },
+Property of_object(glm::vec3 SceneObject::*field, const PropertyField& shown) {
+    return {shown.label,
+            is_object,
+            [=](EntryId, const Entry& entry) { return entry.object()->*field; },
             [=](Entry& entry, const glm::vec3& value) { entry.object()->*field = value; },
-            [=](Entry& entry) { entry.object()->*field = SceneObject().*field; }};
+            [=](Entry& entry) { entry.object()->*field = SceneObject().*field; },
+            shown};
 }
 
 template <class Value>
-Property of_material(const std::string& name, std::optional<Value> MaterialOverride::*field, Value otherwise,
+Property of_material(std::optional<Value> MaterialOverride::*field, Value otherwise, const PropertyField& shown,
                      const std::function<const MaterialNumbers*(EntryId)>& own = {},
                      Value MaterialNumbers::*own_field = nullptr) {
-    return {name, has_model,
+    return {shown.label,
+            has_model,
             [=](EntryId id, const Entry& entry) {
                 if (const auto& given = entry.object()->material.*field) return glm::vec3(*given);
                 const MaterialNumbers* material = own ? own(id) : nullptr;
@@ -68,7 +78,8 @@ Property of_material(const std::string& name, std::optional<Value> MaterialOverr
                 else
                     entry.object()->material.*field = value.x;
             },
-            [=](Entry& entry) { (entry.object()->material.*field).reset(); }};
+            [=](Entry& entry) { (entry.object()->material.*field).reset(); },
+            shown};
 }
 
 const Property& named(const std::vector<Property>& all, const std::string& name) {
@@ -79,49 +90,91 @@ const Property& named(const std::vector<Property>& all, const std::string& name)
 
 }  // namespace
 
-const Property& light_property(const std::string& name) {
+const std::vector<Property>& light_properties() {
     static const std::vector<Property> all = [] {
-        Property direction = of_light("direction", has_direction, &Light::direction);
+        Property direction =
+            of_light("direction", has_direction, &Light::direction,
+                     {PropertyField::numbers, "direction", "Direction in which the light travels", 0.01f});
         direction.set = [](Entry& entry, const glm::vec3& value) {
             if (glm::length(value) > 1e-6f) entry.light()->direction = glm::normalize(value);
         };
-        Property type{"type", is_light,
-                      [](EntryId, const Entry& entry) { return glm::vec3(float(entry.light()->kind)); },
-                      [](Entry& entry, const glm::vec3& value) { entry.light()->kind = static_cast<Kind>(value.x); }};
-        return std::vector<Property>{type,
-                                     direction,
-                                     of_light("colour", is_light, &Light::color),
-                                     of_light("intensity", is_light, &Light::intensity),
-                                     of_light("position", has_place, &Light::position),
-                                     of_light("range", has_place, &Light::range_m),
-                                     of_light("lamp size", has_place, &Light::size_m),
-                                     of_light("softness", is_spot, &Light::softness),
-                                     of_light("shadow", is_light, &Light::shadow),
-                                     angle_of_light("angular size", is_sun, &Light::size_rad),
-                                     angle_of_light("inner angle", is_spot, &Light::inner_rad),
-                                     angle_of_light("outer angle", is_spot, &Light::outer_rad)};
+        const Property type{
+            .name = "type",
+            .has = is_light,
+            .get = [](EntryId, const Entry& entry) { return glm::vec3(float(entry.light()->kind)); },
+            .set = [](Entry& entry, const glm::vec3& value) { entry.light()->kind = static_cast<Kind>(value.x); },
+            .field = {PropertyField::choice, "type", ""}};
+        constexpr auto number = PropertyField::number;
+        return std::vector<Property>{
+            type,
+            of_light("colour", is_light, &Light::color,
+                     {PropertyField::color, "color", "Colour of the light, linear", 0, 0, 1}),
+            of_light("intensity", is_light, &Light::intensity,
+                     {number, "intensity", "Intensity: the factor of the colour", -0.02f, 0, 1e6f}),
+            direction,
+            angle_of_light(
+                "angular size", is_sun, &Light::size_rad,
+                {number, "lamp size", "Angle that the lamp subtends, in degrees (the sun: 0.53); it softens shadows",
+                 0.01f, 0, 90}),
+            of_light("position", has_place, &Light::position,
+                     {PropertyField::numbers, "position", "Position in the world, in metres", 0.01f}),
+            of_light("range", has_place, &Light::range_m,
+                     {number, "range", "Distance at which the light ends, in metres", 0.05f, 0, 1e6f}),
+            of_light("lamp size", has_place, &Light::size_m,
+                     {number, "lamp size", "Diameter of the lamp, in metres; it softens shadows", 0.005f, 0, 1e3f}),
+            angle_of_light(
+                "inner angle", is_spot, &Light::inner_rad,
+                {number, "inner angle", "Half angle of the cone with the full intensity, in degrees", 0.2f, 0, 180}),
+            angle_of_light("outer angle", is_spot, &Light::outer_rad,
+                           {number, "outer angle", "Half angle of the whole cone, in degrees", 0.2f, 0, 180}),
+            of_light("softness", is_spot, &Light::softness,
+                     {number, "softness", "Softness of the cone's edge", 0.01f, 0, 1}),
+            of_light("shadow", is_light, &Light::shadow,
+                     {PropertyField::check, "shadow", "Whether the light casts shadows"})};
     }();
-    return named(all, name);
+    return all;
 }
+
+const Property& light_property(const std::string& name) { return named(light_properties(), name); }
 
 const Property& object_property(const std::string& name) {
-    static const std::vector<Property> all{of_object("position", &SceneObject::position),
-                                           of_object("rotation", &SceneObject::rotation_deg),
-                                           of_object("scale", &SceneObject::scale)};
+    static const std::vector<Property> all{
+        of_object(&SceneObject::position,
+                  {PropertyField::numbers, "position", "Position in the parent's space, in metres"}),
+        of_object(&SceneObject::rotation_deg,
+                  {PropertyField::numbers, "rotation", "Rotation about x, then y, then z, in degrees", 0.5f}),
+        of_object(&SceneObject::scale,
+                  {PropertyField::numbers, "scale", "Scale along the object's own axes; negative: mirrored", 0.01f})};
     return named(all, name);
 }
 
-Property material_property(const std::string& name, std::function<const MaterialNumbers*(EntryId)> own) {
+std::vector<Property> material_properties(const std::function<const MaterialNumbers*(EntryId)>& own) {
     using Override = MaterialOverride;
     const MaterialNumbers plain;
-    if (name == "diffuse") return of_material(name, &Override::diffuse, plain.diffuse, own, &Material::diffuse);
-    if (name == "specular") return of_material(name, &Override::specular, plain.specular, own, &Material::specular);
-    if (name == "emissive") return of_material(name, &Override::emissive, plain.emissive, own, &Material::emissive);
-    if (name == "shininess") return of_material(name, &Override::shininess, plain.shininess, own, &Material::shininess);
-    if (name == "opacity") return of_material(name, &Override::opacity, plain.opacity, own, &Material::opacity);
-    if (name == "roughness") return of_material(name, &Override::roughness, plain.roughness);
-    if (name == "metalness") return of_material(name, &Override::metalness, plain.metalness);
-    throw Failure("there is no property '{}'", name);
+    constexpr auto number = PropertyField::number, color = PropertyField::color;
+    return {
+        of_material(&Override::diffuse, plain.diffuse,
+                    {color, "diffuse", "Diffuse colour: the share of light that is scattered, linear", 0, 0, 1}, own,
+                    &Material::diffuse),
+        of_material(&Override::specular, plain.specular,
+                    {color, "specular", "Specular colour: the share that is reflected, linear", 0, 0, 1}, own,
+                    &Material::specular),
+        of_material(&Override::emissive, plain.emissive,
+                    {color, "emissive", "Emitted radiance, in the unit of the scene's light", 0, 0, 1e4f}, own,
+                    &Material::emissive),
+        of_material(&Override::shininess, plain.shininess,
+                    {number, "shininess", "Exponent of the highlight; a larger one is sharper", 1, 0, 1e5f}, own,
+                    &Material::shininess),
+        of_material(&Override::roughness, plain.roughness,
+                    {number, "roughness", "Roughness: 0 is a mirror, 1 is dull", 0.01f, 0, 1}),
+        of_material(&Override::metalness, plain.metalness,
+                    {number, "metalness", "Metalness: 0 is an insulator, 1 is a metal", 0.01f, 0, 1}),
+        of_material(&Override::opacity, plain.opacity,
+                    {number, "opacity", "Opacity: 0 is invisible, 1 is opaque", 0.01f, 0, 1}, own, &Material::opacity)};
+}
+
+Property material_property(const std::string& name, const std::function<const MaterialNumbers*(EntryId)>& own) {
+    return named(material_properties(own), name);
 }
 
 std::string short_number(float value, const std::function<bool(const std::string&)>& fits) {

@@ -4,6 +4,14 @@
 
 namespace lightwalk {
 
+/// A property's row in the panel.
+struct PropertyField {
+    enum Kind { number, numbers, color, check, choice } kind = number;
+    const char *label, *help;
+    float speed = 0;  ///< of a drag, a pixel; below 0: times the value
+    float lower = 0, upper = 0;
+};
+
 /// One number of an entry or three, in the units that a person reads: degrees, and 0 or 1 for a switch.
 struct Property {
     std::string name;                       ///< as a step says it: "colour"
@@ -11,6 +19,7 @@ struct Property {
     std::function<glm::vec3(EntryId, const Entry&)> get;
     std::function<void(Entry&, const glm::vec3&)> set;
     std::function<void(Entry&)> reset = {};  ///< to what holds where the file says nothing; none: nothing does
+    PropertyField field = {};
 };
 
 /// A common value of several entries.
@@ -21,15 +30,17 @@ struct SharedValue {
 };
 
 /// type (as Light::Kind), colour, intensity, direction, angular size, position, range, lamp size, inner angle, outer
-/// angle, softness or shadow.
+/// angle, softness or shadow: the panel's rows in order.
+const std::vector<Property>& light_properties();
 const Property& light_property(const std::string& name);
 
 /// position, rotation or scale.
 const Property& object_property(const std::string& name);
 
-/// diffuse, specular, emissive, shininess, roughness, metalness or opacity of an object with a model. `own`: the
+/// diffuse, specular, emissive, shininess, roughness, metalness and opacity of an object with a model. `own`: the
 /// model's own material, which holds where the object overrides nothing; null: not known.
-Property material_property(const std::string& name, std::function<const MaterialNumbers*(EntryId)> own);
+std::vector<Property> material_properties(const std::function<const MaterialNumbers*(EntryId)>& own);
+Property material_property(const std::string& name, const std::function<const MaterialNumbers*(EntryId)>& own);
 
 /// A number where there is little room: at most five digits, as many as fit; one where none do.
 std::string short_number(float value, const std::function<bool(const std::string&)>& fits);
