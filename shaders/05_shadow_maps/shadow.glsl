@@ -85,8 +85,10 @@ const float initial_bias_m = 0.002;  // as the module has it
 Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 to_light, float reach) {
     float cosine = clamp(dot(facing, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
-    // The initial constant is two texels at most, so that it is small where the whole scene is.
-    float constant = shadow.bias_m == initial_bias_m ? min(initial_bias_m, 2.0 * texel) : shadow.bias_m;
+    // The initial constant is two texels at most, so that it is small where the whole scene is, and at least some steps of
+    // the map's floats.
+    float least = exp2(-19.0) * (view.far - view.near);
+    float constant = shadow.bias_m == initial_bias_m ? max(min(initial_bias_m, 2.0 * texel), least) : shadow.bias_m;
     float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
     // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
