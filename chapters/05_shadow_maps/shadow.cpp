@@ -187,8 +187,10 @@ void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights
     const bool has_cascades = std::ranges::any_of(
         *lights, [](const Light& light) { return light.shadow && light.kind == Light::Kind::directional; });
     now_ = &by_view_[has_cascades ? view.id : 0];
-    // The default bias is at most two texels, so that it stays small in small scenes.
-    now_->eye = {view.eye, view.pixel_rad(), bias_m.changed() ? 1e30f : 2.0f};
+    // The default bias is at most two texels, so that it is small where the whole scene is, and at least some steps of the
+    // map's floats.
+    now_->eye = bias_m.changed() ? ShadowEye{view.eye, view.pixel_rad(), 1e30f, 0.0f}
+                                 : ShadowEye{view.eye, view.pixel_rad(), 2.0f, std::exp2(-19.0f)};
 
     // 1. The lights' views, if a light, the camera of cascades, a caster or a knob has changed.
     std::vector<float> reach_m;

@@ -62,9 +62,9 @@ void LiveChapter::draw(Frame& frame, const Picture& picture) {
 
 namespace {
 
-std::vector<std::string> exercises_where(const std::function<bool(std::string_view number)>& wanted) {
+std::vector<std::string> exercises_where(const std::function<bool(std::string_view number)>& is_asked) {
     std::vector<std::string> result = Exercises::ids();
-    std::erase_if(result, [&](const std::string& id) { return !wanted(std::string_view(id).substr(0, 2)); });
+    std::erase_if(result, [&](const std::string& id) { return !is_asked(std::string_view(id).substr(0, 2)); });
     return result;
 }
 

@@ -30,11 +30,12 @@ struct ShadowLight {
     float size;  // lamp diameter, metres; directional: 2 tan of the angular radius
 };
 
-// Camera data for filter widths, and the bias's limit.
+// Camera data for filter widths, and the limits of the constant bias.
 struct ShadowEye {
     vec3 position;      // metres, world space
     float pixel;        // pixel width at 1 m, metres
-    float bias_texels;  // upper limit of the constant bias
+    float bias_texels;  // upper limit of the constant bias, in texels
+    float least_bias;   // its lower limit, as a fraction of the view's depth range
 };
 
 #ifndef __cplusplus
