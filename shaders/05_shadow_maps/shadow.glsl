@@ -75,7 +75,8 @@ float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.t
 Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, float reach) {
     float cosine = clamp(dot(plane, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
-    float constant = max(min(shadow.bias_m, shadow_eye.bias_texels * texel), shadow_eye.least_bias * (view.far - view.near));
+    float least = shadow_eye.least_bias * (view.far - view.near);
+    float constant = max(min(shadow.bias_m, shadow_eye.bias_texels * texel), least);
     float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
     // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
