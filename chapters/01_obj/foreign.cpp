@@ -64,8 +64,8 @@ uint32_t checked(int index, size_t count, bool required, const std::string& name
 }
 
 // A stream over memory that is not copied.
-struct View : std::streambuf {
-    explicit View(std::string_view text) {
+struct TextBuffer : std::streambuf {
+    explicit TextBuffer(std::string_view text) {
         char* begin = const_cast<char*>(text.data());
         setg(begin, begin, begin + text.size());
     }
@@ -104,7 +104,7 @@ ObjData parse_tinyobjloader(std::string_view text, const std::string& name) {
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
-    View view(text);
+    TextBuffer view(text);
     std::istream in(&view);
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in, &number_materials, true, false)) {
         const size_t end = error.find_first_of("\r\n");
