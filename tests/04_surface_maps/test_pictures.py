@@ -136,6 +136,22 @@ class PicturesTest(ChapterPictures):
             with self.subTest(repeats=repeats):
                 self.assertAlmostEqual(kept, 0.5, delta=0.1)
 
+    def test_far_grass_covers_what_many_samples_of_it_cover(self):
+        blade = {"model": "models/plane.obj", "rotation_deg": [90, 0, 0],
+                 "material": {"diffuse": [0, 0, 0], "maps": {"diffuse": str(TEXTURES / "grass_cutout.png")}}}
+        scene = {"camera": {"position": [0, 0, 18], "target": [0, 0, 0], "fov_deg": 30}, "background": [1, 1, 1],
+                 "ambient": [0, 0, 0], "lights": [],
+                 "objects": [blade | {"position": [x, y, 0]} for x in range(-5, 6) for y in range(-3, 4)]}
+
+        def share(*options, size="160x90"):
+            codes = Image.open(self.draw(scene, *options, size=size)).convert("L").tobytes()
+            return sum(code < 128 for code in codes) / len(codes)
+
+        truth = share(size="2560x1440")  # where every texel has a pixel
+        kept, averaged = share("--maps.coverage", "kept"), share("--maps.coverage", "averaged")
+        self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
+        self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
+
     # --- hits
 
     def test_exact_hits_look_like_the_displaced_mesh(self):
