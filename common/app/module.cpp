@@ -15,15 +15,17 @@ namespace lightwalk {
 Module::Module(Module& owner, std::string name, std::string kind, std::source_location where)
     : owner_(&owner), kind_(std::move(kind)) {
     path_ = owner.path_.empty() || name.empty() ? owner.path_ + name : owner.path_ + "." + name;
-    if (kind_.empty()) kind_ = name;
+    const bool has_kind = !kind_.empty();
+    if (!has_kind) kind_ = name;
     const auto fail = [&](std::string_view why) {
         throw Failure("{}: module '{}': {}", place_of(where), path_.empty() ? name : path_, why);
     };
     if (!name.empty() && !is_macro_word(name)) fail(a_macro_word);
     if (!kind_.empty() && !is_macro_word(kind_)) fail("its kind '" + kind_ + "' is no name for GLSL");
     if (kind_ == "knobs" || kind_ == "view") fail("the block '" + kind_ + "' is not a module's; take another name");
+    // Parts of one thing may share its name (a scene and its surfaces), not two of a kind.
     for (const Member& other : owner.members_)
-        if (!name.empty() && other.module && other.module->path_ == path_)
+        if (has_kind && !name.empty() && other.module && other.module->path_ == path_ && other.module->kind_ == kind_)
             fail("another module has this name; give one another");
     if (!kind_.empty()) block_name_ = BindingName(kind_).hash;
     owner.members_.push_back({.module = this});
