@@ -139,7 +139,6 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) {  // while its shader does not compile, what it would write is left as it is
-        for (Stated& one : lists_.stated) one.bound = true;
         frame.note_writes(lists_.stated, nullptr);
         return;
     }
@@ -216,19 +215,10 @@ void Pass::check_sampler(const std::source_location& where, const Binding& bindi
         fail(where, ": '{}' compares depths in the shader, and {} is no depth image", binding.name, view.name());
 }
 
-// Images that a variant of the shader does not store to count as well: its source does.
-void Pass::note_bound(const Binding& binding, std::span<const ImageView> views) const {
-    if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE || !binding.writable) return;
-    for (const ImageView& view : views)
-        for (Stated& one : lists_.stated)
-            if (one.writable && view && one.resource.view && one.resource.view.overlaps(view)) one.bound = true;
-}
-
 void Pass::check_written() const {
     for (const Stated& one : lists_.stated) {
         const ImageView& view = one.resource.view;
         if (!one.writable || !view) continue;
-        if (!one.bound) fail(where_, " states {} in its writes, and sets it nowhere as an image to write", view.name());
         if (view.image->written_in != frame.number())
             fail(where_, " states {} in its writes, and draws and dispatches nothing", view.name());
     }
@@ -275,7 +265,6 @@ VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const 
 
 void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> views, const Sampler& sampler) {
     const Binding* found = find(name_in_shader);
-    if (!found && pipeline_ && !name_in_shader.by_slot) note_bound(*pipeline_->find(name_in_shader.name), views);
     if (!found) return;
     const Binding& binding = *found;
     const std::source_location& where = name_in_shader.where;
@@ -294,7 +283,6 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
         store(binding, i, lists_.image_infos, info);
         lists_.views[binding.first + i] = view;
     }
-    note_bound(binding, views);
     missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
 }
 
