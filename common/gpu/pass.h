@@ -147,7 +147,6 @@ class Pass {
     void check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const;
     void check_sampler(const std::source_location& where, const Binding& binding, const ImageView& view,
                        const Sampler& sampler) const;
-    void note_bound(const Binding& binding, std::span<const ImageView> views) const;
     void check_not_sampled() const;
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);

@@ -67,7 +67,6 @@ struct Stated {
     Resource resource;
     VkImageLayout layout;
     bool read, writable;
-    bool bound = false;  ///< as an image that a shader writes
 };
 
 struct Rendering {
