@@ -119,7 +119,7 @@ void Frame::check_reads(const std::string& pass, const std::vector<Stated>& stat
 
 void Frame::note_writes(const std::vector<Stated>& stated, const Rendering* targets) const {
     for (const Stated& one : stated)
-        if (one.bound && one.resource.view) one.resource.view.image->written_in = number();
+        if (one.writable && one.resource.view) one.resource.view.image->written_in = number();
     if (!targets) return;
     for (const auto& [view, access] : targets->accesses)
         if (access.writes) view.image->written_in = number();
@@ -198,7 +198,6 @@ void Frame::transfer(const std::string& name, const ComputeAccess& access, Funct
         state(stated, name, access.reads, access.writes);
         commands = begin_pass(name, "transfer");
     });
-    for (Stated& one : stated) one.bound = one.writable;
     note_writes(stated, nullptr);
     if (watch_.listener) watch_.listener->does_more("the transfer pass '" + name + "'");
     Barriers barriers;
