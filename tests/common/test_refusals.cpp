@@ -390,7 +390,9 @@ TEST_CASE("a knob's default is one of its values", "[refused]") {
 TEST_CASE("a module has a name of its own", "[refused]") {
     Root root;
     const Tint tint{root, "tint", "tint"};
-    refused("module 'tint': another module has this name; give one another", [&] { const Tint twice{root, "tint", "tint"}; });
+    refused("module 'tint': another module has this name; give one another", [&] {
+        const Tint twice{root, "tint", "tint"};
+    });
     refused("module 'my tint': a name is a letter, then letters, digits and _: it becomes a macro", [&] {
         const Tint spaced{root, "my tint"};
     });
