@@ -3,7 +3,6 @@
 #include "common/base/files.h"
 
 namespace lightwalk {
-
 namespace {
 
 // MurmurHash3's finalizer, variant 13 (D. Stafford, 2011): without it, changes of two macros can cancel.

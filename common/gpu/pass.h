@@ -66,7 +66,7 @@ class Pass {
 
     bool wants(const BindingName& binding) const { return static_cast<bool>(slot(binding)); }
 
-    /// Throws Failure for an image stated in writes that no shader of the pass had as an image to write.
+    /// Throws Failure if the pass states an image in its writes, and draws and dispatches nothing.
     void check_written() const;
 
     struct Name {

@@ -31,7 +31,7 @@ HELP = """Builds what the tests need, runs them and writes build/report/index.ht
                                  the main one, on that since its parent. Where no more than chapters has changed, of platform
                                  theirs alone.
   ./course test --with-changed [COMMIT]    all of first and engine, and those of platform that these files concern, if they are
-                                 few: what a CI runs
+                                 few
   ./course test --sanitize       these tests under the sanitizers of addresses and of undefined behaviour
   ./course test --shard 3/16 --out F    part 3 of 16, into the folder F, for a CI's matrix; --merge F writes the report of all
   ./course test --device NAME    every shot and every check on one device, such as a graphics card (hardware), within limits of
