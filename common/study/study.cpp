@@ -197,22 +197,23 @@ class SceneStudy {
         }
         return result;
     }
-    // Milliseconds of a point's passes, also of a table's. On a GPU of a second frame: a table made by the processor lets the
-    // clock fall in the first.
+    // Milliseconds of a point's passes; of those of its first frame alone, such as a table's, unless the plan leaves them
+    // out. A GPU's are of a second frame: a table made by the processor lets the clock fall in the first.
     std::vector<std::pair<std::string, double>> times_of(const StudyPoint& point, ClockWarmer& load) {
-        load.run();
-        draw(point);
-        std::vector<std::pair<std::string, double>> times;
-        for (const PassTime& pass : frame_.times) times.emplace_back(pass.name, pass.gpu_ms);
-        if (frame_.gpu.device.software_paths) return times;
-        const auto is_again = [&](const auto& first) {
-            return std::ranges::any_of(frame_.times, [&](const PassTime& p) { return p.name == first.first; });
+        std::vector<std::pair<std::string, double>> first, second;
+        const auto draw_into = [&](auto& times) {
+            load.run();
+            draw(point);
+            for (const PassTime& pass : frame_.times) times.emplace_back(pass.name, pass.gpu_ms);
         };
-        load.run();
-        draw(point);
-        std::erase_if(times, is_again);
-        for (const PassTime& pass : frame_.times) times.emplace_back(pass.name, pass.gpu_ms);
-        return times;
+        draw_into(first);
+        if (frame_.gpu.device.software_paths && !plan_.each_frame) return first;
+        draw_into(second);
+        if (plan_.each_frame) return second;
+        for (const auto& pass : first)
+            if (std::ranges::find(frame_.times, pass.first, &PassTime::name) == frame_.times.end())
+                second.push_back(pass);
+        return second;
     }
     const StudyPlan& plan_;
     Chapter& chapter_;

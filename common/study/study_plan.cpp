@@ -81,10 +81,10 @@ class PlanReader {
     }
 
     StudyPlan read(const JsonNode& study) {
-        study.expect_keys({"title",       "module",    "error_metric", "stage",      "size",    "rounds",
-                           "truth",       "scenes",    "curves",       "charts",     "better",  "metrics",
-                           "generate",    "test_size", "test_scenes",  "candidates", "budgets", "crops",
-                           "method_knob", "verdicts",  "unsteady"});
+        study.expect_keys({"title",   "module",      "error_metric", "stage",       "size",       "rounds",
+                           "times",   "truth",       "scenes",       "curves",      "charts",     "better",
+                           "metrics", "generate",    "test_size",    "test_scenes", "candidates", "budgets",
+                           "crops",   "method_knob", "verdicts",     "unsteady"});
         plan_.title = study["title"].text();
         if (study.has("method_knob")) {
             method_ = &find(study["method_knob"], study["method_knob"].text());
@@ -104,6 +104,10 @@ class PlanReader {
             const json& rounds = study["rounds"].value;
             study["rounds"].expect(rounds.is_number_integer() && rounds >= 1 && rounds <= 100000, "an integer from 1");
             plan_.rounds = rounds.get<int>();
+        }
+        if (study.has("times")) {
+            study["times"].one_of({"each_frame"}, "\"each_frame\"");
+            plan_.each_frame = true;
         }
         read_truth(study["truth"]);
         for (const JsonNode& curve : study["curves"].items()) read_curve(curve, plan_.points);

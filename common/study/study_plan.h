@@ -78,6 +78,7 @@ struct StudyPlan {
     std::vector<StudyPoint> candidates;  ///< the need rule's candidates; default: the points
     std::vector<double> budgets;         ///< for each of which the need rule is asked in each scene
     bool crops = false;                  ///< it is to draw crops also where whole pictures cost less
+    bool each_frame = false;             ///< times leave out passes that ran in a point's first frame alone
     nlohmann::json charts, metrics = nlohmann::json::object();  ///< for the result as they are; charts may be null
 
     bool is_exact() const { return !doubled && pictures == 1; }

@@ -25,6 +25,8 @@ struct GreyStudy : Chapter {
     bool measures = false, rude = false;
     bool codes = false;    // the encoded picture is judged
     bool gathers = false;  // adds the previous value
+    bool tables = false;   // a pass makes a table in the first frame with a knob's value
+    std::string table_of;  // the knobs that it was made with
     float a_seed = 0;      // added for each seed
     History past{*this, {.name = "past", .size = {1, 1}}};
 
@@ -37,6 +39,8 @@ struct GreyStudy : Chapter {
         prepared.emplace_back(file, light.value);
     }
     void frame(Frame& frame) override {
+        if (const std::string now = method.text() + " " + looks.text(); tables && std::exchange(table_of, now) != now)
+            frame.raster("table", {.color = {clear(frame.hdr, glm::vec4(0))}}, [](Raster&) {});
         const float before = gathers && past.valid() ? 0.125f : 0.0f;
         frame.raster("past", {.color = {past.now()}}, [](Raster&) {});
         const float grey = before + light + a_seed * float(frame.seed) +
@@ -119,6 +123,18 @@ TEST_CASE_METHOD(StudyTest, "study: what a scene sets holds for its points, its 
         for (const json& pass : measured["time_ms"]["per_pass"]) sum += pass.get<double>();
         CHECK(measured["time_ms"]["median"].get<double>() == Approx(sum));
     }
+}
+
+TEST_CASE_METHOD(StudyTest, "study: a table counts, or is left out of what each frame costs") {
+    chapter.tables = true;
+    for (const bool each_frame : {false, true}) {
+        if (each_frame) study["times"] = "each_frame";
+        const json result = measure();
+        REQUIRE(result["points"].size() == 6);
+        for (const json& point : result["points"]) CHECK(point["time_ms"]["per_pass"].contains("table") != each_frame);
+    }
+    study["times"] = "tables";
+    CHECK_THAT(refusal(), Catch::Matchers::Contains("\"each_frame\""));
 }
 
 TEST_CASE_METHOD(StudyTest, "study: a scene of another chapter may name modules that this one lacks",
