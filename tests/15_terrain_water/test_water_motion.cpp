@@ -260,20 +260,24 @@ TEST_CASE_METHOD(OnMovingWater,
         }
         return sum;
     };
-    const int last = 14;
-    const ImageRgb before = truth(last - 1), now = truth(last);
+    const int first = 14, count = 8;  // frames compared, once the history stands: one round of the shifts
+    std::vector<ImageRgb> truths;
+    for (int i = first - 1; i < first + count; ++i) truths.push_back(truth(i));
     const auto errors = [&](bool follows) {
         taa.motion.value = follows;
         owner.forget_history();
-        ImageRgb found[2];
-        for (int i = 0; i <= last; ++i) found[i % 2] = lit(i, taa.accumulation().shift(i), true);
         glm::dvec2 sum(0);
-        for (size_t p = 0; p < now.pixels.size(); ++p) {
-            const glm::vec3 off = found[last % 2].pixels[p] - now.pixels[p];
-            const glm::vec3 old = found[1 - last % 2].pixels[p] - before.pixels[p];
-            sum += glm::dvec2(glm::length(off), glm::length(off - old)) / double(now.pixels.size());
+        ImageRgb before;
+        for (int i = 0; i < first + count; ++i) {
+            ImageRgb found = lit(i, taa.accumulation().shift(i), true);
+            if (i < first - 1) continue;
+            const ImageRgb& right = truths[size_t(i - first + 1)];
+            for (size_t p = 0; p < right.pixels.size(); ++p) found.pixels[p] -= right.pixels[p];
+            for (size_t p = 0; i >= first && p < right.pixels.size(); ++p)
+                sum += glm::dvec2(glm::length(found.pixels[p]), glm::length(found.pixels[p] - before.pixels[p]));
+            before = std::move(found);
         }
-        return sum;
+        return sum / double(count * size.x * size.y);
     };
     const glm::dvec2 still = errors(false), followed = errors(true);
     fmt::print(
