@@ -57,6 +57,7 @@ def pieces(text: str) -> list[tuple[int, str]]:
 
 def printed_on(page: Path, text: str) -> list[Printed]:
     found, known = [], {chapter[:2]: chapter for chapter in chapters()}
+    made = set(re.findall(r"\./course new (\d\d)", text))  # a page's example, which is in nobody's tree
     for line, piece in pieces(text):
         loops = LOOP.findall(piece)
         for values in itertools.product(*(values.split() for _, values in loops)):
@@ -65,7 +66,7 @@ def printed_on(page: Path, text: str) -> list[Printed]:
                 here = re.sub(rf"\$(?:{name}\b|\{{{name}\}})", value, here)
             for match in PROGRAM.finditer(here):
                 words = shlex.split(match[3])
-                if words != ["..."] and selected("run", words) == "run" and not {"NAME", "NN"} & set(words):
+                if match[1] not in made and words != ["..."] and selected("run", words) == "run" and not {"NAME", "NN"} & set(words):
                     found.append(Printed(page, line, match[2] or known.get(match[1], match[1]), tuple(words)))
     return found
 
