@@ -133,7 +133,7 @@ double under_lamp(const Light& lamp, double n_dot_v, double alpha, double f0) {
     const double radiance = double(lamp.intensity) * half_turn / area * (is_tube ? 1 : 1 + radius * radius / away);
     const glm::dvec3 facing = glm::normalize(glm::cross(x, y));
     double sum = 0;
-    const int side = 1200;
+    const int side = 400;
     for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
             const double a = 2 * (i + 0.5) / side - 1, b = 2 * (j + 0.5) / side - 1;
