@@ -6,8 +6,8 @@
 
 layout(scalar) uniform BeatNowBlock { BeatNow beat_now; };
 
-// Doublings of the surroundings' radiance over its mean. Their logarithm, for the brightest texel of a sky has 300 to
-// 15,000 times the mean, and of a blurred level, for the sphere's triangles cannot follow single texels.
+// Doublings of the surroundings' radiance over its mean. Their logarithm, for the brightest texel of a sky has 70 to
+// 47,000 times the mean, and of a blurred level, for the sphere's triangles cannot follow single texels.
 float doublings(vec3 n) {
     vec3 light = textureLod(image_light_radiance, environment_space(n), beat_now.blur).rgb;
     float mean = 0.282095 * luminance(image_light_sh[0].rgb);

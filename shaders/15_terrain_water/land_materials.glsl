@@ -19,7 +19,7 @@ struct Texel {
 };
 
 // [scales]
-// Three scales: the texture itself, and its own heights 7 and 61 times as large, which no eye takes for a repetition.
+// Three scales: the texture itself, and its own heights 7 and 62 times as large, which no eye takes for a repetition.
 Texel texel_of(int layer, vec2 uv_m, float tile_m, float footprint_m) {
     vec2 uv = uv_m / tile_m;
     float level = log2(max(footprint_m / tile_m * 512.0, 1.0));
