@@ -1,4 +1,5 @@
 // Chapter 06: deferred shading, surfaces stored first and lit afterwards.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "01_obj/model_chapter.h"
@@ -25,6 +26,13 @@ struct Deferred : ModelChapter {
                 "or only the triangles that geometry removes (left_out)"};
     Knob<int> overdraw{*this, "overdraw", 1, {1, 64}, "Overdraw: number of times each surface is drawn"};
     Knob<bool> prepass{*this, "prepass", false, "Depth prepass, so that each pixel is shaded or written once"};
+    Choice order{
+        *this,
+        "order",
+        {"file", "front_to_back", "random", "back_to_front"},
+        "file",
+        "Order in which opaque objects are drawn: the scene file's, with equal meshes in one call (file); or one "
+        "by one, sorted by distance or at random, unless objects are culled"};
 
     Knob<float> above_m{*this,
                         "above_m",
@@ -134,10 +142,29 @@ struct Deferred : ModelChapter {
                                      : write_left_out;
     }
 
-    // Batches repeated `overdraw` times.
-    std::vector<Batch> often(const std::vector<Batch>& batches) const {
+    // Batches in the knob's order, repeated `overdraw` times.
+    std::vector<Batch> often(const std::vector<Batch>& given) const {
+        const std::vector<Batch> batches = ordered(given);
         std::vector<Batch> drawn;
         for (int i = 0; i < overdraw; ++i) drawn.insert(drawn.end(), batches.begin(), batches.end());
+        return drawn;
+    }
+
+    // Split into items unless the order is the file's; culling keeps its own lists.
+    std::vector<Batch> ordered(const std::vector<Batch>& batches) const {
+        if (order.is("file") || culling.culls()) return batches;
+        std::vector<std::pair<float, uint32_t>> keys;
+        for (const Batch& batch : batches)
+            for (uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+                const float away_m = glm::distance(scene.items[i].bounds.center(), camera.position);
+                keys.emplace_back(order.is("random")          ? scattered_number(1, i, 0)
+                                  : order.is("front_to_back") ? away_m
+                                                              : -away_m,
+                                  i);
+            }
+        std::sort(keys.begin(), keys.end());
+        std::vector<Batch> drawn;
+        for (const auto& [key, i] : keys) drawn.emplace_back(scene, i, 1u);
         return drawn;
     }
 

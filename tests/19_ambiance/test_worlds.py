@@ -18,7 +18,7 @@ KINDS = {"05_shadow_maps": ("stage", "shadow"), "06_deferred": ("lights", "gbuff
          "15_terrain_water": ("water", "land"), "16_volume": ("volume", "volume"), "17_planets": ("planets", "planets"),
          "18_playground": ("workbench", None)}
 # Knobs of a chapter outside its world: they show tables, edges or numbers in place of a picture, or draw it several times.
-ALONE = {"06_deferred": {"cull", "overdraw", "prepass", "above_m"}, "08_bloom": {"source", "spot_x", "show", "level", "gain"},
+ALONE = {"06_deferred": {"cull", "overdraw", "prepass", "order", "above_m"}, "08_bloom": {"source", "spot_x", "show", "level", "gain"},
          "09_post_effects": {"source", "reference", "effects"}, "10_atmosphere": {"show", "gain"}, "11_fractals": {"method"},
          "12_skin": {"show", "level"}, "13_mlaa": {"show", "walk_m_per_s", "turn_deg_per_s"},
          "18_playground": {"show", "select", "method", "picker.method", "mlaa.method"}}

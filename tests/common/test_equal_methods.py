@@ -56,6 +56,7 @@ EQUAL = [
     Equal("culling.method", ("none", "frustum_cpu", "occlusion"), sets=("gbuffer.method=forward", "culling.least=0")),
     Equal("prepass", ("on", "off")),
     Equal("overdraw", ("1", "3")),
+    Equal("order", ("file", "front_to_back", "random", "back_to_front")),
     # docs/07: for a texture with powers of two as sides, 2x2 means; single_pass rounds to codes later than box does.
     Equal("mips.method", ("box", "polyphase")),
     Equal("mips.method", ("box", "single_pass"), codes=4),

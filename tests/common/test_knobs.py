@@ -145,7 +145,7 @@ SILENT = {
     "mtl.tr": "acts on files that state Tr (tests/01_obj/test_as_written.cpp)",
     **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course run --models)"),
     **dict.fromkeys(("lights.method", "shadow.fetch", "shadow.blur_by", "shadow.keep", "gbuffer.volumes", "overdraw",
-                     "prepass", "culling.method", "culling.bounds", "culling.least", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
+                     "prepass", "order", "culling.method", "culling.bounds", "culling.least", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
                     "they draw equal pictures (test_equal_methods.py)"),
     "mips.reduction": "two ways to one mean, which differ in time alone",
     "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
