@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/app/look.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
 
@@ -202,9 +203,12 @@ void Shadow::find_maps(Frame& frame, const Scene& scene, const LightList& lights
         find_views(scene, *lights, reach, view, casters);
     }
 
-    // 2. A layer for each map, and its number for shaders.
+    // 2. A layer for each map, and its number for shaders. Maps that stay are listed with the frame's images.
     take_layers(frame, view);
     reserve(frame);
+    for (const MapView& map : now_->maps)
+        if (const uint32_t layer = map.view.data.layer; layer != NO_LAYER && keep && held_[layer] == map.shows)
+            list_kept(frame, "shadow_map depth", depth_of(map));
     std::vector<ShadowView> data;
     for (const MapView& map : now_->maps) data.push_back(map.view.data);
     if (!now_->uploaded.is_current(now_->shadow_lights, data)) {

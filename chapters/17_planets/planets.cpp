@@ -1,10 +1,13 @@
 #include "17_planets/planets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "17_planets/exercises.h"
+#include "common/base/text.h"
 #include "common/gpu/warm_up.h"
 
 namespace lightwalk {
@@ -77,6 +80,11 @@ void Planets::prepare(Gpu& gpu, Scene&) {
 Planets::Outlook Planets::outlook(const Frame& frame, const View& view) const {
     Outlook look;
     look.days = days_at(static_cast<double>(frame.time_s));
+    if (look.days < 0.0 || look.days > accurate_until_days)
+        warn_once(
+            fmt::format("{}.date_days: before 2000 and after 2050 the planets are up to a third of a degree from "
+                        "their true positions, the Moon 3.9°; from 0 to {} d a sixth of a degree, and 3.1°",
+                        path(), accurate_until_days));
     if (view.exact_eye) {
         look.eye_m = *view.exact_eye;
         return look;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/look_parameters.h"
@@ -93,6 +94,14 @@ void show_image(Frame& frame, const std::string& name, const ImageView& view, co
         pass.use(pipeline_for(view)).set("source", view, nearest_clamp);
         pass.set("look", parameters).set("result", into).dispatch_threads(shown.size);
     });
+}
+
+void list_kept(Frame& frame, const std::string& name, const ImageView& view) {
+    frame.outputs.emplace_back(name, view);
+    if (const auto function = std::exchange(frame.after_pass, nullptr)) {  // no recursion
+        function();
+        frame.after_pass = function;
+    }
 }
 
 void Look::record(Frame& frame, Image& copy, ImageView view, const Camera& camera, const Bounds& bounds) const {

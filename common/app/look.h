@@ -16,6 +16,10 @@ struct Shown {
 void show_image(Frame& frame, const std::string& pass, const ImageView& view, const Image& into, const Shown& shown,
                 const Camera& camera, const Bounds& bounds);
 
+/// Lists an image that a pass of an earlier frame wrote and this frame keeps with this frame's outputs, under that
+/// output's name. Between passes.
+void list_kept(Frame& frame, const std::string& name, const ImageView& view);
+
 struct Look {
     std::string output;  ///< one of names(), or a pass for its first output; empty: the final picture
     float stops = 0.0f;

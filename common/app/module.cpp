@@ -7,6 +7,7 @@
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/preparing.h"
 #include "common/base/shared_lock.h"
 #include "common/scene/mesh.h"
 
@@ -154,6 +155,7 @@ void Module::visit_used(Self& self, const Visit& visit) {
 void Module::prepare_all(Gpu& gpu, Scene& scene) {
     visit_used(*this, [&](Module& module) {
         unlocked([] {});  // yields to waiting threads
+        if (!module.path().empty()) announce(module.path());
         module.prepare(gpu, scene);
     });
 }

@@ -7,6 +7,7 @@
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/base/preparing.h"
 #include "common/base/shared_lock.h"
 #include "common/gpu/gpu_work.h"
 #include "common/gpu/hidden_blocks.h"
@@ -257,6 +258,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     if (!variant.error.empty()) throw ShaderError(variant.error);  // failed until the file is edited
     try {
         if (!variant.built) {
+            announce(flat.back().files.front().filename().string());
             auto built = unlocked([&] { return build(pipeline, formats, flat); });
             if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }

@@ -154,6 +154,8 @@ Display::Display(const std::string& title, WindowSize size, const std::string& i
     glfwSetScrollCallback(window, on_scroll);
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetDropCallback(window, on_drop);
+    // A press that ends before the next poll() is still reported by it.
+    glfwSetInputMode(window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w, [](Input&) {}); });
     // A mouse that comes back to the pixel where it left has not moved.
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note_mouse(w); });

@@ -5,6 +5,8 @@
 namespace lightwalk {
 namespace {
 
+constexpr const char* kept_stage = "kept";  // of images that an earlier frame wrote
+
 // Ranges of mips or of layers; none is all from the first on.
 bool overlap(uint32_t first, uint32_t count, uint32_t other, uint32_t others) {
     return first < other + std::max(others, 1u) && other < first + std::max(count, 1u);
@@ -83,9 +85,18 @@ void FrameFlow::does_more(std::string_view what) {
 
 void FrameFlow::add(const std::string& pass, const char* stage, const std::vector<ImageView>& reads,
                     const std::vector<ImageView>& writes) {
+    std::vector<size_t> written;
+    for (; outputs_ < frame->outputs.size(); ++outputs_) {
+        const auto& [output, view] = frame->outputs[outputs_];
+        if (output.starts_with(pass)) {
+            written.push_back(outputs_);
+            continue;
+        }
+        writes_.push_back({view, nodes_.size()});
+        nodes_.push_back({.name = output, .stage = kept_stage, .outputs = {outputs_}});
+    }
     const size_t node = nodes_.size();
-    nodes_.push_back({.name = pass, .stage = stage});
-    for (; outputs_ < frame->outputs.size(); ++outputs_) nodes_.back().outputs.push_back(outputs_);
+    nodes_.push_back({.name = pass, .stage = stage, .outputs = written});
     for (const ImageView& view : reads)
         for (auto write = writes_.rbegin(); write != writes_.rend(); ++write) {
             if (!overlap(write->view, view)) continue;
@@ -101,8 +112,12 @@ std::vector<FrameFlow::Node> FrameFlow::nodes() const {
     std::vector<Node> result = nodes_;
     size_t at = result.size();
     if (frame)
-        for (auto time = frame->times.rbegin(); time != frame->times.rend() && at > 0; ++time)
-            if (time->name != own_pass) result[--at].gpu_ms = time->gpu_ms;
+        for (auto time = frame->times.rbegin(); time != frame->times.rend(); ++time) {
+            if (time->name == own_pass) continue;
+            while (at > 0 && result[at - 1].stage == kept_stage) --at;
+            if (at == 0) break;
+            result[--at].gpu_ms = time->gpu_ms;
+        }
     std::vector<Node> joined;
     for (Node& node : result) {
         if (joined.empty() || joined.back().name != node.name || joined.back().stage != node.stage) {

@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/preparing.h"
 #include "common/study/need.h"
 #include "common/window/blit.h"
 #include "common/window/event_log.h"
@@ -24,6 +26,7 @@ namespace {
 constexpr std::chrono::milliseconds writing{50};
 
 constexpr double watch_every_s = 0.2;  // how often shader files are looked at
+constexpr double late_after_s = 1.0;   // of a picture
 constexpr glm::ivec2 default_size{1480, 720};
 
 // A dock in the window `beside` the panel, or none where it would take most of the picture.
@@ -56,21 +59,42 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
                       }});
     Gpu& gpu = *holder;
     gpu.pipelines.keep_last_good = true;
+    PreparingTitle preparing(display);
     LiveChapter live(chapter, gpu, scene);
     live.load(loading);
-    Window(options, live, gpu, display, make, scene).run();
+    Window(options, live, gpu, display, make, scene, preparing).run();
     gpu.device.check_validation();
     return 0;
 }
 
+PreparingTitle::PreparingTitle(Display& display) : display_(display) {
+    on_preparing() = [this, window = std::this_thread::get_id()](const std::string& what) {
+        if (std::this_thread::get_id() != window || steady_s() < late_s_) return;
+        display_.say("preparing " + what);
+        log_event("preparing " + what);
+        said_ = true;
+    };
+}
+
+PreparingTitle::~PreparingTitle() { on_preparing() = nullptr; }
+
+void PreparingTitle::begin_picture() {
+    if (!said_) late_s_ = steady_s() + late_after_s;
+}
+
+void PreparingTitle::end_picture() {
+    if (std::exchange(said_, false)) display_.say("");
+}
+
 Window::Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& display, const MakeChapter& make,
-               std::filesystem::path scene)
+               std::filesystem::path scene, PreparingTitle& preparing)
     : options_(options),
       live_(live),
       chapter_(live.chapter),
       tool_(dynamic_cast<WindowTool*>(&live.chapter)),
       gpu_(gpu),
       display_(display),
+      preparing_(preparing),
       swapchain_(gpu, display),
       overlay_(gpu, display, swapchain_),
       activity_(overlay_),
@@ -242,7 +266,9 @@ void Window::draw_picture() {
     if (picture_.refined > 0) display_.say("");
     std::function<void(Capture&)> captured;
     if (std::exchange(capture_next_, false)) captured = [this](Capture& capture) { write_capture(capture); };
+    preparing_.begin_picture();
     picture_.draw(picture_size(), clock_.time_s, captured);
+    preparing_.end_picture();
 }
 
 void Window::draw() {

@@ -54,11 +54,26 @@ class SceneSaver {
 int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gpu, const MakeChapter& make,
                const Loading& loading);
 
+/// Names what is prepared behind the window's title, where the picture is late: nothing else can be drawn meanwhile.
+class PreparingTitle {
+  public:
+    explicit PreparingTitle(Display& display);
+    ~PreparingTitle();
+    PreparingTitle(const PreparingTitle&) = delete;
+    void begin_picture();
+    void end_picture();
+
+  private:
+    Display& display_;
+    double late_s_ = 0;  ///< steady_s() from which on it is named
+    bool said_ = false;
+};
+
 class Window {
   public:
     /// `scene` is loaded already.
     Window(const Options& options, LiveChapter& live, Gpu& gpu, Display& display, const MakeChapter& make,
-           std::filesystem::path scene);
+           std::filesystem::path scene, PreparingTitle& preparing);
 
     /// Until it is closed.
     void run();
@@ -95,6 +110,7 @@ class Window {
     WindowTool* const tool_;  ///< the chapter, or null
     Gpu& gpu_;
     Display& display_;
+    PreparingTitle& preparing_;
     Swapchain swapchain_;
     Overlay overlay_;
     Activity activity_;

@@ -43,9 +43,9 @@ vec3 rough_diffuse(Surface surface, vec3 albedo, float roughness, vec3 to_light)
 #endif
 
 // Must run before the first light.
-void coat_surface(Surface surface, vec3 f0, vec3 body) {
+void coat_surface(Surface surface, vec3 f0, vec3 body, bool has_metalness) {
 #if SURFACE_GGX
-    lit_coat = coat_of(f0, albedos_at(surface, surface.to_eye));
+    lit_coat = coat_of(f0, blend_of(f0, body, has_metalness), albedos_at(surface, surface.to_eye));
     lit_body = body;
 #endif
 }
@@ -63,7 +63,7 @@ vec3 specular_factor(vec3 specular) {
 vec3 ambient_of_coat(vec3 otherwise) {
 #if SURFACE_GGX
     vec3 everywhere = lit_coat.single + lit_coat.multiple;
-    return everywhere - everywhere * lit_body;  // remainder after the body
+    return everywhere - (1.0 - lit_coat.entering) * lit_body;  // remainder after the body
 #else
     return otherwise;
 #endif

@@ -37,21 +37,46 @@ vec3 multiple_scattering(vec3 f0, vec2 ab) {
 // L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001; C. Kulla and A. Conty,
 // "Revisiting Physically Based Shading at Imageworks", SIGGRAPH course, 2017.
 struct Coat {
-    vec3 f0;          // reflectance at normal incidence
-    vec3 single;      // shares of light from everywhere that reach this view: after one microfacet,
-    vec3 multiple;    // after several,
-    vec3 entering;    // and from the body
-    vec3 per_missing; // share of the light without direction that leaves the microfacets
-    vec2 means;       // A and B over all directions, by their cosine
+    vec3 f0;            // reflectance at normal incidence
+    vec3 single;        // shares of light from everywhere that reach this view: after one microfacet,
+    vec3 multiple;      // after several,
+    vec3 entering;      // and from the body
+    vec3 per_missing;   // share of the light without direction that leaves the microfacets
+    vec2 means;         // A and B over all directions, by their cosine
+    vec3 body_f0;       // reflectance and share of the coat over the body, where the rest is bare metal
+    vec3 body_missing;
 };
 
-// `ab`: A and B of the split sum for this view; their means over all directions.
-Coat coat_of(vec3 f0, vec4 ab) {
-    float kept = ab.z + ab.w;
+// Two surfaces side by side: a coat over a body, and bare metal.
+struct Blend {
+    float coated;  // share of the coated one
+    vec3 coat_f0, metal_f0;
+};
+
+// Metalness m blends plastic and metal of one base colour: the body is (1 - m) base and f0 is 0.04 (1 - m) + m base, which
+// give both back (glTF 2.0, appendix B, adds the light of the two). The brightest channel decides m; a base below 0.04 is
+// the same surface for any m. Without metalness the coat lies over the whole body.
+Blend blend_of(vec3 f0, vec3 body, bool has_metalness) {
+    if (!has_metalness) return Blend(1.0, f0, f0);
+    float b = max(body.r, max(body.g, body.b)), f = max(f0.r, max(f0.g, f0.b)), sum = b + f;
+    float root = sqrt(max(sum * sum - 0.16 * b, 0.0));
+    float coated = min(f > 0.04 ? 2.0 * b / (sum + root) : (sum + root) / 0.08, 1.0);
+    return Blend(coated, vec3(0.04), clamp((f0 - 0.04 * coated) / max(1.0 - coated, 1e-4), 0.0, 1.0));
+}
+
+vec3 missing_share(vec3 f0, float kept) {
     vec3 mean_fresnel = f0 + (1.0 - f0) / 21.0;
-    vec3 per_missing = mean_fresnel * mean_fresnel * kept / (1.0 - mean_fresnel * (1.0 - kept));
-    vec3 single = f0 * ab.x + ab.y, multiple = per_missing * (1.0 - ab.x - ab.y);
-    return Coat(f0, single, multiple, max(1.0 - single - multiple, 0.0), per_missing, ab.zw);
+    return mean_fresnel * mean_fresnel * kept / (1.0 - mean_fresnel * (1.0 - kept));
+}
+
+// `ab`: A and B of the split sum for this view; their means over all directions.
+Coat coat_of(vec3 f0, Blend blend, vec4 ab) {
+    float kept = ab.z + ab.w, missing = 1.0 - ab.x - ab.y;
+    vec3 body_missing = missing_share(blend.coat_f0, kept);
+    vec3 per_missing = mix(missing_share(blend.metal_f0, kept), body_missing, blend.coated);
+    vec3 enters = 1.0 - blend.coat_f0 * ab.x - ab.y - body_missing * missing;
+    return Coat(f0, f0 * ab.x + ab.y, per_missing * missing, max(enters, 0.0), per_missing, ab.zw, blend.coat_f0,
+                body_missing);
 }
 
 // Factors of `multiple` and of `entering` for a light whose direction has this A and B; 1 on average.
@@ -60,8 +85,9 @@ float multiple_towards(Coat coat, vec2 ab) {
 }
 
 vec3 entering_towards(Coat coat, vec2 ab) {
-    vec3 enters = 1.0 - coat.f0 * ab.x - ab.y - coat.per_missing * (1.0 - ab.x - ab.y);
-    vec3 mean = 1.0 - coat.f0 * coat.means.x - coat.means.y - coat.per_missing * (1.0 - coat.means.x - coat.means.y);
+    vec3 enters = 1.0 - coat.body_f0 * ab.x - ab.y - coat.body_missing * (1.0 - ab.x - ab.y);
+    vec3 mean = 1.0 - coat.body_f0 * coat.means.x - coat.means.y -
+                coat.body_missing * (1.0 - coat.means.x - coat.means.y);
     return max(enters, 0.0) / max(mean, 1e-4);
 }
 

@@ -4,7 +4,8 @@
 
 // Sum over lights; mixed.specular becomes the remaining factor of the specular sum.
 Lit light_mapped(inout MappedSurface m, uint drawn, vec4 fragment) {
-    coat_surface(m.surface, m.substance.mixed.specular, m.substance.mixed.diffuse);
+    coat_surface(m.surface, m.substance.mixed.specular, m.substance.mixed.diffuse,
+                 m.substance.ambient_specular != vec3(0.0));
     m.substance.ambient_specular = ambient_of_coat(m.substance.ambient_specular);
     m.substance.mixed.specular = specular_factor(m.substance.mixed.specular);
 #if MAPS_UNLIT

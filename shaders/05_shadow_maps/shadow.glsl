@@ -75,7 +75,10 @@ float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.t
 Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, float reach) {
     float cosine = clamp(dot(plane, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
-    float least = shadow_eye.least_bias * (view.far - view.near);
+    // At 2^-19 of the depth range: some steps of the map's floats; a sixteenth of a texel, up to 16 times as much, since a
+    // plane found from depths is slightly tilted.
+    float depth_range = view.far - view.near;
+    float least = shadow_eye.least_bias * max(depth_range, min(exp2(15.0) * texel, 16.0 * depth_range));
     float constant = max(min(shadow.bias_m, shadow_eye.bias_texels * texel), least);
     float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
     // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.

@@ -5,7 +5,8 @@
 
 Surface surface_of(Pixel p, vec3 eye) {
     Surface surface = Surface(p.normal, normalize(eye - p.position), p.material.mixed.shininess, p.plane);
-    coat_surface(surface, p.material.mixed.specular, p.material.mixed.diffuse);
+    coat_surface(surface, p.material.mixed.specular, p.material.mixed.diffuse,
+                 p.material.ambient_specular > 0.0);
     return surface;
 }
 

@@ -23,7 +23,7 @@ void main() {
 
     vec3 f0 = mix(beat_look.valley, beat_look.peak, smoothstep(0.0, 0.4, share));
     float alpha = beat_look.roughness * beat_look.roughness;
-    FromAround around = reflected_from_around(LitFromAround(position, n, to_eye, f0, alpha));
+    FromAround around = reflected_from_around(LitFromAround(position, n, to_eye, f0, alpha, Blend(1.0, f0, f0)));
     vec3 light = open * around.specular + moved * beat_now.glow * exp(-30.0 * share) * beat_look.glow;
     color = vec4(min(light, LARGEST_HALF), 1.0);
 }

@@ -19,6 +19,7 @@ struct LitFromAround {
     vec3 to_eye;    // unit length, world space
     vec3 f0;        // reflectance at normal incidence
     float alpha;    // GGX; the square of roughness
+    Blend blend;    // coated and bare parts, of which f0 is the mean
 };
 
 // Into the cube's own space. Around a probe it depends on where the ray begins.
@@ -79,7 +80,7 @@ vec3 dominant_direction(vec3 normal, vec3 mirrored, float alpha) {
 
 struct FromAround {
     vec3 specular;       // radiance towards the eye
-    vec3 diffuse_share;  // share of light that enters the surface: 1 less the reflected share
+    vec3 diffuse_share;  // share of light that enters the coated part: 1 less the share that its coat reflects
     vec3 multiple;       // of `specular`: light that left the microfacets after more than one of them
 };
 
@@ -93,17 +94,17 @@ FromAround reflected_from_around(LitFromAround s) {
 #if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_MIRROR
     vec3 fresnel = schlick_roughness(n_dot_v, s.f0, roughness);
     r.specular = fresnel * radiance_along(s.position, mirrored, 0.0);
-    r.diffuse_share = 1.0 - fresnel;
+    r.diffuse_share = 1.0 - schlick_roughness(n_dot_v, s.blend.coat_f0, roughness);
 #elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_BOX_MIPS
     // The level with texels as wide as the lobe: half of its light lies within atan(alpha) of half vectors.
     vec3 fresnel = schlick_roughness(n_dot_v, s.f0, roughness);
     float level = log2(max(2.0 * atan(s.alpha) * image_light_state.texels / (0.5 * pi), 1.0));
     r.specular = fresnel * radiance_along(s.position, mirrored, level);
-    r.diffuse_share = 1.0 - fresnel;
+    r.diffuse_share = 1.0 - schlick_roughness(n_dot_v, s.blend.coat_f0, roughness);
 #elif IMAGE_LIGHT_METHOD != IMAGE_LIGHT_METHOD_NONE
     vec2 ab = split_sum_at(n_dot_v, s.alpha);
     vec3 single = s.f0 * ab.x + ab.y;
-    r.diffuse_share = max(1.0 - single, 0.0);
+    r.diffuse_share = 1.0 - s.blend.coat_f0 * ab.x - ab.y;
 #if IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_PREFILTERED
     r.specular = single * prefiltered_along(s.position, mirrored, roughness);
 #elif IMAGE_LIGHT_METHOD == IMAGE_LIGHT_METHOD_DOMINANT
@@ -114,11 +115,13 @@ FromAround reflected_from_around(LitFromAround s) {
     r.specular = sampled_reflection(s, n_dot_v);
 #endif
 #if IMAGE_LIGHT_METHOD >= IMAGE_LIGHT_METHOD_MULTISCATTER
-    vec3 multiple = multiple_scattering(s.f0, ab);
-    r.multiple = multiple * diffuse_light(s.position, s.normal);
+    vec3 of_coat = multiple_scattering(s.blend.coat_f0, ab);
+    r.multiple = mix(multiple_scattering(s.blend.metal_f0, ab), of_coat, s.blend.coated) *
+                 diffuse_light(s.position, s.normal);
     r.specular += r.multiple;
-    r.diffuse_share = max(1.0 - single - multiple, 0.0);
+    r.diffuse_share -= of_coat;
 #endif
+    r.diffuse_share = max(r.diffuse_share, 0.0);
 #endif
     return r;
 }

@@ -29,7 +29,9 @@ Leaving leaving(CoatedSurface c) {
     MappedSurface m = c.m;
     vec3 normal = m.surface.normal, to_eye = m.surface.to_eye;
     float n_dot_v = clamp(dot(normal, to_eye), 1e-3, 1.0);
-    FromAround reflected = reflected_from_around(LitFromAround(m.position, normal, to_eye, c.f0, c.alpha));
+    bool has_metalness = !c.is_paint && m.substance.ambient_specular != vec3(0.0);
+    Blend blend = blend_of(c.f0, c.albedo, has_metalness);
+    FromAround reflected = reflected_from_around(LitFromAround(m.position, normal, to_eye, c.f0, c.alpha, blend));
 #ifdef OCCLUDED
     vec3 around = diffuse_of_samples(m.position, normal, uint(image_light.samples));
 #else

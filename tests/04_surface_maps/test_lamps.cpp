@@ -17,6 +17,7 @@ struct LitRow {
     glm::vec3 to_eye, f0, body;
     float alpha;
     glm::vec3 to_light{0, 0, 1};  ///< for what is summed over views
+    uint32_t has_metalness = 0;
 };
 
 struct OnSurface : OnModules {
@@ -30,7 +31,7 @@ struct OnSurface : OnModules {
 #include "04_surface_maps/coat.glsl"
 #include "03_attenuation/unshadowed.glsl"
 layout(local_size_x = 64) in;
-struct LitRow { vec3 to_eye, f0, body; float alpha; vec3 to_light; };
+struct LitRow { vec3 to_eye, f0, body; float alpha; vec3 to_light; uint has_metalness; };
 layout(scalar) readonly buffer RowBuffer { LitRow rows[]; };
 layout(scalar) writeonly buffer LitBuffer { vec3 lit[]; };
 layout(scalar) uniform FurnaceBlock { int furnace; };  // 0 lights, 1 lamps all around, 2 views all around, 3 one BRDF
@@ -39,7 +40,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= uint(rows.length())) return;
     Surface surface = Surface(vec3(0.0, 0.0, 1.0), rows[i].to_eye, shininess_of(0.0, rows[i].alpha), vec3(0.0, 0.0, 1.0));
-    coat_surface(surface, rows[i].f0, rows[i].body);
+    coat_surface(surface, rows[i].f0, rows[i].body, rows[i].has_metalness == 1u);
     vec3 diffuse = vec3(0.0), specular = vec3(0.0);
     Reflected pair = reflect_light(surface, rows[i].to_light);
     if (furnace == 3) {
@@ -65,7 +66,7 @@ void main() {
                 if (to_light.z <= 0.0) continue;
                 weight = ring * to_light.z / rows[i].to_light.z;
                 surface.to_eye = to_light;
-                coat_surface(surface, rows[i].f0, rows[i].body);
+                coat_surface(surface, rows[i].f0, rows[i].body, rows[i].has_metalness == 1u);
                 to_light = rows[i].to_light;
             }
             Reflected one = reflect_light(surface, to_light);
@@ -188,6 +189,32 @@ TEST_CASE_METHOD(OnSurface, "in a furnace of lamps nothing is lost and nothing i
     const double f = 0.71 + 0.29 / 21,
                  several = f * f * albedo.mean / (1 - f * (1 - albedo.mean)) * (1 - albedo.of(0.3));
     CHECK(double(found[0].y) == Approx(truth::white_reflection(0.3, 0.64, 0.71) + several).epsilon(0.01));
+}
+
+// glTF 2.0, appendix B: the light of the metal and of the plastic, each of the base colour, by their shares.
+TEST_CASE_METHOD(OnSurface, "metalness blends the light of metal and plastic: white returns all of a furnace's light",
+                 "[04.metalness]") {
+    const auto mixed = [](glm::vec3 base, float metalness, double n_dot_v, float alpha) {
+        return LitRow{.to_eye = seen_at(n_dot_v),
+                      .f0 = 0.04f * (1 - metalness) + metalness * base,
+                      .body = (1 - metalness) * base,
+                      .alpha = alpha,
+                      .has_metalness = 1};
+    };
+    for (const float alpha : {0.04f, 0.25f, 1.0f})
+        for (const double n_dot_v : {0.1, 0.5, 0.99}) {
+            const glm::vec3 base(0.9f, 0.5f, 0.03f);
+            const auto ends = lit({mixed(base, 0, n_dot_v, alpha), mixed(base, 1, n_dot_v, alpha)}, {}, 1);
+            for (const float metalness : {0.0f, 0.1f, 0.5f, 0.9f, 1.0f}) {
+                INFO("alpha " << alpha << ", n.v " << n_dot_v << ", metalness " << metalness);
+                const auto found = lit(
+                    {mixed(glm::vec3(1), metalness, n_dot_v, alpha), mixed(base, metalness, n_dot_v, alpha)}, {}, 1);
+                CHECK(double(found[0].x) == Approx(1).margin(0.012));
+                for (int i = 0; i < 3; ++i)
+                    CHECK(double(found[1][i]) ==
+                          Approx(double(glm::mix(ends[0], ends[1], metalness)[i])).margin(0.002));
+            }
+        }
 }
 
 TEST_CASE_METHOD(OnSurface, "one lamp: no more light leaves than arrives, and lamp and camera can be exchanged",

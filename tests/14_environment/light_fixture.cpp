@@ -10,7 +10,7 @@ OnLight::OnLight()
 #include "14_environment/image_light.glsl"
 #include "14_environment/unoccluded.glsl"
 layout(local_size_x = 64) in;
-struct LookedAt { vec3 normal, to_eye, f0; float alpha; };
+struct LookedAt { vec3 normal, to_eye, f0; float alpha; vec3 body; uint has_metalness; };
 struct Shown { vec3 diffuse, specular, diffuse_share; };
 layout(scalar) readonly buffer LookedAtBuffer { LookedAt looked_at[]; };
 layout(scalar) writeonly buffer ShownBuffer { Shown shown[]; };
@@ -18,7 +18,8 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= uint(looked_at.length())) return;
     LookedAt s = looked_at[i];
-    FromAround r = reflected_from_around(LitFromAround(vec3(0.0), s.normal, s.to_eye, s.f0, s.alpha));
+    Blend blend = blend_of(s.f0, s.body, s.has_metalness == 1u);
+    FromAround r = reflected_from_around(LitFromAround(vec3(0.0), s.normal, s.to_eye, s.f0, s.alpha, blend));
     shown[i] = Shown(diffuse_light(vec3(0.0), s.normal), r.specular, r.diffuse_share);
 })")) {}
 

@@ -15,6 +15,8 @@ namespace lightwalk {
 struct LookedAt {
     glm::vec3 normal, to_eye, f0;
     float alpha;
+    glm::vec3 body{0};
+    uint32_t has_metalness = 0;
 };
 
 /// Radiance of a white matt surface of its normal, its reflection, and its share of entering light.

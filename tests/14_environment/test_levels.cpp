@@ -25,7 +25,8 @@ layout(scalar) uniform LookBlock { vec3 to_eye; float alpha; } look;
 layout(scalar) writeonly buffer SumsBuffer { vec2 sums; };
 void main() {
     uint samples = uint(image_light.samples);
-    LitFromAround s = LitFromAround(vec3(0.0), vec3(0.0, 0.0, 1.0), look.to_eye, vec3(1.0), look.alpha);
+    LitFromAround s = LitFromAround(vec3(0.0), vec3(0.0, 0.0, 1.0), look.to_eye, vec3(1.0), look.alpha,
+                                    Blend(1.0, vec3(1.0), vec3(1.0)));
     sums = vec2(reflection_of_samples(s, look.to_eye.z, samples, image_light.sample_bias).g,
                 diffuse_of_samples(s.position, s.normal, samples).g);
 })");

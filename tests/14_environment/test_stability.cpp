@@ -115,6 +115,27 @@ TEST_CASE_METHOD(OnLight, "furnace: GGX loses up to 59% of white light; with mul
     }
 }
 
+TEST_CASE_METHOD(OnLight, "white of any metalness returns all of a furnace's light, at any roughness",
+                 "[14.metalness]") {
+    load("", glm::vec3(1.0f));
+    light.method.set("multiscatter");
+    std::vector<LookedAt> surfaces;
+    for (const float alpha : {0.01f, 0.1f, 0.4f, 1.0f})
+        for (const float c : {0.05f, 0.3f, 0.7f, 1.0f})
+            for (const float m : {0.0f, 0.1f, 0.5f, 0.9f, 1.0f})
+                surfaces.push_back({{0, 0, 1},
+                                    {0, std::sqrt(1 - c * c), c},
+                                    glm::vec3(0.04f * (1 - m) + m),
+                                    alpha,
+                                    glm::vec3(1 - m),
+                                    1});
+    const auto found = shown(surfaces);
+    for (size_t i = 0; i < surfaces.size(); ++i) {
+        INFO("alpha " << surfaces[i].alpha << ", n.v " << surfaces[i].to_eye.z << ", body " << surfaces[i].body.x);
+        CHECK(double(found[i].specular.g + surfaces[i].body.g * found[i].diffuse_share.g) == Approx(1).margin(0.012));
+    }
+}
+
 TEST_CASE_METHOD(OnLight, "nothing reflects more than arrives: every method, colour and roughness in a furnace") {
     load("", glm::vec3(1.0f));
     std::vector<LookedAt> surfaces;

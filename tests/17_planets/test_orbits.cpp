@@ -71,6 +71,37 @@ TEST_CASE("planets stand where ERFA has them: between 1988 and 2024 within a fif
     }
 }
 
+// Worst dates of each in steps of 3.65 days: from 2000 to 2050, and from 1900 to 2100.
+TEST_CASE("accuracies that the lesson states hold from 2000 to 2050, and outside those of the longer time",
+          "[17.accuracy]") {
+    const struct {
+        BodyId body;
+        double days, longitude_deg, latitude_deg;  // ERFA's
+    } worst[] = {{BodyId::mercury, 16936.00, 81.316, 3.831},  {BodyId::venus, 17895.95, 52.911, -1.362},
+                 {BodyId::earth, 17187.85, 121.560, -0.005},  {BodyId::mars, 15067.20, 330.064, -1.815},
+                 {BodyId::jupiter, 17366.70, 39.448, -1.140}, {BodyId::saturn, 2102.40, 123.529, 0.427},
+                 {BodyId::uranus, 12764.05, 97.821, 0.312},   {BodyId::neptune, 13975.85, 28.201, -1.721},
+                 {BodyId::moon, 16906.80, 144.002, -1.247},   {BodyId::mercury, -35583.30, 71.001, 2.700},
+                 {BodyId::mars, 36350.90, 321.984, -1.840},   {BodyId::saturn, 23703.65, 126.968, 0.580},
+                 {BodyId::uranus, 30426.95, 313.624, -0.665}, {BodyId::moon, 35836.25, 84.433, 4.362}};
+    double planets[2] = {}, moon[2] = {};  // within the stated years, and outside
+    for (const auto& known : worst) {
+        glm::dvec3 found = place_body(known.body, known.days).position;
+        if (known.body == BodyId::moon) found -= place_body(BodyId::earth, known.days).position;
+        const double l = glm::radians(known.longitude_deg), b = glm::radians(known.latitude_deg);
+        const glm::dvec3 right(std::cos(b) * std::sin(l), std::sin(b), std::cos(b) * std::cos(l));
+        const bool outside = known.days < 0 || known.days > accurate_until_days;
+        double& most = (known.body == BodyId::moon ? moon : planets)[outside];
+        most = std::max(most, glm::degrees(glm::length(glm::normalize(found) - right)));
+    }
+    fmt::print("planets {:.3f} and {:.3f} degrees, the Moon {:.2f} and {:.2f}\n", planets[0], planets[1], moon[0],
+               moon[1]);
+    CHECK(planets[0] == Approx(0.165).margin(0.001));
+    CHECK(planets[1] == Approx(0.320).margin(0.001));
+    CHECK(moon[0] == Approx(3.11).margin(0.01));
+    CHECK(moon[1] == Approx(3.87).margin(0.01));
+}
+
 TEST_CASE("a planet's radius sweeps equal areas in equal times, and its energy stays", "[17.orbits]") {
     for (const BodyId body : {BodyId::mercury, BodyId::mars, BodyId::pluto}) {
         const double year = body == BodyId::mercury ? 87.969

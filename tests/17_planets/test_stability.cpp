@@ -7,6 +7,7 @@
 
 #include "17_planets/exercises.h"
 #include "common/base/error.h"
+#include "common/base/text.h"
 #include "planets_fixture.h"
 
 using namespace lightwalk;
@@ -298,6 +299,22 @@ TEST_CASE("oppositions, transits and an eclipse fall on their dates", "[17.dates
         CHECK(glm::dot(glm::normalize(moon), side * glm::normalize(earth)) > std::cos(glm::radians(1.6)));
         CHECK(glm::length(moon) == Approx(3.85e8).epsilon(0.07));
     }
+}
+
+TEST_CASE_METHOD(OnPlanets, "a date beyond those of the stated accuracies is named once, others are not",
+                 "[17.accuracy]") {
+    look_at("mars", 6);
+    const auto said = [&](float days) {
+        std::string words;
+        collected_warnings() = &words;
+        planets.date_days.value = days;
+        picture();
+        collected_warnings() = nullptr;
+        return words;
+    };
+    CHECK(said(0) + said(float(accurate_until_days)) == "");
+    CHECK_THAT(said(-1), Catch::Matchers::Contains("planets.date_days: before 2000 and after 2050"));
+    CHECK(said(36525) == "");
 }
 
 TEST_CASE_METHOD(OnPlanets, "the flight: a function of time, without a jump, which comes back to where it began") {

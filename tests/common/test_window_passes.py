@@ -30,6 +30,11 @@ class Passes(StartedTest):
         said = self.session.wait_for_line(r"passes(; .*)", since)[1]
         return {tuple(edge.split(" > ")) for edge in said[2:].split("; ")}
 
+    def test_what_is_prepared_is_named_until_the_first_picture(self):
+        self.assertIn("preparing shadow", self.session.lines[:self.session.lines.index("first picture")])
+        self.assertNotIn("preparing", self.session.xdotool("getwindowname", self.session.window))
+        self.end(self.session)
+
     def test_passes_are_shown_with_their_images_and_a_click_shows_one_large(self):
         session = self.session
         whole = self.picture(HEIGHT)
@@ -37,19 +42,21 @@ class Passes(StartedTest):
         session.key("F6")
         edges = self.passes(since)
         self.assertIn(("shade", "encode_srgb"), edges)
+        # The shadow map is kept: an earlier frame has drawn it.
+        self.assertIn(("shadow_map depth", "shade"), edges)
+        kept = next(name for name in session.areas if name.startswith("pass.shadow_map depth"))
         self.assertLess({"pass.shade: hdr", "pass.encode_srgb: output"}, set(session.areas))
-        depth = "pass.shade depth: depth"
-        images = [self.image(name) for name in (depth, "pass.shade: hdr")]
+        images = [self.image(name) for name in (kept, "pass.shade: hdr")]
         for image in images:
             self.assertGreater(len({image[i:i + 3] for i in range(0, len(image), 3)}), 1, "an image is empty")
         self.assertNotEqual(*images)
-        smaller = session.areas[depth][1] - 60  # above the graph
+        smaller = session.areas[kept][1] - 60  # above the graph
         picture = self.picture(smaller)
         since = session.said()
-        session.click(depth)
-        session.wait_for_line("look shade depth: depth", since)
+        session.click(kept)
+        session.wait_for_line("look " + kept.removeprefix("pass."), since)
         self.assertNotEqual(self.picture(smaller), picture)
-        session.click(depth)
+        session.click(kept)
         session.wait_for_line("look the picture", since)
         self.assertEqual(self.picture(smaller), picture)
         session.key("F6")

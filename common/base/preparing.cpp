@@ -1,0 +1,14 @@
+#include "common/base/preparing.h"
+
+namespace lightwalk {
+
+std::function<void(const std::string&)>& on_preparing() {
+    static std::function<void(const std::string&)> listener;
+    return listener;
+}
+
+void announce(const std::string& what) {
+    if (on_preparing()) on_preparing()(what);
+}
+
+}  // namespace lightwalk
