@@ -24,12 +24,6 @@ struct Mipmaps : ModelChapter {
     Knob<float> walk_m_s{*this, "walk_m_s", 0.0f, {-10.0f, 10.0f}, "Walking speed of the camera", "m/s"};
     Knob<bool> remake{*this, "remake", true,
                       "Rebuild all levels in every frame; off: keep the levels of the first frame"};
-    Knob<int> anisotropy{*this,
-                         "anisotropy",
-                         1,
-                         {1, 16},
-                         "Anisotropic filtering: maximum number of reads along a pixel's footprint on a texture with "
-                         "levels; 1: trilinear filtering"};
 
     Pipeline halves = compute({.shader = "07_mipmaps/halves.comp"});
     Target left{*this, {.name = "without levels"}};
@@ -57,9 +51,6 @@ struct Mipmaps : ModelChapter {
     // Chapter 04's surfaces, with levels or with the first ones alone.
     void draw_objects(Frame& frame, const View& view, const Image& into, bool levels) {
         textures.use(scene, levels);
-        for (DrawItem& item : scene.items)
-            for (Sampler& sampler : item.maps.samplers)
-                sampler.anisotropy = levels ? static_cast<float>(anisotropy) : 1.0f;
         objects.shading.reads = textures.reads();
         Canvas canvas(into, frame.depth, glm::vec4(scene.file.background, 1.0f));
         draw(frame, view, canvas, {objects});
