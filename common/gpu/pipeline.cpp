@@ -258,7 +258,7 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     if (!variant.error.empty()) throw ShaderError(variant.error);  // failed until the file is edited
     try {
         if (!variant.built) {
-            announce(flat.back().files.front().filename().string());
+            if (const auto& files = flat.back().files; !files.empty()) announce(files.front().filename().string());
             auto built = unlocked([&] { return build(pipeline, formats, flat); });
             if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }
