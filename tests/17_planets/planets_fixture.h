@@ -14,7 +14,7 @@ namespace lightwalk {
 struct OnPlanets {
     struct Owner : Module {
     } owner;
-    Planets planets{owner, "planets"};
+    Planets planets;
     Stars stars{owner, "stars", planets};
     Flight flight{owner, "flight", planets};
     Scene scene;
@@ -27,6 +27,7 @@ struct OnPlanets {
     Crop crop{};     ///< which part of a larger picture is drawn
     float wall = 0;  ///< reversed depth of an object before every body; 0: none
 
+    explicit OnPlanets(std::string name = "planets") : planets(owner, std::move(name)) {}
     ~OnPlanets() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
     /// The body from that many of its radii away, at a phase angle, from `up_deg` above the plane of its orbit.
