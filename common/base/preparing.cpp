@@ -3,7 +3,7 @@
 namespace lightwalk {
 
 std::function<void(const std::string&)>& on_preparing() {
-    static std::function<void(const std::string&)> listener;
+    static thread_local std::function<void(const std::string&)> listener;
     return listener;
 }
 

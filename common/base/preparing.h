@@ -5,7 +5,7 @@
 
 namespace lightwalk {
 
-/// Listener, told before each step what is prepared: a module's path or a shader's file. On any thread; null: none.
+/// This thread's listener, told before each step what is prepared: a module's path or a shader's file; null: none.
 std::function<void(const std::string&)>& on_preparing();
 
 void announce(const std::string& what);

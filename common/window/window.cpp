@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "common/base/error.h"
@@ -68,8 +67,8 @@ int run_window(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& h
 }
 
 PreparingTitle::PreparingTitle(Display& display) : display_(display) {
-    on_preparing() = [this, window = std::this_thread::get_id()](const std::string& what) {
-        if (std::this_thread::get_id() != window || steady_s() < late_s_) return;
+    on_preparing() = [this](const std::string& what) {
+        if (steady_s() < late_s_) return;
         display_.say("preparing " + what);
         log_event("preparing " + what);
         said_ = true;

@@ -260,7 +260,7 @@ TEST_CASE_METHOD(OnMovingWater,
         }
         return sum;
     };
-    const int first = 10, count = 8;  // frames compared, once the history stands: one round of the shifts
+    const int first = 10, count = 8;  // frames compared, once the history stands
     std::vector<ImageRgb> truths;
     for (int i = first - 1; i < first + count; ++i) truths.push_back(truth(i));
     const auto errors = [&](bool follows) {
