@@ -42,6 +42,7 @@ Ambiance::Ambiance() {
 void Ambiance::prepare_frame(Gpu& gpu, glm::uvec2 size, float time_s) {
     std::optional<PathKind> kind;
     if (!method.is("as_set")) kind = {static_cast<Spline>(std::min<size_t>(method.index - 1, 2)), 0};
+    if (method.is("smooth_speed")) kind->smooth_speed = true;
     if (method.is("arc_length")) kind->pieces = 64;
     if (method.is("exact")) kind->pieces = 1024;
     reel.choose(kind);
@@ -149,11 +150,12 @@ void Ambiance::make_effects(Gpu& gpu) const {
 // Over all camera paths of the film: the greatest distance from the line between two keys, in lengths of that line; and the
 // largest speed over the smallest, of the path on which that is most.
 void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) {
-    double off = 0, speed = 1;
+    double off = 0, speed = 1, jump = 1;
     for (const FilmScene& one : reel.film().scenes) {
         const CameraPath& path = one.camera;
         if (path.keys().size() < 2) continue;
         off = std::max(off, off_the_chord(path.positions(), 64));
+        jump = std::max(jump, speed_jump(path.positions().times_s, [&](double t) { return path.eye(t); }));
         constexpr int steps = 512;
         double slowest = 1e30, fastest = 0;
         const double begin = path.keys().front().time_s, whole = path.keys().back().time_s - begin;
@@ -167,6 +169,7 @@ void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) {
     }
     error["off_chord"] = off;
     error["speed"] = speed;
+    error["jump"] = jump;
 }
 
 }  // namespace lightwalk

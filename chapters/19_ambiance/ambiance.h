@@ -13,10 +13,10 @@ struct Ambiance : ModelChapter {
     Choice method{
         *this,
         "method",
-        {"as_set", "linear", "catmull_rom", "centripetal", "arc_length", "exact"},
+        {"as_set", "linear", "catmull_rom", "centripetal", "smooth_speed", "arc_length", "exact"},
         "as_set",
-        "Path of cameras: as the film says; straight lines; uniform or centripetal Catmull-Rom; that at an even "
-        "speed by a table of 64 lengths, or of 1,024 (the reference)"};
+        "Path of cameras: as the film says; straight lines; uniform or centripetal Catmull-Rom; that with a speed that "
+        "does not jump at keys; at an even speed by a table of 64 lengths, or of 1,024 (the reference)"};
     Knob<float> smoothed{*this,
                          "smoothed",
                          1.0f,

@@ -38,6 +38,7 @@ CameraPath::CameraPath(std::vector<CameraKey> keys, PathKind kind) : keys_(std::
 
 void CameraPath::choose(PathKind kind) {
     position_.spline = target_.spline = kind.spline;
+    position_.smooth = target_.smooth = kind.smooth_speed && kind.pieces == 0;
     angle_.spline = Spline::linear;
     even_ = kind.pieces > 0 ? position_.samples(kind.pieces) : std::vector<glm::dvec3>();
     if (!keys_.empty()) tabulate();
@@ -118,13 +119,26 @@ glm::dvec3 Curve::point(long i) const {
     return points[size_t(i)];
 }
 
+std::vector<double> Curve::knots() const {
+    if (spline == Spline::centripetal) return centripetal_knots(points);
+    std::vector<double> all(points.size());
+    for (size_t i = 1; i < points.size(); ++i)
+        all[i] = all[i - 1] + (spline == Spline::linear ? glm::distance(points[i - 1], points[i]) : 1);
+    return all;
+}
+
 glm::dvec3 Curve::at(double time_s) const {
     if (points.empty()) return glm::dvec3(0.0);
     if (points.size() == 1 || !(time_s > times_s.front())) return points.front();
     if (time_s >= times_s.back()) return points.back();
     const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s);
     const long i = after - times_s.begin() - 1;  // of the key before
-    const double share = (time_s - times_s[size_t(i)]) / (times_s[size_t(i) + 1] - times_s[size_t(i)]);
+    double share = (time_s - times_s[size_t(i)]) / (times_s[size_t(i) + 1] - times_s[size_t(i)]);
+    if (smooth) {
+        const std::vector<double> all = knots();
+        if (all.size() == points.size() && all[size_t(i) + 1] > all[size_t(i)])
+            share = (knot_at(times_s, all, time_s) - all[size_t(i)]) / (all[size_t(i) + 1] - all[size_t(i)]);
+    }
     if (spline == Spline::linear) return glm::mix(point(i), point(i + 1), share);
     FourKeys keys{{point(i - 1), point(i), point(i + 1), point(i + 2)}, {0, 1, 2, 3}};
     if (spline == Spline::centripetal) {
@@ -163,6 +177,18 @@ double off_the_chord(const Curve& curve, int samples) {
             const double along = std::clamp(glm::dot(off, chord) / square, 0.0, 1.0);
             most = std::max(most, glm::length(off - along * chord) / std::sqrt(square));
         }
+    }
+    return most;
+}
+
+double speed_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place) {
+    double most = 1;
+    for (size_t i = 1; i + 1 < times_s.size(); ++i) {
+        const double before_s = 1e-4 * (times_s[i] - times_s[i - 1]), behind_s = 1e-4 * (times_s[i + 1] - times_s[i]);
+        const glm::dvec3 at = place(times_s[i]);
+        const double before = glm::distance(place(times_s[i] - before_s), at) / before_s,
+                     behind = glm::distance(at, place(times_s[i] + behind_s)) / behind_s;
+        if (std::min(before, behind) > 0) most = std::max(most, std::max(before, behind) / std::min(before, behind));
     }
     return most;
 }

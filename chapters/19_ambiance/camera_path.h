@@ -1,5 +1,6 @@
 // A camera that flies along keys.
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Curve {
     Spline spline = Spline::centripetal;
     std::vector<double> times_s;     ///< rising
     std::vector<glm::dvec3> points;  ///< as many
+    bool smooth = false;             ///< the speed does not jump at a key; else knots pass evenly between two keys
 
     /// The place at a time. With the Catmull-Rom curves, beyond its ends a key mirrored in the end stands in for the
     /// missing neighbour, so that the curve leaves and arrives without a bend.
@@ -29,11 +31,16 @@ struct Curve {
     std::vector<glm::dvec3> samples(int pieces) const;
 
   private:
-    glm::dvec3 point(long i) const;  ///< mirrored beyond the ends
+    glm::dvec3 point(long i) const;     ///< mirrored beyond the ends
+    std::vector<double> knots() const;  ///< the parameter at each key
 };
 
 /// The greatest distance of the curve from its keys' chords, in chords: of each pair, over the distance of its two keys.
 double off_the_chord(const Curve& curve, int samples);
+
+/// The greatest jump of a speed at an inner key of a curve that `place` follows: the larger over the smaller of the speeds
+/// within a ten-thousandth of the key's pieces before and behind it. 1: none jumps.
+double speed_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place);
 
 /// Largest speed over smallest, between `samples` evenly spaced times; with a table at an even speed.
 double speed_ratio(const Curve& curve, const std::vector<glm::dvec3>* table, int samples);
@@ -49,6 +56,7 @@ struct PathKind {
     Spline spline = Spline::centripetal;
     int pieces =
         0;  ///< of the table that evens out the speed, for each pair of keys; 0: keys are passed at their times
+    bool smooth_speed = false;  ///< of keys passed at their times: the speed does not jump there
     bool operator==(const PathKind&) const = default;
 };
 

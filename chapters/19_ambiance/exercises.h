@@ -20,6 +20,10 @@ EXERCISE("19.catmull_rom", glm::dvec3, catmull_rom, const FourKeys& keys, double
 /// Specification: exercise/centripetal_knots.cpp.
 EXERCISE("19.centripetal_knots", std::vector<double>, centripetal_knots, const std::vector<glm::dvec3>& points);
 
+/// Specification: exercise/knot_at.cpp.
+EXERCISE("19.knot_at", double, knot_at, const std::vector<double>& times_s, const std::vector<double>& knots,
+         double time_s);
+
 /// Specification: exercise/arc_length.cpp.
 EXERCISE("19.arc_length", double, arc_length, const std::vector<glm::dvec3>& points, double share);
 

@@ -42,8 +42,9 @@ std::string key_text(const CameraKey& key);
 //     knobs        {name: value} for the knobs of its drawings. Instead of a value there may be a track, [[scene time,
 //                  value], ...]. Numbers and colours are interpolated between its entries; values that are words jump, and
 //                  so do all values if the track's first entry is "steps"
-//     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), keys: list of time_s (scene time,
-//                  rising), position, target, up ([0, 1, 0]), fov_deg (the scene file's)
+//     camera       spline ("centripetal"; linear, catmull_rom), even_speed (false), smooth_speed (true: keys are passed at
+//                  their times, and the speed does not jump there), keys: list of time_s (scene time, rising), position,
+//                  target, up ([0, 1, 0]), fov_deg (the scene file's)
 //   fades        list of from_s, to_s, from, to (0 to 1), color ("black" or "white"). After a fade its last value
 //                  holds until the next fade of its colour begins
 //   titles       list of from_s, to_s, text, size (0.05, of the picture's height), at ([0.1, 0.1], from the left and

@@ -93,9 +93,10 @@ glm::dvec3 read_vector(KeyReader& r, const char* key, glm::dvec3 value) {
 void read_path(const JsonWithLines& source, const json& object, const std::string& pointer, FilmScene& scene) {
     KeyReader r(source, object, pointer);
     std::string spline = "centripetal";
-    bool even = false;
+    bool even = false, smooth = true;
     r.string("spline", spline);
     r.boolean("even_speed", even);
+    r.boolean("smooth_speed", smooth);
     const std::vector<std::string> splines{"linear", "catmull_rom", "centripetal"};
     const auto chosen = std::find(splines.begin(), splines.end(), spline);
     if (chosen == splines.end()) r.refuse("spline", fmt::format("is '{}', expected {}", spline, listed(splines)));
@@ -117,7 +118,7 @@ void read_path(const JsonWithLines& source, const json& object, const std::strin
     });
     if (keys.empty()) throw InputError("{} lacks keys", source.where(pointer));
     r.done();
-    scene.path = {static_cast<Spline>(chosen - splines.begin()), even ? 64 : 0};
+    scene.path = {static_cast<Spline>(chosen - splines.begin()), even ? 64 : 0, smooth};
     scene.camera = CameraPath(std::move(keys), scene.path);
 }
 

@@ -33,6 +33,29 @@ inline std::vector<double> centripetal_knots(const std::vector<glm::dvec3>& poin
     return knots;
 }
 
+/// By de Casteljau's construction. A slope of three keys is that of the parabola through them, by Lagrange's formula.
+inline double knot_at(const std::vector<double>& times_s, const std::vector<double>& knots, double time_s) {
+    const size_t last = knots.size() - 1;
+    if (time_s <= times_s[0]) return knots[0];
+    if (time_s >= times_s[last]) return knots[last];
+    const auto mean = [&](size_t a, size_t b) { return (knots[b] - knots[a]) / (times_s[b] - times_s[a]); };
+    const auto slope = [&](size_t k) {
+        if (k == 0 || k == last) return k == 0 ? mean(0, 1) : mean(last - 1, last);
+        const double a = times_s[k - 1], b = times_s[k], c = times_s[k + 1];
+        const double parabola = knots[k - 1] * (b - c) / ((a - b) * (a - c)) +
+                                knots[k] * (2 * b - a - c) / ((b - a) * (b - c)) +
+                                knots[k + 1] * (b - a) / ((c - a) * (c - b));
+        return std::min(parabola, 2 * std::min(mean(k - 1, k), mean(k, k + 1)));
+    };
+    size_t i = last - 1;
+    while (times_s[i] > time_s) --i;
+    const double third = (times_s[i + 1] - times_s[i]) / 3, u = (time_s - times_s[i]) / (3 * third);
+    std::array<double, 4> b{knots[i], knots[i] + third * slope(i), knots[i + 1] - third * slope(i + 1), knots[i + 1]};
+    for (size_t n = 3; n > 0; --n)
+        for (size_t k = 0; k < n; ++k) b[k] += u * (b[k + 1] - b[k]);
+    return b[0];
+}
+
 /// By bisection.
 inline double arc_length(const std::vector<glm::dvec3>& points, double share) {
     const int n = int(points.size()) - 1;

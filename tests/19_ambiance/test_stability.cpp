@@ -150,6 +150,39 @@ TEST_CASE("with a table of 64 lengths the speed at a moment is even to 4%, in th
     CHECK(found.median > 0.02);
 }
 
+TEST_CASE("keys are passed at their times without a jump of the speed, on the same curve", "[figures][19.timing]") {
+    Random random(21);
+    std::vector<double> even, smooth;
+    for (int i = 0; i < 200; ++i) {
+        Curve curve = any_curve(random, Spline::centripetal, 6, 10);
+        const Curve before = curve;
+        curve.smooth = true;
+        const auto jump = [](const Curve& path) { return speed_jump(path.times_s, [&](double t) { return path.at(t); }); };
+        // Knots as long as the root of a distance, passed in equal times: the quotient of two of them.
+        double expected = 1;
+        for (size_t k = 1; k + 1 < curve.points.size(); ++k) {
+            const double quotient = std::sqrt(glm::distance(curve.points[k], curve.points[k + 1]) /
+                                              glm::distance(curve.points[k - 1], curve.points[k]));
+            expected = std::max({expected, quotient, 1 / quotient});
+        }
+        even.push_back(jump(before));
+        smooth.push_back(jump(curve));
+        REQUIRE(even.back() == Approx(expected).epsilon(0.01));
+        for (size_t k = 0; k < curve.points.size(); ++k)
+            REQUIRE(glm::distance(curve.at(curve.times_s[k]), curve.points[k]) < 1e-9);
+        // Each place lies on the curve: between its two keys, at an even pace, some moment has it.
+        const double t = random.uniform(curve.times_s.front(), curve.times_s.back());
+        const std::vector<glm::dvec3> all = before.samples(4096);
+        double nearest = 1e9;
+        for (const glm::dvec3& point : all) nearest = std::min(nearest, glm::distance(point, curve.at(t)));
+        REQUIRE(nearest < 0.01);
+    }
+    fmt::print("the speed jumps at a key by a factor of {:.2f} in the median, {:.2f} at most; smoothed {:.4f} at most\n",
+               spread(even).median, spread(even).most, spread(smooth).most);
+    CHECK(spread(even).most > 2.5);
+    CHECK(spread(smooth).most < 1.01);
+}
+
 TEST_CASE("keys at one place: the camera rests, and nothing is divided by 0") {
     for (const Spline spline : {Spline::linear, Spline::catmull_rom, Spline::centripetal}) {
         const Curve curve{.spline = spline,
