@@ -1,5 +1,6 @@
 // Each pixel's list, sorted by depth, over the background: the nearest 32, then the next 32, to the end.
-#include "15_terrain_water/tint.glsl"
+#include "15_terrain_water/packed_tint.glsl"
+#include "15_terrain_water/tint_through.glsl"
 #include "15_terrain_water/transparency_data.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,5 +1,6 @@
 // Per-pixel lists: every fragment that is not hidden goes into its pixel's list. J. Yang, J. Hensley, H. Gruen and
 // N. Thibieroz, "Real-Time Concurrent Linked List Construction on the GPU", EGSR 2010.
+#include "15_terrain_water/packed_tint.glsl"
 #include "15_terrain_water/tint.glsl"
 #include "15_terrain_water/transparency_data.h"
 
