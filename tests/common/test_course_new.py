@@ -138,7 +138,8 @@ def write_two_chapters():
             sys.exit(said)
     last = int(chapters()[-1][:2])
     number, name = f"{last + 1:02}", f"{last + 1:02}_caustics"
-    before = git("stash", "create") or "HEAD"  # where files are edited, theirs is not the chapter's change
+    # Where files are edited, theirs is not the chapter's change.
+    before = git("stash", "create") if git("status", "--porcelain", "--untracked-files=no") else "HEAD"
     new, run, accept, test = commands_of_framework(number, name)
     expect(f"./course accept {number}.corners" in (said := course(*new)), said)
     rename_example(REAL, name)

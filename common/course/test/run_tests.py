@@ -116,7 +116,7 @@ def of_changes(commit: str, reduced: bool) -> list[str]:
     of first and engine, and of platform only a few."""
     files = changed_since(since := commit or branch_base())
     if commit and files is None:
-        raise UsageError(f"{commit}: git knows no such commit")
+        raise UsageError(f"--changed {commit}: git knows no such commit")
     folder = build(NOTHING)
     more = concerned([name for _, name in selected(folder, ["-L", "^platform$"])], files)
     if reduced and files is not None and is_of_chapters(files):
