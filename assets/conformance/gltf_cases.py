@@ -79,6 +79,10 @@ for cutoff, left in ((0.25, "a quarter"), (0.75, "three quarters")):
         [[cutoff + 0.1, 0.5, RED]], holes=[[cutoff - 0.1, 0.5]])
 mixed = Gltf({**unlit(baseColorFactor=[1, 0, 0, 0.5]), "alphaMode": "BLEND"})
 seen("alpha blend", mixed, "half of what lies behind shows through", [], mixed_with=[0.5, 0.5, [255, 0, 0], 0.5])
+glass = {"pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 0.25, 1], "metallicFactor": 0},
+         "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}
+seen("transmission", Gltf(glass).uses("KHR_materials_transmission"), "the base colour filters what lies behind", [],
+     filtered=[0.5, 0.5, [0.5, 1, 0.25]])
 back = Gltf({**unlit(baseColorFactor=[1, 0, 0, 1]), "doubleSided": True})
 back.json["nodes"][0]["rotation"] = [0, 1, 0, 0]
 seen("double sided", back, "seen from behind", [[0.5, 0.5, RED]])
@@ -211,9 +215,9 @@ case("camera and light of the file", "own_light.gltf", "red light of 1.5 lux", C
 case("camera and light not asked for", "own_light.gltf", "said in one line", [], warned="--camera-of-file")
 
 # Named, or refused.
-Gltf({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}, camera=False).uses(
-    "KHR_materials_transmission").write("transmission.gltf")
-case("transmission", "transmission.gltf", "named as left out", [], warned="KHR_materials_transmission (1 material)")
+Gltf({"extensions": {"KHR_materials_sheen": {"sheenRoughnessFactor": 1}}}, camera=False).uses(
+    "KHR_materials_sheen").write("sheen.gltf")
+case("sheen", "sheen.gltf", "named as left out", [], warned="KHR_materials_sheen (1 material)")
 Gltf({}, camera=False).uses("VENDOR_of_tomorrow", required=True).write("required_unknown.gltf")
 case("required extension", "required_unknown.gltf", "glTF 2.0, 3.12: must fail", [], refused="VENDOR_of_tomorrow")
 next_version = Gltf({}, camera=False)

@@ -147,6 +147,7 @@ struct Reader {
                 m.*color = *value;
             else
                 m.left_out.push_back(written + " as a spectrum or XYZ");
+            said.tf |= keyword == "tf";
             said.ka |= keyword == "ka";
             said.ks |= keyword == "ks";
             said.ke |= keyword == "ke";
@@ -164,8 +165,7 @@ struct Reader {
         } else if (keyword == "tr") {
             said.tr = take_float(rest, written);
         } else if (is_left_out(keyword)) {
-            said.tf |= keyword == "tf";
-            leave_out_unless_plain(m, keyword, written, rest);
+            leave_out_unless_plain(m, written, rest);
         } else {
             const float model = take_float(rest, written);
             if (!(model >= 0.0f && model <= 10.0f)) throw InputError("illum must be an integer from 0 to 10");
@@ -180,6 +180,7 @@ struct Reader {
         set_opacity(m);
         if (said.tf && m.opacity < 1 && m.illumination < 3) m.illumination = 4;  // a filter of light: glass
         set_colors(m);
+        set_transmission(m);
         m.has_exponent = said.ns && said.ks;
         const bool has_maps = m.roughness_map || m.metalness_map;
         m.metallic_roughness = m.microfacets = said.pr || said.pm || has_maps;
@@ -199,6 +200,16 @@ struct Reader {
         if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
     }
 
+    // An opaque material passes nothing to filter. White is no filter; black is what programs write where they mean
+    // nothing by it.
+    static void set_transmission(Material& m) {
+        glm::vec3& tint = m.transmission;
+        const bool is_filter = tint.r >= 0 && tint != glm::vec3(0) && tint != glm::vec3(1);
+        const bool is_opaque = m.opacity >= 1 && !m.opacity_map;
+        if (is_filter && is_opaque) m.left_out.push_back("Tf of an opaque material");
+        if (!is_filter || is_opaque) tint = Material{}.transmission;
+    }
+
     // Programs disagree on the meaning of Tr; d is unambiguous.
     void set_opacity(Material& m) const {
         if (said.d) m.opacity = *said.d;
@@ -216,7 +227,8 @@ struct Reader {
             m.diffuse = glm::vec3(1);
             warn("{}: material '{}': Kd 0 0 0 would make its map_Kd black; taken as 1 1 1", name, m.name);
         }
-        for (glm::vec3 Material::*color : {&Material::ambient, &Material::diffuse, &Material::specular}) {
+        for (glm::vec3 Material::*color :
+             {&Material::ambient, &Material::diffuse, &Material::specular, &Material::transmission}) {
             glm::vec3& c = m.*color;
             const float most = std::max({c.r, c.g, c.b});
             if (!(most > 1.0f)) continue;
@@ -227,18 +239,17 @@ struct Reader {
     }
 
     static bool is_left_out(const std::string& k) {
-        static const std::set<std::string> known = {"refl",  "ps",     "pc",     "pcr",    "aniso",  "anisor",  "tf",
+        static const std::set<std::string> known = {"refl",  "ps",     "pc",     "pcr",    "aniso",  "anisor",
                                                     "decal", "map_ps", "map_tr", "map_tf", "map_pc", "map_refl"};
         return known.contains(k);
     }
 
-    // Not where its numbers say that there is nothing to draw: all 0, or of Tf all 1.
-    static void leave_out_unless_plain(Material& m, const std::string& keyword, const std::string& written,
-                                       std::string_view rest) {
+    // Not where its numbers say that there is nothing to draw: all 0.
+    static void leave_out_unless_plain(Material& m, const std::string& written, std::string_view rest) {
         bool plain = true;
         for (std::string_view word; !(word = next_value(rest)).empty();) {
             float value = 0;
-            plain = plain && parse_float(word, value) == FloatStatus::ok && value == (keyword == "tf" ? 1.0f : 0.0f);
+            plain = plain && parse_float(word, value) == FloatStatus::ok && value == 0.0f;
         }
         if (!plain) m.left_out.push_back(written);
     }
@@ -248,6 +259,7 @@ struct Reader {
                : k == "kd" ? &Material::diffuse
                : k == "ks" ? &Material::specular
                : k == "ke" ? &Material::emissive
+               : k == "tf" ? &Material::transmission
                            : nullptr;
     }
     static float Material::*number_of(const std::string& k) {

@@ -13,7 +13,7 @@ namespace lightwalk {
 /// them, write Tr 1 for opaque. `safe`: transparency, except that a material that would vanish is opaque.
 enum class Tr { safe, transparency, opacity };
 
-/// Every material of an MTL file. Supports Ka Kd Ks Ke Ns d Tr Ni illum Pr Pm, their maps, bump, norm and disp, and
+/// Every material of an MTL file. Supports Ka Kd Ks Ke Ns d Tr Tf Ni illum Pr Pm, their maps, bump, norm and disp, and
 /// every map option. Other visible properties are listed in `left_out`, spectral and xyz colours included. Map files
 /// are resolved against the file's folder, with backslashes as slashes; their existence is not checked. Throws
 /// InputError with file, line and reason.

@@ -24,7 +24,7 @@ struct SurfaceMaps : ModelChapter {
     // Alpha blending, back to front by object; chapter 15 has better methods.
     SurfacePipelines see_through{{.fragment = "04_surface_maps/surface.frag",
                                   .depth_write = false,
-                                  .blend = Blend::alpha,
+                                  .blend = Blend::filtered,
                                   .macros = {{"TRANSPARENT", "1"}, {"LIGHTS_METHOD", "LIGHTS_METHOD_EVERY_LIGHT"}}}};
     Pipeline depth = graphics({.vertex = "04_surface_maps/surface.vert", .fragment = "04_surface_maps/depth.frag"});
     Pipeline displaced_depth =

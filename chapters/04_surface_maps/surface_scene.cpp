@@ -5,7 +5,7 @@ namespace lightwalk {
 SurfacePipelines see_through(const char* fragment, Macros macros) {
     macros.set("TRANSPARENT", "1");
     return SurfacePipelines(
-        {.fragment = fragment, .depth_write = false, .blend = Blend::alpha, .macros = std::move(macros)});
+        {.fragment = fragment, .depth_write = false, .blend = Blend::filtered, .macros = std::move(macros)});
 }
 
 SurfaceScene::SurfaceScene(Module& owner, std::string name, const char* fragment)

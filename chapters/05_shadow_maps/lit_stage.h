@@ -43,7 +43,7 @@ struct SphereShadow : Module {
     const SurfacePipelines ringed{{.fragment = "05_shadow_maps/ringed.frag"}};
     const SurfacePipelines ringed_transparent{{.fragment = "05_shadow_maps/ringed.frag",
                                                .depth_write = false,
-                                               .blend = Blend::alpha,
+                                               .blend = Blend::filtered,
                                                .macros = {{"TRANSPARENT", "1"}}}};
 };
 

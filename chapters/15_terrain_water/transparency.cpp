@@ -45,6 +45,7 @@ class Transparency::Stage : public PassInputs {
 namespace {
 
 constexpr glm::vec4 nothing(0.0f), everything(1.0f);
+constexpr const char* blended = "15_terrain_water/put_blended.glsl";
 
 // By drawing: a method that needs no order wants as few passes as there are drawings.
 std::vector<TransparentSurface> grouped(std::vector<TransparentSurface> surfaces) {
@@ -85,8 +86,8 @@ void Transparency::record(Frame& frame, const View& view, Canvas& canvas,
     if (method.is("lists")) return mix_lists(frame, canvas, grouped(surfaces), t);
     if (method.is("peeling")) return peel(frame, canvas, grouped(surfaces), t);
     if (method.is("sorted_triangles")) return draw_triangles(frame, view, canvas, surfaces, t);
-    draw_surfaces(frame, "transparent", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only()},
-                  method.is("sorted") ? back_to_front(surfaces, view.eye) : surfaces);
+    draw_stage(frame, "transparent", {.color = {canvas.color_target()}, .depth = canvas.depth_read_only()},
+               Stage(blended, now_), method.is("sorted") ? back_to_front(surfaces, view.eye) : surfaces);
 }
 
 void Transparency::draw_stage(Frame& frame, const char* pass, RasterTargets targets, const Stage& stage,
@@ -113,14 +114,17 @@ void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas
     std::vector<glm::uvec3> indices;
     for (const One& one : all) indices.push_back(one.what.vertices);
     frame.upload("sorted triangles", t.indices, indices);
+    const Stage stage(blended, now_);
     for (size_t first = 0, last = 0; first < all.size(); first = last) {
         const TransparentSource& source = *all[first].source;
         while (last < all.size() && all[last].source == &source) ++last;
+        std::vector<With> with = source.transparent_with();
+        with.insert(with.end(), {*this, stage});
         frame.raster("transparent",
                      {.color = {canvas.color_target()},
                       .depth = canvas.depth_read_only(),
                       .reads = source.transparent_reads(),
-                      .with = source.transparent_with()},
+                      .with = with},
                      [&](Raster& pass) {
                          for (size_t from = first, to = first; from < last; from = to) {  // neighbours of one item
                              while (to < last && all[to].what.item == all[from].what.item) ++to;
@@ -135,7 +139,7 @@ void Transparency::draw_triangles(Frame& frame, const View& view, Canvas& canvas
 void Transparency::add_weighted(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces,
                                 Targets& t) {
     const glm::uvec2 size = canvas.size();
-    const VkFormat share = revealage.is("r8") ? VK_FORMAT_R8_UNORM : VK_FORMAT_R16_SFLOAT;
+    const VkFormat share = revealage.is("r8") ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     t.sum.ensure(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
     t.share.ensure(frame.gpu.device, {.name = path() + " share", .format = share, .size = size});
     draw_stage(frame, "weighted sum",
@@ -158,11 +162,12 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
     // Beside the absorbance there is room for the fifth moment and the sixth.
     const VkFormat beside = method.is("moments6") ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_SFLOAT;
     t.absorbance.ensure(frame.gpu.device, {.name = path() + " absorbance", .format = beside, .size = size});
+    t.tints.ensure(frame.gpu.device, {.name = path() + " tints", .size = size});
     t.sum.ensure(frame.gpu.device, {.name = path() + " sum", .format = sum_format(), .size = size});
     draw_stage(frame, "moments",
-               {.color = {clear(t.moments, nothing), clear(t.absorbance, nothing)},
+               {.color = {clear(t.moments, nothing), clear(t.absorbance, nothing), clear(t.tints, everything)},
                 .depth = canvas.depth_read_only(),
-                .blend_override = BlendOverride{{Blend::add, Blend::add}}},
+                .blend_override = BlendOverride{{Blend::add, Blend::add, Blend::multiply}}},
                Stage("15_terrain_water/put_moments.glsl", now_), surfaces);
     Stage second("15_terrain_water/put_transmitted.glsl", now_);
     second.image("moments", t.moments).image("absorbance", t.absorbance);
@@ -172,9 +177,9 @@ void Transparency::add_by_moments(Frame& frame, Canvas& canvas, const std::vecto
                 .blend_override = BlendOverride{{Blend::add}}},
                second, surfaces);
     const ImageView color = canvas.color(frame);
-    frame.compute("mix", {.reads = {t.sum, t.absorbance, color}, .writes = {color}}, [&](Compute& pass) {
+    frame.compute("mix", {.reads = {t.sum, t.absorbance, t.tints, color}, .writes = {color}}, [&](Compute& pass) {
         pass.use(mix_moments_).set("sum", t.sum, nearest_clamp).set("absorbance", t.absorbance, nearest_clamp);
-        pass.set("picture", color).dispatch_threads(size);
+        pass.set("tints", t.tints, nearest_clamp).set("picture", color).dispatch_threads(size);
     });
 }
 
@@ -230,11 +235,15 @@ std::vector<std::string> Transparency::status() const {
 void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<TransparentSurface>& surfaces, Targets& t) {
     const glm::uvec2 size = canvas.size();
     t.layer.ensure(frame.gpu.device, {.name = path() + " layer", .size = size});
+    t.layer_tint.ensure(frame.gpu.device, {.name = path() + " layer tint", .size = size});
     for (Image& depth : t.layer_depth)
         depth.ensure(frame.gpu.device, {.name = path() + " layer depth", .format = VK_FORMAT_D32_SFLOAT, .size = size});
-    t.peeled.ensure(frame.gpu.device,
-                    {.name = path() + " peeled", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .size = size});
-    frame.fill("clear peeled", t.peeled, {0.0f, 0.0f, 0.0f, 1.0f});  // no light, and all of the background is seen
+    for (Image* image : {&t.peeled, &t.passed})
+        image->ensure(frame.gpu.device, {.name = path() + (image == &t.peeled ? " peeled" : " passed"),
+                                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                         .size = size});
+    frame.fill("clear peeled", t.peeled, nothing);
+    frame.fill("clear passed", t.passed, everything);
     // Before the first layer there is the near plane.
     frame.raster("before the layers", {.depth = clear(t.layer_depth[1], 1.0f)}, [](Raster&) {});
     const ImageView& solid = canvas.single_depth();
@@ -243,17 +252,22 @@ void Transparency::peel(Frame& frame, Canvas& canvas, const std::vector<Transpar
         Stage stage("15_terrain_water/put_layer.glsl", now_);
         stage.image("solid_depth", solid).image("nearer_depth", nearer);
         draw_stage(frame, "layer",
-                   {.color = {clear(t.layer, nothing)},
+                   {.color = {clear(t.layer, nothing), clear(t.layer_tint, everything)},
                     .depth = clear(depth, 0.0f),
                     .blend_override = BlendOverride{{Blend::opaque}, true}},
                    stage, surfaces);
-        frame.compute("add layer", {.reads = {t.layer, t.peeled}, .writes = {t.peeled}}, [&](Compute& pass) {
-            pass.use(add_layer_).set("layer", t.layer, nearest_clamp).set("peeled", t.peeled).dispatch_threads(size);
-        });
+        frame.compute("add layer",
+                      {.reads = {t.layer, t.layer_tint, t.peeled, t.passed}, .writes = {t.peeled, t.passed}},
+                      [&](Compute& pass) {
+                          pass.use(add_layer_).set("layer", t.layer, nearest_clamp);
+                          pass.set("layer_tint", t.layer_tint, nearest_clamp);
+                          pass.set("peeled", t.peeled).set("passed", t.passed).dispatch_threads(size);
+                      });
     }
     const ImageView color = canvas.color(frame);
-    frame.compute("mix", {.reads = {t.peeled, color}, .writes = {color}}, [&](Compute& pass) {
-        pass.use(mix_peeled_).set("peeled", t.peeled, nearest_clamp).set("picture", color).dispatch_threads(size);
+    frame.compute("mix", {.reads = {t.peeled, t.passed, color}, .writes = {color}}, [&](Compute& pass) {
+        pass.use(mix_peeled_).set("peeled", t.peeled, nearest_clamp).set("passed", t.passed, nearest_clamp);
+        pass.set("picture", color).dispatch_threads(size);
     });
 }
 

@@ -39,6 +39,13 @@ struct Transparency : Module, TransparencyMethod {
                      {"r8", "r16f"},
                      "r16f",
                      "Precision of the background's share (method wboit): 8 bits, or half floats"};
+    Choice tint{
+        *this,
+        "tint",
+        {"grey", "rgb"},
+        "rgb",
+        "Light that passes through coloured glass: the same share of each colour, their mean (grey), or a share "
+        "of each (rgb)"};
     Knob<float> moment_bias{*this,
                             "moment_bias",
                             5e-7f,
@@ -57,7 +64,7 @@ struct Transparency : Module, TransparencyMethod {
 
   private:
     struct Targets {  ///< of a view
-        Image sum, share, moments, absorbance, layer, layer_depth[2], peeled;
+        Image sum, share, moments, absorbance, tints, layer, layer_tint, layer_depth[2], peeled, passed;
         Buffer heads, fragments, count;
         ReadBack counted;
         uint32_t room = 0;  ///< fragments

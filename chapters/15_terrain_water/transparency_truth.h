@@ -11,11 +11,19 @@ namespace lightwalk::truth {
 struct Layer {
     glm::dvec3 color;
     double alpha, z_m, depth;
+    glm::dvec3 tint{1.0};  ///< share of the light behind that passes where alpha lets it
 };
+
+/// Shares of light that pass one after another, multiplied: Beer and Lambert's law.
+inline double passed_share(std::initializer_list<double> passed_alpha_tint) {
+    const double* s = passed_alpha_tint.begin();
+    return std::exp(std::log(s[0]) + std::log1p(-s[1]) + std::log(s[2]));
+}
 
 /// Each over those before it in the list.
 inline glm::dvec3 over(const std::vector<Layer>& layers, glm::dvec3 background) {
-    for (const Layer& layer : layers) background = glm::mix(background, layer.color, layer.alpha);
+    for (const Layer& layer : layers)
+        background = layer.alpha * layer.color + (1 - layer.alpha) * layer.tint * background;
     return background;
 }
 
@@ -35,16 +43,19 @@ inline double wboit_weight(int equation, double alpha, double z_m, double depth)
     return alpha * std::clamp(x, 0.01, 3000.0);
 }
 
+/// Tints filter the background; the surfaces' own light is mixed without them.
 inline glm::dvec3 weighted(const std::vector<Layer>& layers, const glm::dvec3& background, int equation) {
     glm::dvec3 sum(0);
-    double weights = 0, behind = 1;
+    double weights = 0, uncovered = 1;
+    glm::dvec3 behind(1);
     for (const Layer& l : layers) {
         const double w = l.alpha * wboit_weight(equation, l.alpha, l.z_m, l.depth);
         sum += w * l.color;
         weights += w;
-        behind *= 1 - l.alpha;
+        uncovered *= 1 - l.alpha;
+        behind *= (1 - l.alpha) * l.tint;
     }
-    return glm::mix(sum / std::max(weights, 1e-5), background, behind);
+    return (1 - uncovered) * sum / std::max(weights, 1e-5) + behind * background;
 }
 
 /// Transmittance before `z` by four power moments: the distribution with mass at z and at two other depths that has them.
@@ -91,7 +102,7 @@ inline double moment_transmittance_6(glm::dvec4 b, glm::dvec2 high, double all, 
     return std::clamp(std::exp(-all * before), 0.0, 1.0);
 }
 
-/// `six`: by six moments, else by four.
+/// `six`: by six moments, else by four. Tints filter the background alone.
 inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3& background, double near_m,
                              double far_m, bool six = false, double bias = 5e-7, double overestimation = 0.25) {
     const auto depth = [&](const Layer& l) { return 2 * std::log(l.z_m / near_m) / std::log(far_m / near_m) - 1; };
@@ -104,9 +115,10 @@ inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3&
         b += a * glm::dvec4(z, z * z, z * z * z, z * z * z * z);
         high += a * glm::dvec2(std::pow(z, 5), std::pow(z, 6));
     }
-    glm::dvec3 sum(0);
+    glm::dvec3 sum(0), tint(1);
     double weights = 0;
     for (const Layer& l : layers) {
+        tint *= l.tint;
         const double left = six ? moment_transmittance_6(b / all, high / all, all, depth(l), 10 * bias, overestimation)
                                 : moment_transmittance(b / all, all, depth(l), bias, overestimation);
         const double w = l.alpha * left;
@@ -114,7 +126,7 @@ inline glm::dvec3 by_moments(const std::vector<Layer>& layers, const glm::dvec3&
         weights += w;
     }
     const double behind = std::exp(-all);
-    return behind * background + (1 - behind) * sum / std::max(weights, 1e-5);
+    return behind * tint * background + (1 - behind) * sum / std::max(weights, 1e-5);
 }
 
 /// Of layers in the order of the list the nearest four are kept, and two neighbours are merged, those farthest away, where

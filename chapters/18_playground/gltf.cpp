@@ -297,6 +297,19 @@ class Exporter {
         return list(emitted / strength);
     }
 
+    // KHR_materials_transmission: the base colour filters what passes, and over a thickness of 1 the attenuation colour.
+    void add_glass(const MaterialNumbers& m, const glm::vec3& base, json& extensions) {
+        writer.extensions.insert("KHR_materials_transmission");
+        extensions["KHR_materials_transmission"]["transmissionFactor"] = 1.0f - m.opacity;
+        if (base == m.transmission) return;
+        const glm::vec3 rest = glm::clamp(m.transmission / glm::max(base, 1e-6f), 0.0f, 1.0f);
+        if (glm::any(glm::greaterThan(m.transmission, base + 1e-6f)))
+            leave_out(left_out, "transmission above the base colour", "material");
+        writer.extensions.insert("KHR_materials_volume");
+        extensions["KHR_materials_volume"] = {
+            {"thicknessFactor", 1.0f}, {"attenuationDistance", 1.0f}, {"attenuationColor", list(rest)}};
+    }
+
     int material(const DrawItem& item, const SceneObject& object) {
         const MaterialNumbers& m = item.material;
         json own{{"name", clean_name(m.name)}};
@@ -306,7 +319,10 @@ class Exporter {
         };
         own["pbrMetallicRoughness"] = json::object();  // its place: what is inserted later moves it
         json pbr;
-        pbr["baseColorFactor"] = {m.diffuse.x, m.diffuse.y, m.diffuse.z, m.opacity};
+        const bool is_glass = item.transparent && m.transmission.r >= 0.0f;
+        // Glass without a body has the tint as its base colour; another's tint is absorbed on the way through it.
+        const glm::vec3 base = is_glass && m.opacity == 0.0f ? m.transmission : m.diffuse;
+        pbr["baseColorFactor"] = {base.x, base.y, base.z, is_glass ? 1.0f : m.opacity};
         const glm::vec2 numbers = metalness_and_roughness(item);
         const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
         if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
@@ -325,13 +341,14 @@ class Exporter {
         set(own, "emissiveTexture", MapSlot::emissive);
         json extensions = json::object();
         own["emissiveFactor"] = emission(m, extensions);
+        if (is_glass) add_glass(m, base, extensions);
         if (m.unlit) {
             extensions["KHR_materials_unlit"] = json::object();
             writer.extensions.insert("KHR_materials_unlit");
         }
         if (!extensions.empty()) own["extensions"] = extensions;
         if (item.two_sided) own["doubleSided"] = true;
-        own["alphaMode"] = item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
+        own["alphaMode"] = is_glass ? "OPAQUE" : item.transparent ? "BLEND" : is_cut_out(item) ? "MASK" : "OPAQUE";
         const auto& knobs = document_.settings().knobs;
         const auto cutoff = knobs.find("maps.cutoff");
         if (own["alphaMode"] == "MASK" && (m.alpha_cutoff > 0 || cutoff != knobs.end()))

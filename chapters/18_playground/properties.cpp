@@ -152,6 +152,14 @@ std::vector<Property> material_properties(const std::function<const MaterialNumb
     using Override = MaterialOverride;
     const MaterialNumbers plain;
     constexpr auto number = PropertyField::number, color = PropertyField::color;
+    Property transmission =
+        of_material(&Override::transmission, glm::vec3(1),
+                    {color, "transmission", "Share of the light that opacity lets through, by channel", 0, 0, 1}, own,
+                    &Material::transmission);
+    transmission.get = [get = transmission.get](EntryId id, const Entry& entry) {
+        const glm::vec3 value = get(id, entry);
+        return value.x < 0 ? glm::vec3(1) : value;  // unspecified: white
+    };
     return {
         of_material(&Override::diffuse, plain.diffuse,
                     {color, "diffuse", "Diffuse colour: the share of light that is scattered, linear", 0, 0, 1}, own,
@@ -170,7 +178,8 @@ std::vector<Property> material_properties(const std::function<const MaterialNumb
         of_material(&Override::metalness, plain.metalness,
                     {number, "metalness", "Metalness: 0 is an insulator, 1 is a metal", 0.01f, 0, 1}),
         of_material(&Override::opacity, plain.opacity,
-                    {number, "opacity", "Opacity: 0 is invisible, 1 is opaque", 0.01f, 0, 1}, own, &Material::opacity)};
+                    {number, "opacity", "Opacity: 0 is invisible, 1 is opaque", 0.01f, 0, 1}, own, &Material::opacity),
+        transmission};
 }
 
 Property material_property(const std::string& name, const std::function<const MaterialNumbers*(EntryId)>& own) {

@@ -37,8 +37,8 @@ const Property& light_property(const std::string& name);
 /// position, rotation or scale.
 const Property& object_property(const std::string& name);
 
-/// diffuse, specular, emissive, shininess, roughness, metalness and opacity of an object with a model. `own`: the
-/// model's own material, which holds where the object overrides nothing; null: not known.
+/// diffuse, specular, emissive, shininess, roughness, metalness, opacity and transmission of an object with a model.
+/// `own`: the model's own material, which holds where the object overrides nothing; null: not known.
 std::vector<Property> material_properties(const std::function<const MaterialNumbers*(EntryId)>& own);
 Property material_property(const std::string& name, const std::function<const MaterialNumbers*(EntryId)>& own);
 

@@ -87,7 +87,7 @@ class TransparentSource {
     virtual std::vector<Transparent> transparent(const View&) const = 0;
 
     /// Modules and resources of the transparent pass, and draws of surfaces in the given order. Fragment shaders end
-    /// with put_surface() (common/put_surface.glsl), through which the method receives colour and alpha.
+    /// with put_surface() (common/put_surface.glsl), through which the method receives colour, alpha and tint.
     virtual std::vector<With> transparent_with() const { return {}; }
     virtual std::vector<Resource> transparent_reads() const { return {}; }
     virtual void draw_transparent(Raster&, std::span<const Transparent>) const = 0;

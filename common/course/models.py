@@ -95,6 +95,11 @@ def wrong(case: dict, draw) -> str:
         mixed = 255 * (alpha * ahead + (1 - alpha) * behind) ** (1 / 2.2)
         if abs(picture.at(x, y) - mixed).max() > 8:
             return f"{picture.at(x, y).round().tolist()}, expected about {mixed.round().tolist()}"
+    if "filtered" in case:
+        x, y, tint = case["filtered"]
+        passed = 255 * (numpy.array(tint) * (picture_behind(draw) / 255) ** 2.2) ** (1 / 2.2)
+        if abs(picture.at(x, y) - passed).max() > 8:
+            return f"{picture.at(x, y).round().tolist()}, expected about {passed.round().tolist()}"
     return wrong_thing(case, picture, draw)
 
 

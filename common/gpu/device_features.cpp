@@ -13,6 +13,7 @@ constexpr std::pair<const char*, VkBool32 VkPhysicalDeviceFeatures::*> needed_co
     FEATURE(depthClamp),
     FEATURE(depthBiasClamp),
     FEATURE(independentBlend),
+    FEATURE(dualSrcBlend),
     FEATURE(imageCubeArray),
     FEATURE(geometryShader),
     FEATURE(multiDrawIndirect),

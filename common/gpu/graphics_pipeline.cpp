@@ -23,6 +23,11 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend, VkColorComponentFla
         case Blend::premultiplied:
             set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA);
             break;
+        case Blend::filtered:
+            set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA);
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_SRC1_COLOR;
+            break;
         case Blend::add:
             set(VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE);
             break;

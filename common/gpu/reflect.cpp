@@ -120,13 +120,15 @@ Texels texels_of(spvc_compiler compiler, spvc_type type) {
     return components_of(spvc_compiler_get_type_handle(compiler, spvc_type_get_image_sampled_type(type)));
 }
 
-// An array of inputs or outputs, such as a geometry shader's, is one entry.
+// An array of inputs or outputs, such as a geometry shader's, is one entry. The second source of a blend
+// (index 1) belongs to its target's first output.
 std::vector<Varying> varyings_of(spvc_compiler compiler, spvc_resources resources, spvc_resource_type kind) {
     const spvc_reflected_resource* list = nullptr;
     size_t count = 0;
     spvc_resources_get_resource_list_for_type(resources, kind, &list, &count);
     std::vector<Varying> result;
     for (size_t i = 0; i < count; ++i) {
+        if (spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationIndex) != 0) continue;
         const spvc_type type = spvc_compiler_get_type_handle(compiler, list[i].type_id);
         result.push_back({.name = list[i].name,
                           .location = spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationLocation),

@@ -23,7 +23,8 @@ enum class Blend {
     add,            ///< new + old
     multiply,       ///< new · old
     minimum,
-    maximum
+    maximum,
+    filtered  ///< new · new alpha + old · second output (location 0, index 1), a share for each channel
 };
 
 /// Depth bias: `constant` in units of the depth format (for floats, of the triangle's largest depth), `slope` times

@@ -213,7 +213,9 @@ std::string why_invisible(const Model& model, glm::vec3 eye) {
             for (const Part& part : mesh.parts) {
                 const Material& material = model.materials[part.material];
                 const bool is_cut = material.alpha_cutoff >= 0.0f && !material.blend;
-                if (is_cut ? material.opacity < material.alpha_cutoff : material.opacity <= 0.0f) continue;
+                if (is_cut ? material.opacity < material.alpha_cutoff
+                           : material.opacity <= 0.0f && material.transmission.r < 0.0f)
+                    continue;
                 any_opaque = true;
                 const float turned = (glm::determinant(glm::mat3(world[n])) < 0) != is_mirrored ? -1.0f : 1.0f;
                 for (size_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {

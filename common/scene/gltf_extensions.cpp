@@ -12,9 +12,11 @@ namespace {
 using nlohmann::json;
 
 // Supported extensions, and those without visual effect.
-constexpr std::array<std::string_view, 14> drawn = {"KHR_materials_unlit",
+constexpr std::array<std::string_view, 16> drawn = {"KHR_materials_unlit",
                                                     "KHR_materials_emissive_strength",
                                                     "KHR_materials_pbrSpecularGlossiness",
+                                                    "KHR_materials_transmission",
+                                                    "KHR_materials_volume",
                                                     "KHR_texture_transform",
                                                     "KHR_mesh_quantization",
                                                     "KHR_draco_mesh_compression",

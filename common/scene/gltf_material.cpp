@@ -63,10 +63,9 @@ class GltfMaterials {
         if (const json* strength = extension(from, "KHR_materials_emissive_strength"))
             m.emissive *= value_or(*strength, "emissiveStrength", 1.0f);
         m.unlit = extension(from, "KHR_materials_unlit") != nullptr;
-        if (const json* glass = extension(from, "KHR_materials_transmission"))
-            if (value_or(*glass, "transmissionFactor", 0.0f) > 0) m.illumination = 4;  // MTL's number of glass
         m.sides = value_or(from, "doubleSided", false) ? Sides::both : Sides::front;
         read_alpha(from, m);
+        if (const json* glass = extension(from, "KHR_materials_transmission")) read_glass(from, *glass, m);
         if (!m.metallic_roughness) {  // roughness to Blinn–Phong exponent, as in chapter 04
             const float alpha = m.roughness * m.roughness;
             m.shininess = std::clamp(2.0f / std::max(alpha * alpha, 1e-8f) - 2.0f, 0.0f, 8192.0f);
@@ -75,6 +74,31 @@ class GltfMaterials {
     }
 
   private:
+    // KHR_materials_transmission as a thin sheet: of the share `through` that passes into it, the base colour passes on, and
+    // of KHR_materials_volume, for a straight path, the attenuation colour to the power of thickness / distance.
+    void read_glass(const json& from, const json& glass, Material& m) {
+        const float through = value_or(glass, "transmissionFactor", 0.0f) * (1 - m.metalness);
+        if (value_or(glass, "transmissionFactor", 0.0f) > 0) m.illumination = 4;  // MTL's number of glass
+        if (glass.contains("transmissionTexture"))
+            leave_out(model_, "KHR_materials_transmission's texture", "material");
+        if (!(through > 0)) return;
+        if (m.alpha_cutoff > 0) return leave_out(model_, "KHR_materials_transmission beside holes", "material");
+        if (m.diffuse_map) leave_out(model_, "KHR_materials_transmission's tint by a base colour texture", "material");
+        glm::vec3 tint = m.diffuse;
+        if (const json* volume = extension(from, "KHR_materials_volume")) {
+            const float thickness = value_or(*volume, "thicknessFactor", 0.0f);
+            const float distance = value_or(*volume, "attenuationDistance", INFINITY);
+            if (thickness > 0) leave_out(model_, "KHR_materials_volume's refraction", "material");
+            if (thickness > 0 && distance > 0)
+                tint *= glm::pow(vector_or(*volume, "attenuationColor", glm::vec3(1)), glm::vec3(thickness / distance));
+        }
+        // Alpha is coverage: the uncovered share passes as it is.
+        const float covered = m.opacity, passed = 1 - covered + covered * through;
+        m.transmission = (1 - covered + covered * through * tint) / passed;
+        m.opacity = 1 - passed;
+        m.blend = true;
+    }
+
     static void read_alpha(const json& from, Material& m) {
         const std::string mode = value_or<std::string>(from, "alphaMode", "OPAQUE");
         m.blend = mode == "BLEND";

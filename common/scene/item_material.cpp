@@ -9,6 +9,7 @@ MaterialNumbers overridden(MaterialNumbers material, const MaterialOverride& wit
     if (with.emissive) material.emissive = *with.emissive;
     if (with.shininess) material.shininess = *with.shininess;
     if (with.opacity) material.opacity = *with.opacity;
+    if (with.transmission) material.transmission = *with.transmission;
     if (with.blend) material.blend = *with.blend;
     return material;
 }
@@ -51,7 +52,8 @@ MaterialData material_data(const DrawItem& item, float emission) {
             .metalness = item.metalness,
             .alpha_cutoff = item.material.alpha_cutoff,
             .normal_scale = item.material.normal_scale,
-            .occlusion_strength = item.material.occlusion_strength};
+            .occlusion_strength = item.material.occlusion_strength,
+            .transmission = item.material.transmission};
 }
 
 }  // namespace lightwalk

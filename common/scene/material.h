@@ -51,10 +51,13 @@ struct MaterialNumbers {
     glm::vec3 ambient{0.0f}, diffuse{0.8f}, specular{0.0f}, emissive{0.0f};  ///< Ka Kd Ks Ke
     float shininess = 32.0f;                                                 ///< Ns, Blinn–Phong exponent, 0 to 1000
     float opacity = 1.0f;                                                    ///< d, or 1 − Tr
-    float refraction = 1.5f;                                                 ///< Ni
-    float roughness = 0.5f, metalness = 0.0f;                                ///< Pr Pm
-    bool blend = false;       ///< alpha blending; false: alpha cuts holes
-    float alpha_cutoff = -1;  ///< alpha below it is a hole; 0: none; negative: unspecified
+    /// Tf: share of the light from behind that passes, by channel, of the 1 − opacity that opacity leaves; negative:
+    /// unspecified, all of it.
+    glm::vec3 transmission{-1.0f};
+    float refraction = 1.5f;                   ///< Ni
+    float roughness = 0.5f, metalness = 0.0f;  ///< Pr Pm
+    bool blend = false;                        ///< alpha blending; false: alpha cuts holes
+    float alpha_cutoff = -1;                   ///< alpha below it is a hole; 0: none; negative: unspecified
     Sides sides = Sides::unknown;
     bool metallic_roughness = false;  ///< specified by base colour, roughness and metalness
     bool microfacets = false;         ///< specified by roughness: GGX

@@ -15,9 +15,9 @@ void fields(Bytes& bytes, TextureMap& map) {
 
 template <class Bytes>
 void fields(Bytes& bytes, Material& m) {
-    bytes(m.name, m.ambient, m.diffuse, m.specular, m.emissive, m.shininess, m.opacity, m.refraction, m.roughness,
-          m.metalness, m.blend, m.alpha_cutoff, m.sides, m.metallic_roughness, m.microfacets, m.has_exponent, m.unlit,
-          m.normal_scale, m.occlusion_strength, m.illumination);
+    bytes(m.name, m.ambient, m.diffuse, m.specular, m.emissive, m.shininess, m.opacity, m.transmission, m.refraction,
+          m.roughness, m.metalness, m.blend, m.alpha_cutoff, m.sides, m.metallic_roughness, m.microfacets,
+          m.has_exponent, m.unlit, m.normal_scale, m.occlusion_strength, m.illumination);
     for (TextureMap Material::*map : all_maps) bytes(m.*map);
 }
 
@@ -202,6 +202,8 @@ void limit_numbers(Material& material, const std::string& where) {
     limit_color("emissive", material.emissive, initial.emissive);
     limit("shininess", material.shininess, initial.shininess, 1e5f);
     limit("opacity", material.opacity, initial.opacity, 1);
+    if (material.transmission != initial.transmission)
+        for (int i = 0; i < 3; ++i) limit("transmission", material.transmission[i], 1, 1);
     limit("roughness", material.roughness, initial.roughness, 1);
     limit("metalness", material.metalness, initial.metalness, 1);
     material.alpha_cutoff = std::isnan(material.alpha_cutoff) ? -1.0f : std::min(material.alpha_cutoff, 1e4f);

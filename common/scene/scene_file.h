@@ -20,7 +20,8 @@
 //     rotation_deg   [0, 0, 0], about x, then y, then z
 //     scale          1, or [1, 1, 1]; -1e6 to 1e6 but not 0; an odd number of negative values mirrors
 //     material       overrides the model's: diffuse and specular [r, g, b] (linear, 0 to 1), emissive (0 to 1e4),
-//                    shininess (0 to 1e5), opacity (0 to 1; below 1: transparent), blend (true: alpha and opacity map
+//                    shininess (0 to 1e5), opacity (0 to 1; below 1: transparent), transmission [r, g, b] (0 to 1: of
+//                    the light that opacity lets through, the share that passes), blend (true: alpha and opacity map
 //                    blend with the background; false: they cut holes; transparent objects are drawn last, farthest
 //                    first, and cast no shadow), two_sided (true: no back-face culling, unless the model decides),
 //                    roughness, metalness (0 to 1), maps {slot: file} (diffuse, specular, emissive, opacity, normal,
@@ -66,7 +67,7 @@ namespace lightwalk {
 
 /// Material overrides; absent values keep the model's.
 struct MaterialOverride {
-    std::optional<glm::vec3> diffuse, specular, emissive;
+    std::optional<glm::vec3> diffuse, specular, emissive, transmission;
     std::optional<float> shininess, opacity, roughness, metalness;
     std::optional<bool> blend;
     std::optional<bool> two_sided;                      ///< default where the model states nothing

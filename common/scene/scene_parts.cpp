@@ -49,6 +49,7 @@ MaterialOverride read_material(const JsonWithLines& source, KeyReader r) {
     color("diffuse", material.diffuse, 1);
     color("specular", material.specular, 1);
     color("emissive", material.emissive, 1e4);
+    color("transmission", material.transmission, 1);
     number("shininess", material.shininess, 0, 1e5);
     number("opacity", material.opacity, 0, 1);
     number("roughness", material.roughness, 0, 1);

@@ -65,6 +65,7 @@ Json object_json(const SceneObject& o) {
     if (m.emissive) material["emissive"] = list(*m.emissive);
     if (m.shininess) material["shininess"] = number(*m.shininess);
     if (m.opacity) material["opacity"] = number(*m.opacity);
+    if (m.transmission) material["transmission"] = list(*m.transmission);
     if (m.roughness) material["roughness"] = number(*m.roughness);
     if (m.metalness) material["metalness"] = number(*m.metalness);
     for (const auto& [slot, file] : m.maps) material["maps"][slot] = file.generic_string();

@@ -6,5 +6,5 @@
 void main() {
     MappedSurface m = seen_surface();
     Lit lit = light_mapped(m, item, gl_FragCoord);
-    put_surface(min(radiance_of(m, lit.diffuse, lit.specular, ambient), LARGEST_HALF), m.alpha);
+    put_surface(min(radiance_of(m, lit.diffuse, lit.specular, ambient), LARGEST_HALF), m.alpha, m.tint);
 }

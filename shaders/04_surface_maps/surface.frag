@@ -1,8 +1,7 @@
 // Shading of surfaces with maps under chapter 03's lights, or the error of the bump method.
 #include "04_surface_maps/reflection.glsl"
 #include "03_attenuation/unshadowed.glsl"
-
-layout(location = 0) out vec4 color;
+#include "common/put_surface.glsl"
 
 const float white_texels = 32.0;  // error shown as white
 const float walk_m = 0.05;        // camera motion along the surface per frame, for swim
@@ -52,17 +51,14 @@ float measured(vec2 uv) {
 
 void main() {
 #if SHOW == SHOW_HIT_ERROR || SHOW == SHOW_SWIM
-    color = vec4(vec3(measured(coordinates_at(view).uv) / white_texels), 1.0);
+    put_surface(vec3(measured(coordinates_at(view).uv) / white_texels), 1.0, vec3(1.0));
 #else
     MappedSurface m = seen_surface();
 #if SHOW == SHOW_NORMAL
-    color = vec4(0.5 + 0.5 * m.surface.normal, 1.0);
+    put_surface(0.5 + 0.5 * m.surface.normal, 1.0, vec3(1.0));
 #else
     Lit lit = light_mapped(m, item, gl_FragCoord);
-    color = vec4(radiance_of(m, lit.diffuse, lit.specular, ambient), 1.0);
-#ifdef TRANSPARENT
-    color.a = m.alpha;
-#endif
+    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha, m.tint);
 #endif
 #endif
 }

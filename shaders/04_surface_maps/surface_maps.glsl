@@ -206,6 +206,7 @@ struct MappedSurface {
     Substance substance;
     vec3 glow;              // emitted, linear
     float alpha;            // 1 where nothing is cut out
+    vec3 tint;              // share of light that passes where alpha lets it, by channel
 };
 
 // Unit length: the plane of the triangle that is seen. `facing` is interpolated; where both are alike, it is finer.
@@ -249,6 +250,7 @@ MappedSurface map_surface(vec3 eye, MaterialData material, Coordinates at) {
     opacity = read(opacity_map, placed(3u, at)).r;
 #endif
     m.alpha = surface_alpha(base.a, opacity, material.opacity);
+    m.tint = material.transmission.r < 0.0 ? vec3(1.0) : material.transmission;
 
     float mean_length;
     m.surface.normal = frame * normal_at(at, mean_length);

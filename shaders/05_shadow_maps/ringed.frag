@@ -10,5 +10,5 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 plane, vec3 t
 void main() {
     MappedSurface m = seen_surface();
     Lit lit = light_mapped(m, item, gl_FragCoord);
-    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
+    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha, m.tint);
 }

@@ -6,5 +6,5 @@
 void main() {
     MappedSurface m = seen_surface();
     Lit lit = light_mapped(m, item, gl_FragCoord);
-    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha);
+    put_surface(radiance_of(m, lit.diffuse, lit.specular, ambient), m.alpha, m.tint);
 }

@@ -4,5 +4,5 @@
 
 void main() {
     MappedSurface m = seen_surface();
-    put_surface(clipped_radiance(m, gl_FragCoord), m.alpha);
+    put_surface(clipped_radiance(m, gl_FragCoord), m.alpha, m.tint);
 }

@@ -1,4 +1,6 @@
 // Each pixel's list, sorted by depth, over the background: the nearest 32, then the next 32, to the end.
+#include "15_terrain_water/packed_tint.glsl"
+#include "15_terrain_water/tint_through.glsl"
 #include "15_terrain_water/transparency_data.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -19,8 +21,8 @@ void main() {
     uint first = list_heads[at.y * size.x + at.x];
     if (first == 0u) return;
 
-    vec3 sum = vec3(0.0);
-    float left = 1.0, last_depth = 2.0;  // of the farthest that is mixed
+    vec3 sum = vec3(0.0), left = vec3(1.0);
+    float last_depth = 2.0;  // of the farthest that is mixed
     uint last_place = 0u;
     int count = most_sorted;
     while (count == most_sorted) {
@@ -46,7 +48,7 @@ void main() {
             ListedFragment f = listed[places[i] - 1u];
             vec2 blue_alpha = unpackHalf2x16(f.blue_alpha);
             sum += left * blue_alpha.y * vec3(unpackHalf2x16(f.red_green), blue_alpha.x);
-            left *= 1.0 - blue_alpha.y;
+            left = tint_through(left, blue_alpha.y, unpacked_tint(f.tint));
         }
         if (count > 0) {
             last_depth = depths[count - 1];

@@ -2,16 +2,16 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D sum;
-uniform sampler2D share;  // of the background that is seen
+uniform sampler2D share;  // of the background that is seen, by channel; of what no surface covers
 layout(rgba16f) uniform image2D picture;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(picture)))) return;
     vec4 weighted = texelFetch(sum, at, 0);
-    float behind = texelFetch(share, at, 0).r;
-    if (behind == 1.0) return;
+    vec4 behind = texelFetch(share, at, 0);
+    if (behind == vec4(1.0)) return;
     vec3 mean = weighted.rgb / max(weighted.a, 1e-5);
     vec4 before = imageLoad(picture, at);
-    imageStore(picture, at, vec4(mix(mean, before.rgb, behind), before.a));
+    imageStore(picture, at, vec4((1.0 - behind.a) * mean + behind.rgb * before.rgb, before.a));
 }

@@ -73,7 +73,7 @@ uniform sampler2D absorbance;
 
 layout(location = 0) out vec4 dimmed;  // added up
 
-void put_surface(vec3 radiance, float alpha) {
+void put_surface(vec3 radiance, float alpha, vec3 tint) {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 beside = texelFetch(absorbance, at, 0);
     float all = beside.r, least = max(all, 1e-6), bias = transparency_now.moment_bias;

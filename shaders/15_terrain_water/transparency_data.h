@@ -12,9 +12,10 @@ struct TransparencyNow {
     float overestimation;  // 0 to 1
 };
 
-// 16 bytes, and 4 for each pixel's head.
+// 20 bytes, and 4 for each pixel's head.
 struct ListedFragment {
     uint red_green, blue_alpha;  // half floats
+    uint tint;                   // roots of the shares by channel, 10 bits each
     float depth;                 // reversed
     uint next;                   // place in the buffer plus 1; 0: the last one
 };

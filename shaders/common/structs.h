@@ -54,6 +54,7 @@ struct MaterialData {
     float roughness, metalness;  // 0 to 1, overriding the ORM map; below 0: unset
     float alpha_cutoff;          // lower alphas are holes; below 0: unset
     float normal_scale, occlusion_strength;
+    vec3 transmission;  // share of light that passes where opacity lets it; below 0: unset, all of it
 };
 
 // Texture transform of a map.

@@ -107,6 +107,20 @@ TEST_CASE("mtl as written: Tr, where it would make a material vanish") {
     CHECK(material_of("d 0").opacity == 0);
 }
 
+TEST_CASE("mtl as written: Tf filters what d lets through, by channel") {
+    CHECK(material_of("d 0.25\nTf 0.5 1 0.125").transmission == glm::vec3(0.5f, 1, 0.125f));
+    CHECK(material_of("Tf 0.5\nd 0.25").transmission == glm::vec3(0.5f));
+    CHECK(material_of("d 0.25\nTf 0 51 255").transmission == glm::vec3(0, 0.2f, 1));  // some programs count to 255
+    for (const char* nothing : {"d 0.25", "d 0.25\nTf 1 1 1", "d 0.25\nTf 0 0 0", "Tf 1 1 1", "Tf 0.5 1 1"}) {
+        INFO(nothing);
+        CHECK(material_of(nothing).transmission == Material().transmission);
+    }
+    using Names = std::vector<std::string>;
+    CHECK(material_of("Tf 0.5 1 1").left_out == Names{"Tf of an opaque material"});
+    CHECK(material_of("d 0.5\nTf spectral glass.rfl").left_out == Names{"Tf as a spectrum or XYZ"});
+    CHECK(material_of("d 0.5\nTf 0.5 1 1").left_out.empty());
+}
+
 TEST_CASE("mtl as written: colours of 255, maps of roughness, where textures lie") {
     CHECK(material_of("Kd 255 51 0").diffuse == glm::vec3(1, 0.2f, 0));
     CHECK(material_of("Kd 1.5 0.5 0").diffuse == glm::vec3(1, 0.5f, 0));

@@ -50,6 +50,47 @@ CHECK_EXERCISE("15.wboit_weight", "Square and cube by multiplying; clamp x befor
     check.probe(probe);
 }
 
+CHECK_EXERCISE("15.tint_through", "Multiply three shares: passed, 1 - alpha, and tint.") {
+    Probe probe{.include = "15_terrain_water/tint_through.glsl",
+                .signature = "vec3 tint_through(vec3 passed, float alpha, vec3 tint)",
+                .inputs = {{1, 1, 1, 0, 1, 1, 1},
+                           {1, 1, 1, 1, 1, 0.5, 0},
+                           {0, 0.5, 1, 0, 0.5, 0.25, 0},
+                           {1, 1, 1, 0.25, 1, 1, 1}},
+                .truth =
+                    [](std::span<const double> in) {
+                        Row out;
+                        for (size_t i = 0; i < 3; ++i) out.push_back(truth::passed_share({in[i], in[3], in[4 + i]}));
+                        return out;
+                    },
+                .bound = {.absolute = 1e-6, .relative = 0},
+                .hint = [](auto in, auto out) -> std::string {
+                    // What each mistake would have made of it.
+                    const auto is = [&](auto&& other) {
+                        for (size_t i = 0; i < 3; ++i)
+                            if (std::fabs(out[i] - other(in[i], in[3], in[4 + i])) > 1e-6) return false;
+                        return true;
+                    };
+                    if (is([](double p, double a, double) { return p * (1 - a); }))
+                        return "tint filters what alpha leaves.";
+                    if (is([](double, double a, double t) { return (1 - a) * t; }))
+                        return "The layers in front let through only `passed`.";
+                    if (is([](double p, double a, double t) { return p * (1 - a * t); }) ||
+                        is([](double p, double a, double t) { return p * (1 - a * (1 - t)); }))
+                        return "tint is a share of what passes, not of what alpha covers.";
+                    if (is([](double p, double a, double t) { return p * (1 - a) * (1 - t); }))
+                        return "tint is the share that passes, not the share that is absorbed.";
+                    return "Three shares, multiplied in each channel.";
+                }};
+    Random random(66);
+    for (int i = 0; i < 60; ++i) {
+        Row row;
+        for (int k = 0; k < 7; ++k) row.push_back(random.uniform(0, 1));
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
 CHECK_EXERCISE("15.sort_back_to_front", "std::stable_sort the numbers 0, 1, 2 ... by distance, the greatest first.") {
     Random random(9);
     const auto place = [&] {

@@ -252,3 +252,57 @@ TEST_CASE_METHOD(OnTransparency, "what lies behind something opaque is not seen;
         CHECK(seen.b == Approx(0).margin(0.002));
     }
 }
+
+namespace {
+
+// Glass without a body: alpha 0, and the shares of light that pass.
+const glm::vec3 red(0.9f, 0.12f, 0.06f), green(0.15f, 0.8f, 0.2f);
+
+}  // namespace
+
+TEST_CASE_METHOD(OnTransparency, "colours multiply through glass: a red pane and a green one over white", "[15.tint]") {
+    add(2.0f, glm::vec4(0), red);
+    add(4.0f, glm::vec4(0), green);
+    const float mean = (red.r + red.g + red.b) / 3 * (green.r + green.g + green.b) / 3;
+    for (const char* method : every_transparency) {
+        INFO(method);
+        transparency.tint.set("rgb");
+        const glm::vec3 seen = middle(method, glm::vec3(1)), expected = red * green;
+        for (int i = 0; i < 3; ++i) CHECK(seen[i] == Approx(expected[i]).margin(0.001));
+        transparency.tint.set("grey");
+        const glm::vec3 grey = middle(method, glm::vec3(1));
+        for (int i = 0; i < 3; ++i) CHECK(grey[i] == Approx(mean).margin(0.001));
+    }
+}
+
+TEST_CASE_METHOD(OnTransparency, "lists and peeling have the product of any shares, dark ones and eight layers of them",
+                 "[15.tint_order]") {
+    Random random(66);
+    std::vector<Layer> all;
+    for (int i = 0; i < 8; ++i) {
+        Layer layer = layers(random, 1, 1, 50, 0, 0.5)[0];
+        layer.tint = {random.logarithmic(0.05, 1), random.uniform(0, 1), 1};
+        all.push_back(layer);
+        add(float(layer.z_m), glm::vec4(layer.color, layer.alpha), layer.tint);
+        const glm::dvec3 right = truth::in_order(all, glm::dvec3(1));
+        for (const char* method : {"sorted", "sorted_triangles", "lists", "peeling"}) {
+            INFO(method << " " << i);
+            CHECK(glm::length(glm::dvec3(middle(method, glm::vec3(1))) - right) < 0.002);
+        }
+    }
+}
+
+TEST_CASE_METHOD(OnTransparency, "weighted sums and moments filter the background, and not what lies between",
+                 "[15.tint_between]") {
+    add(2.0f, glm::vec4(0), red);
+    add(4.0f, {1, 1, 1, 0.5f});
+    const glm::vec3 right = red, unfiltered = 0.5f * red + 0.5f;  // of white behind, and of a white body between
+    for (const char* method : every_transparency) {
+        INFO(method);
+        const std::string name = method;
+        const bool sums = name == "wboit" || name.starts_with("moments");
+        const glm::vec3 expected = sums ? unfiltered : name == "unsorted" ? 0.5f * red + 0.5f : right;
+        const glm::vec3 seen = middle(method, glm::vec3(1));
+        for (int i = 0; i < 3; ++i) CHECK(seen[i] == Approx(expected[i]).margin(0.002));
+    }
+}

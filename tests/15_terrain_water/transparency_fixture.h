@@ -10,6 +10,7 @@ namespace lightwalk {
 struct Pane {
     glm::vec3 corners[4];
     glm::vec4 color;
+    glm::vec3 tint{1.0f};
     glm::vec3 middle() const { return 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]); }
 };
 
@@ -58,7 +59,7 @@ struct Quads : Drawing, TransparentSource {
                                   .fragment = "../tests/15_terrain_water/quads.frag",
                                   .cull = VK_CULL_MODE_NONE,
                                   .depth_write = false,
-                                  .blend = Blend::alpha,
+                                  .blend = Blend::filtered,
                                   .macros = {{"TRANSPARENT", "1"}}});
 };
 
@@ -74,11 +75,12 @@ struct OnTransparency : OnModules {
     glm::uvec2 size{64, 64};
 
     /// A rectangle across the view from `from` to `to`, parts of the picture from -1 to 1, y up.
-    void add(glm::vec2 from, glm::vec2 to, float z_m, glm::vec4 color) {
+    void add(glm::vec2 from, glm::vec2 to, float z_m, glm::vec4 color, glm::vec3 tint = glm::vec3(1)) {
         const auto at = [&](float x, float y) { return z_m * glm::vec3(x, y, -1.0f); };
-        drawing.quads.push_back({{at(from.x, from.y), at(to.x, from.y), at(to.x, to.y), at(from.x, to.y)}, color});
+        drawing.quads.push_back(
+            {{at(from.x, from.y), at(to.x, from.y), at(to.x, to.y), at(from.x, to.y)}, color, tint});
     }
-    void add(float z_m, glm::vec4 color) { add({-1, -1}, {1, 1}, z_m, color); }
+    void add(float z_m, glm::vec4 color, glm::vec3 tint = glm::vec3(1)) { add({-1, -1}, {1, 1}, z_m, color, tint); }
 
     ImageRgb picture(const std::string& method, glm::vec3 background = glm::vec3(0)) {
         transparency.method.set(method);

@@ -126,6 +126,23 @@ TEST_CASE("a scene that is saved from a bare model keeps its ground, and the mod
     CHECK(most_steps(moved, picture_of_scene(again, gpu)) <= 1);
 }
 
+TEST_CASE("glass is exported as thin transmission, and its tint beside a body as a volume's attenuation") {
+    const TestFolder folder;
+    write_file(folder.path / "scene.json", R"({"objects": [{"model": "models/cube.obj", "material":
+        {"opacity": 0, "transmission": [0.9, 0.5, 0.125], "diffuse": [0.1, 0.1, 0.1], "roughness": 0.5, "metalness": 0}},
+        {"model": "models/cube.obj", "material":
+        {"opacity": 0.25, "transmission": [0.25, 0.1, 0], "diffuse": [0.5, 0.2, 0.4], "roughness": 0.5, "metalness": 0}}]})");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
+    const Model back = import_model(folder.path / "out.gltf");
+    CHECK(back.materials.at(0).opacity == 0);
+    CHECK(glm::length(back.materials[0].transmission - glm::vec3(0.9f, 0.5f, 0.125f)) < 1e-6f);
+    CHECK((back.materials.at(1).opacity == 0.25f && back.materials[1].diffuse == glm::vec3(0.5f, 0.2f, 0.4f)));
+    CHECK(glm::length(back.materials[1].transmission - glm::vec3(0.25f, 0.1f, 0)) < 1e-6f);
+}
+
 // B. Karis, "Specular BRDF reference", 2013: an exponent is 2 / alpha² - 2, alpha the square of roughness.
 TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
     const TestFolder folder;

@@ -126,10 +126,12 @@ TEST_CASE("a material's number is the override, or else the model's own; an edit
     CHECK(shared_value(document, {a, b}, opacity).value.x == 0.75f);
     CHECK(shared_value(document, {a, b}, opacity).mixed.x);
     CHECK_FALSE(shared_value(document, {a, b}, diffuse).mixed.x);
+    CHECK(shared_value(document, {a, b}, material_property("transmission", of_model)).value == glm::vec3(1));
     CHECK(set_property(document, {a, b}, diffuse, {0.9f, 0.9f, 0.9f}, only_y) == "");
     CHECK(*document.at(b).object()->material.diffuse == glm::vec3(0.1f, 0.9f, 0.3f));
     CHECK_FALSE(document.at(b).object()->material.opacity);
-    for (const char* name : {"diffuse", "specular", "emissive", "shininess", "roughness", "metalness", "opacity"}) {
+    for (const char* name :
+         {"diffuse", "specular", "emissive", "shininess", "roughness", "metalness", "opacity", "transmission"}) {
         const Property one = material_property(name, of_model);
         CHECK(set_property(document, {a, b}, one, glm::vec3(0.625f)) == "");
         CHECK(shared_value(document, {a, b}, one).value.x == 0.625f);

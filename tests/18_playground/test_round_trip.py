@@ -37,7 +37,7 @@ CANNOT_BE_SAID = {"specular_glossiness"}
 CUBE = str(CONFORMANCE / "flat_normals.gltf")
 MATERIALS = [{"diffuse": [0.8, 0.2, 0.1], "roughness": 0.05, "metalness": 1},
              {"diffuse": [0.2, 0.7, 0.1], "roughness": 0.35, "metalness": 0},
-             {"diffuse": [0.2, 0.3, 0.8], "opacity": 0.5}, {"diffuse": [0, 0, 0], "emissive": [3, 1.2, 0]}]
+             {"diffuse": [0.2, 0.3, 0.8], "opacity": 0.5, "transmission": [0.9, 0.1, 0.5]}, {"diffuse": [0, 0, 0], "emissive": [3, 1.2, 0]}]
 MIXED = {**SCENE, "objects": [
     {"model": CUBE, "position": [i - 1.5, 0.3, 0], "scale": [0.2, 0.3, 0.2], "rotation_deg": [20, 40, 10 * i],
      "material": material} for i, material in enumerate(MATERIALS)] + [

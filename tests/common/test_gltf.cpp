@@ -232,6 +232,34 @@ TEST_CASE("glTF: a cutoff of 0 hides nothing", "[common.cutoff_0]") {
     CHECK(why("0.5", "0.4").find("transparent") != std::string::npos);
 }
 
+// KHR_materials_transmission: (1 - f) of the body, and f times the base colour of what lies behind; by
+// KHR_materials_volume times attenuationColor ^ (thickness / attenuationDistance). A metal transmits nothing.
+TEST_CASE("glTF: thin transmission is a share of light by channel") {
+    const auto glass = [](const std::string& base, const std::string& metal, const std::string& more) {
+        return Gltf().read(R"("pbrMetallicRoughness": {"baseColorFactor": )" + base + R"(, "metallicFactor": )" +
+                           metal + R"(}, "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75})" +
+                           more);
+    };
+    const auto near = [](const Material& m, float opacity, glm::vec3 tint) {
+        return std::abs(m.opacity - opacity) < 1e-6f && glm::length(m.transmission - tint) < 1e-6f;
+    };
+    Model model = glass("[0.5, 1, 0.25, 1]", "0", "}");
+    CHECK(near(model.materials[0], 0.25f, {0.5f, 1, 0.25f}));
+    CHECK((model.materials[0].blend && model.materials[0].illumination == 4 && left_out_text(model).empty()));
+    model = glass("[1, 1, 1, 1]", "1", "}");
+    CHECK((model.materials[0].opacity == 1 && model.materials[0].transmission.r < 0 && !model.materials[0].blend));
+    CHECK(near(glass("[1, 1, 1, 1]", "0.5", "}").materials[0], 0.625f, glm::vec3(1)));
+    model = glass("[1, 0.5, 1, 1]", "0", R"(, "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 4,
+                                           "attenuationColor": [0.25, 1, 0]}})");
+    CHECK(near(model.materials[0], 0.25f, {0.5f, 0.5f, 0}));
+    CHECK(left_out_text(model) == "KHR_materials_volume's refraction (1 material)");
+    // Half covered: of 100, 50 pass beside the glass, and 50 * 0.75 * tint through it.
+    model = glass("[0, 1, 1, 0.5]", "0", R"(}, "alphaMode": "BLEND")");
+    CHECK(near(model.materials[0], 0.125f, {0.5f / 0.875f, 1, 1}));
+    model = glass("[0, 1, 1, 0.5]", "0", R"(}, "alphaMode": "MASK")");
+    CHECK(left_out_text(model) == "KHR_materials_transmission beside holes (1 material)");
+}
+
 TEST_CASE("glTF: what is left out is named once, and counted") {
     const Model model = Gltf().read(R"("extensions": {"KHR_materials_sheen": {}, "KHR_materials_clearcoat": {}})",
                                     R"("nodes": [{"mesh": 0}], "extensionsUsed": ["KHR_materials_sheen", "VENDOR_x"])");

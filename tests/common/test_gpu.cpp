@@ -83,7 +83,8 @@ TEST_CASE("a test's text replaces a file that is included after it; a shader's m
 }
 
 TEST_CASE("a replaced file is read in place of the one that is included, of a later chapter too") {
-    const std::string text = "#include \"common/put_surface.glsl\"\nvoid main() { put_surface(vec3(0.0), 1.0); }\n";
+    const std::string text =
+        "#include \"common/put_surface.glsl\"\nvoid main() { put_surface(vec3(0.0), 1.0, vec3(1.0)); }\n";
     const FlatShader plain = flatten_text(text, "test", "01", {});
     CHECK(plain.text.find("layout(location = 0) out vec4 color;") != plain.text.npos);
     const Macros macros = Macros().replace_file("common/put_surface.glsl", "common/srgb.glsl");

@@ -38,6 +38,8 @@ def random_material(rng) -> dict:
         material |= {"specular": vector(rng, 0, 1), "shininess": rng.choice([0, 1, 8, 200, 100000])}
     if rng.random() < 0.2:
         material |= {"opacity": rng.choice([0, 0.3, 1]), "blend": rng.random() < 0.5}
+        if material["blend"]:
+            material["transmission"] = [0.2, 0, 1]
     if rng.random() < 0.2:
         material["emissive"] = vector(rng, 0, 20)
     if rng.random() < 0.3:

@@ -19,8 +19,9 @@ def scene(light: dict, sheets: list) -> dict:
     """A floor seen from above, and level sheets over its left half, 1 m and 2 m high, with shadows 1 m and 2 m to the
     right: at x = 0.5 of both, at 1.5 of the upper one; at -3.4 the lower sheet is seen."""
     objects = [thing("ground", [0, 0, 0], name="floor", material={"diffuse": [0.8, 0.8, 0.8]})]
-    for height, (color, opacity) in enumerate(sheets, 1):
-        objects.append(thing("plane", [-2, height, 0], name=f"sheet {height}", scale=4, material={"diffuse": color, "opacity": opacity}))
+    for height, (color, opacity, *tint) in enumerate(sheets, 1):
+        objects.append(thing("plane", [-2, height, 0], name=f"sheet {height}", scale=4,
+                             material={"diffuse": color, "opacity": opacity} | ({"transmission": tint[0]} if tint else {})))
     return {"camera": {"position": [0, 10, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov_deg": 40, "near_m": 1,
                        "far_m": 40},
             "background": [0, 0, 0], "ambient": [0, 0, 0], "objects": objects, "lights": [light]}
@@ -53,7 +54,7 @@ class TransparentShadows(unittest.TestCase):
             with Image.open(picture) as image:
                 pixels = image.convert("RGB").load()
             # 10 m below the eye a pixel is 2 * 10 * tan(20 deg) / 100 m wide.
-            found.append({x: [linear(code) for code in pixels[100 + round(x / 0.0728), 50]] for x in (0.5, 1.5, 3.0)})
+            found.append({x: [linear(code) for code in pixels[100 + round(x / 0.0728), 50]] for x in (-1.0, 0.5, 1.5, 3.0)})
         return {x: [a / b for a, b in zip(found[0][x], found[1][x])] for x in found[0]}
 
     def assert_near(self, got: list, expected: list, why):
@@ -73,6 +74,18 @@ class TransparentShadows(unittest.TestCase):
                     self.assert_near(shares[0.5], both, why)
                     self.assert_near(shares[1.5], passes(*GREEN), why)
                     self.assert_near(shares[3.0], [1, 1, 1], why)
+
+    def test_a_materials_own_transmission_filters_light_and_view(self):
+        """Glass without a body: at x = 0.5 the sun came through both sheets, at -1 it is also seen through both."""
+        red, green = [0.9, 0.5, 0.3], [0.4, 0.8, 0.6]
+        sheets = [([0.8, 0.1, 0.1], 0, red), ([0.1, 0.8, 0.1], 0, green)]
+        product = [a * b for a, b in zip(red, green)]
+        for chapter in ("05_shadow_maps", "06_deferred"):
+            with Drawer(chapter, Path(self.folder.name)) as drawer:
+                shares = self.shares(drawer, "sun", sheets, "shadow.transparent=colored")
+                self.assert_near(shares[0.5], product, chapter)
+                self.assert_near(shares[-1.0], [share * share for share in product], chapter)
+                self.assert_near(shares[1.5], green, chapter)
 
     def test_none_is_none(self):
         with Drawer("05_shadow_maps", Path(self.folder.name)) as drawer:
