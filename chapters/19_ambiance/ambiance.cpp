@@ -150,12 +150,12 @@ void Ambiance::make_effects(Gpu& gpu) const {
 // Over all camera paths of the film: the greatest distance from the line between two keys, in lengths of that line; and the
 // largest speed over the smallest, of the path on which that is most.
 void Ambiance::measure(Gpu&, glm::uvec2, nlohmann::json& error) {
-    double off = 0, speed = 1, jump = 1;
+    double off = 0, speed = 1, jump = 0;
     for (const FilmScene& one : reel.film().scenes) {
         const CameraPath& path = one.camera;
         if (path.keys().size() < 2) continue;
         off = std::max(off, off_the_chord(path.positions(), 64));
-        jump = std::max(jump, speed_jump(path.positions().times_s, [&](double t) { return path.eye(t); }));
+        jump = std::max(jump, velocity_jump(path.positions().times_s, [&](double t) { return path.eye(t); }));
         constexpr int steps = 512;
         double slowest = 1e30, fastest = 0;
         const double begin = path.keys().front().time_s, whole = path.keys().back().time_s - begin;

@@ -38,9 +38,9 @@ struct Curve {
 /// The greatest distance of the curve from its keys' chords, in chords: of each pair, over the distance of its two keys.
 double off_the_chord(const Curve& curve, int samples);
 
-/// The greatest jump of a speed at an inner key of a curve that `place` follows: the larger over the smaller of the speeds
-/// within a ten-thousandth of the key's pieces before and behind it. 1: none jumps.
-double speed_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place);
+/// How much the velocity of what follows `place` changes at once at an inner key, at most: as a share of the larger speed, of
+/// a ten-thousandth of the time to the keys before and behind. 0: it changes nowhere.
+double velocity_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place);
 
 /// Largest speed over smallest, between `samples` evenly spaced times; with a table at an even speed.
 double speed_ratio(const Curve& curve, const std::vector<glm::dvec3>* table, int samples);

@@ -162,7 +162,8 @@ TEST_CASE_METHOD(OnDevice, "occlusion is baked once; a cut or changed entry of t
     CHECK(mean < 0.9);
 }
 
-TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the openings at its ends leave", "[16.tube]") {
+TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the openings at its ends leave",
+                 "[16.tube]") {
     frame.end();
     const Folder folder;
     const auto file = folder.write("tube.lathe",

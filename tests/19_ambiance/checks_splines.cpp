@@ -82,21 +82,26 @@ CHECK_EXERCISE("19.centripetal_knots", "the square root of each distance, added 
     }
 }
 
-CHECK_EXERCISE("19.knot_at", "find the pair of keys first; then the slope at each of its two keys, which looks one pair farther") {
+CHECK_EXERCISE("19.knot_at",
+               "find the pair of keys first; then the slope at each of its two keys, which looks one pair farther") {
     // By hand: an even pace stays even; a pause has slope 0 at both ends; the parabola t² between its limits is itself.
     struct Line {
         std::vector<double> times_s, knots;
         double time_s, right;
     };
-    const Line lines[] = {{{0, 1, 4}, {0, 2, 8}, 3, 6},       {{0, 1}, {5, 9}, 0.25, 6},    {{0, 1, 2, 3}, {0, 1, 1, 2}, 1.5, 1},
-                          {{0, 1, 2}, {0, 0, 1}, 1.5, 0.375}, {{1, 2, 3, 4}, {1, 4, 9, 16}, 2.5, 6.25},
+    const Line lines[] = {{{0, 1, 4}, {0, 2, 8}, 3, 6},
+                          {{0, 1}, {5, 9}, 0.25, 6},
+                          {{0, 1, 2, 3}, {0, 1, 1, 2}, 1.5, 1},
+                          {{0, 1, 2}, {0, 0, 1}, 1.5, 0.375},
+                          {{1, 2, 3, 4}, {1, 4, 9, 16}, 2.5, 6.25},
                           {{0, 1, 2}, {0, 1, 11}, 0.5, 0.375}};
     for (const Line& line : lines) {
         const std::string what = fmt::format("knot_at(times {}, knots {}, {} s)", fmt::join(line.times_s, " "),
                                              fmt::join(line.knots, " "), line.time_s);
         check.call(what, [&]() -> std::string {
             const double got = knot_at(line.times_s, line.knots, line.time_s);
-            return std::abs(got - line.right) <= 1e-9 * line.knots.back() ? "" : what + " " + gave_text(got, line.right);
+            return std::abs(got - line.right) <= 1e-9 * line.knots.back() ? ""
+                                                                          : what + " " + gave_text(got, line.right);
         });
         if (check.failed) return;
     }
@@ -108,8 +113,10 @@ CHECK_EXERCISE("19.knot_at", "find the pair of keys first; then the slope at eac
             knots.push_back(knots.back() + (i % 3 == 1 && k % 2 == 1 ? 0 : random.logarithmic(0.1, 10)));
         }
         const double begin = times_s.front(), end = times_s.back();
-        std::vector<double> asked{begin - 1, end + 1, begin, end, random.uniform(begin, end), random.uniform(begin, end)};
-        for (size_t k = 0; k + 1 < times_s.size(); ++k) asked.insert(asked.end(), {times_s[k], (times_s[k] + times_s[k + 1]) / 2});
+        std::vector<double> asked{
+            begin - 1, end + 1, begin, end, random.uniform(begin, end), random.uniform(begin, end)};
+        for (size_t k = 0; k + 1 < times_s.size(); ++k)
+            asked.insert(asked.end(), {times_s[k], (times_s[k] + times_s[k + 1]) / 2});
         for (const double time_s : asked) {
             const std::string what = fmt::format("knot_at({} keys, {:.9g} s)", times_s.size(), time_s);
             check.call(what, [&]() -> std::string {
