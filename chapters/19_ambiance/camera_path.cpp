@@ -184,7 +184,7 @@ double off_the_chord(const Curve& curve, int samples) {
 double velocity_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place) {
     double most = 0;
     for (size_t i = 1; i + 1 < times_s.size(); ++i) {
-        const double before_s = 1e-4 * (times_s[i] - times_s[i - 1]), behind_s = 1e-4 * (times_s[i + 1] - times_s[i]);
+        const double before_s = 1e-6 * (times_s[i] - times_s[i - 1]), behind_s = 1e-6 * (times_s[i + 1] - times_s[i]);
         const glm::dvec3 at = place(times_s[i]), before = (at - place(times_s[i] - before_s)) / before_s,
                          behind = (place(times_s[i] + behind_s) - at) / behind_s;
         const double faster = std::max(glm::length(before), glm::length(behind));

@@ -39,7 +39,7 @@ struct Curve {
 double off_the_chord(const Curve& curve, int samples);
 
 /// How much the velocity of what follows `place` changes at once at an inner key, at most: as a share of the larger speed, of
-/// a ten-thousandth of the time to the keys before and behind. 0: it changes nowhere.
+/// a millionth of the time to the keys before and behind. 0: it changes nowhere.
 double velocity_jump(const std::vector<double>& times_s, const std::function<glm::dvec3(double)>& place);
 
 /// Largest speed over smallest, between `samples` evenly spaced times; with a table at an even speed.

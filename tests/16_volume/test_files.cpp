@@ -1,4 +1,7 @@
 // Malformed files of volumes and lathes, and the cache of baked occlusion.
+#include <fmt/core.h>
+
+#include <chrono>
 #include <set>
 
 #include "01_obj/obj.h"
@@ -206,7 +209,7 @@ TEST_CASE_METHOD(OnDevice, "a tube's occlusion: none outside, inside what the op
             const double high = (row - 32 + 0.5) / 16;
             error = std::max(error, std::abs(sum / size.x - opening(high) - opening(1 - high)));
         }
-        INFO(rays << " rays: " << error << ", " << took.count() << " ms");
+        fmt::print("{} rays: off by {:.3f}, {:.0f} ms\n", rays, error, took.count());
         CHECK(hidden == 0);
         CHECK(error < farthest);
         farthest = error;

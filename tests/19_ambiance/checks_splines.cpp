@@ -1,5 +1,5 @@
 // Checks of chapter 19's curves.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
