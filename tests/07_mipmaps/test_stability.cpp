@@ -1,5 +1,6 @@
 // Where levels go wrong: a bound where the methods hold, the size of the failure where they do not.
 #include "04_surface_maps/levels.h"
+#include "04_surface_maps/maps.h"
 #include "chain_fixture.h"
 #include "common/base/files.h"
 #include "common/image/image.h"
@@ -10,6 +11,39 @@ namespace {
 
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat srgb8 = VK_FORMAT_R8G8B8A8_SRGB;
+
+// Reads of a map by footprints that are given in texels: what a surface's shader does with its derivatives.
+struct OnFootprints : OnChain {
+    static constexpr uint32_t places = 256;
+    Maps maps{owner, "maps"};
+    const Buffer seen{gpu.device, {.name = "seen", .bytes = 4 * places}};
+    const Pipeline look = compute_pipeline("footprints", R"(
+#include "04_surface_maps/read_map.glsl"
+layout(local_size_x = 64) in;
+uniform sampler2D map;
+layout(scalar) uniform FootprintBlock { vec2 across, down; } footprint;
+layout(scalar) buffer SeenBuffer { float seen[]; };
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    vec2 at = vec2(i % 16u, i / 16u) / 16.0, size = vec2(textureSize(map, 0));
+    seen[i] = read(map, Coordinates(at, footprint.across / size, footprint.down / size)).r;
+}
+)");
+
+    std::vector<float> read_with(const std::string& limit, const Image& map, glm::vec2 across, glm::vec2 down) {
+        maps.anisotropy.set(limit);
+        const std::array<glm::vec2, 2> footprint{across, down};
+        begin({4, 4});
+        frame.compute("footprints", {.reads = {map}, .writes = {seen}}, [&](Compute& pass) {
+            pass.use(look, maps.macros()).set("map", map).set("footprint", footprint).set("seen", seen);
+            pass.dispatch({places / 64, 1, 1});
+        });
+        frame.end();
+        return read<float>(seen);
+    }
+};
+
+double sinc(double x) { return std::fabs(x) < 1e-9 ? 1 : std::sin(M_PI * x) / (M_PI * x); }
 
 }  // namespace
 
@@ -263,4 +297,45 @@ TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean
     fill(orm, "single_pass", Content::roughness);
     CHECK(last(orm).g == Approx(std::pow(0.5, 0.25)).margin(1e-3));  // 0.84, not 0.5
     CHECK(last(orm).b == Approx(0.5).margin(1e-3));
+}
+
+TEST_CASE_METHOD(OnFootprints, "anisotropy: each doubling of the reads comes nearer to the mean over the footprint",
+                 "[07.anisotropy]") {
+    struct Grating {
+        const char* name;
+        glm::dvec2 waves, across, down;  // waves over the map's width and height; a pixel's footprint in texels
+    };
+    // v grows upwards, and rows of texels downwards.
+    const glm::uvec2 size{509, 331};
+    for (const Grating& g : {Grating{"lines along the footprint", {40, 0}, {1.5, 0}, {0, 24}},
+                             Grating{"lines along a footprint that lies", {0, 27}, {24, 0}, {0, 1.5}},
+                             Grating{"fine lines along the footprint", {80, 0}, {0, 30}, {1, 0}},
+                             Grating{"lines along an oblique footprint", {25, -25 * 331.0 / 509}, {20, 20}, {-1, 1}},
+                             Grating{"lines across the footprint", {0, 9}, {1.5, 0}, {0, 24}},
+                             Grating{"lines at an angle to the footprint", {30, 4}, {1.5, 0}, {0, 24}}}) {
+        const Image map = image(size, one_float, [&](uint32_t, uint32_t x, uint32_t y) {
+            const glm::dvec2 at = glm::dvec2(x + 0.5, size.y - y - 0.5) / glm::dvec2(size);
+            return glm::dvec4(0.5 + 0.5 * std::cos(2 * M_PI * glm::dot(g.waves, at)));
+        });
+        fill(map, "polyphase");
+        // The integral of a cosine over a parallelogram, divided by its area.
+        const glm::dvec2 per_texel = g.waves / glm::dvec2(size);
+        const double contrast = sinc(glm::dot(per_texel, g.across)) * sinc(glm::dot(per_texel, g.down));
+        std::vector<double> errors;
+        for (const std::string& limit : maps.anisotropy.options) {
+            const std::vector<float> found = read_with(limit, map, g.across, g.down);
+            double sum = 0;
+            for (uint32_t i = 0; i < places; ++i) {
+                const glm::dvec2 at(double(i % 16) / 16, double(i / 16) / 16);  // NOLINT(bugprone-integer-division)
+                const double truth = 0.5 + 0.5 * contrast * std::cos(2 * M_PI * glm::dot(g.waves, at));
+                sum += std::pow(double(found[i]) - truth, 2);
+            }
+            errors.push_back(std::sqrt(sum / places));
+        }
+        std::string text = fmt::format("{}: errors", g.name);
+        for (const double error : errors) text += fmt::format(" {:.4f}", error);
+        INFO(text);
+        for (size_t i = 1; i < errors.size(); ++i) CHECK(errors[i] < errors[i - 1]);
+        CHECK(errors.back() < 0.4 * errors.front());
+    }
 }
