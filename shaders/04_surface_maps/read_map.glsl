@@ -14,6 +14,7 @@ vec4 read(sampler2D map, Coordinates at) {
     return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
 }
 #else
+// [read_along]
 // The options of MAPS_ANISOTROPY are powers of two. A sampler's own anisotropy has no effect on an explicit level.
 vec4 read(sampler2D map, Coordinates at) {
     vec2 size = vec2(textureSize(map, 0));
@@ -23,4 +24,5 @@ vec4 read(sampler2D map, Coordinates at) {
         sum += textureLod(map, image_uv(at.uv + (i / along.z - 0.5) * along.xy / size), along.w);
     return sum / along.z;
 }
+// [/read_along]
 #endif

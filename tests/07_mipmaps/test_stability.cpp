@@ -12,6 +12,8 @@ namespace {
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat srgb8 = VK_FORMAT_R8G8B8A8_SRGB;
 
+double sinc(double x) { return std::fabs(x) < 1e-9 ? 1 : std::sin(M_PI * x) / (M_PI * x); }
+
 // Reads of a map by footprints that are given in texels: what a surface's shader does with its derivatives.
 struct OnFootprints : OnChain {
     static constexpr uint32_t places = 256;
@@ -30,6 +32,38 @@ void main() {
 }
 )");
 
+    struct Grating {
+        const char* name;
+        glm::dvec2 waves, across, down;  // waves over the map's width and height; a pixel's footprint in texels
+    };
+
+    // RMS errors of the options in order. The truth is the integral of a cosine over a parallelogram, divided by its area.
+    std::vector<double> errors_of(const Grating& g) {
+        const glm::uvec2 size{509, 331};
+        const auto cosine = [&](glm::dvec2 at) { return std::cos(2 * M_PI * glm::dot(g.waves, at)); };
+        // v grows upwards, and rows of texels downwards.
+        const Image map = image(size, one_float, [&](uint32_t, uint32_t x, uint32_t y) {
+            return glm::dvec4(0.5 + 0.5 * cosine(glm::dvec2(x + 0.5, size.y - y - 0.5) / glm::dvec2(size)));
+        });
+        fill(map, "polyphase");
+        const glm::dvec2 per_texel = g.waves / glm::dvec2(size);
+        const double contrast = sinc(glm::dot(per_texel, g.across)) * sinc(glm::dot(per_texel, g.down));
+        std::vector<double> errors;
+        std::string text = fmt::format("{}: errors", g.name);
+        for (const std::string& limit : maps.anisotropy.options) {
+            const std::vector<float> found = read_with(limit, map, g.across, g.down);
+            double sum = 0;
+            for (uint32_t i = 0; i < places; ++i) {
+                const double truth = 0.5 + 0.5 * contrast * cosine({(i % 16) / 16.0, (i / 16) / 16.0});
+                sum += std::pow(double(found[i]) - truth, 2);
+            }
+            errors.push_back(std::sqrt(sum / places));
+            text += fmt::format(" {:.4f}", errors.back());
+        }
+        UNSCOPED_INFO(text);
+        return errors;
+    }
+
     std::vector<float> read_with(const std::string& limit, const Image& map, glm::vec2 across, glm::vec2 down) {
         maps.anisotropy.set(limit);
         const std::array<glm::vec2, 2> footprint{across, down};
@@ -42,8 +76,6 @@ void main() {
         return read<float>(seen);
     }
 };
-
-double sinc(double x) { return std::fabs(x) < 1e-9 ? 1 : std::sin(M_PI * x) / (M_PI * x); }
 
 }  // namespace
 
@@ -301,41 +333,26 @@ TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean
 
 TEST_CASE_METHOD(OnFootprints, "anisotropy: each doubling of the reads comes nearer to the mean over the footprint",
                  "[07.anisotropy]") {
-    struct Grating {
-        const char* name;
-        glm::dvec2 waves, across, down;  // waves over the map's width and height; a pixel's footprint in texels
-    };
-    // v grows upwards, and rows of texels downwards.
-    const glm::uvec2 size{509, 331};
-    for (const Grating& g : {Grating{"lines along the footprint", {40, 0}, {1.5, 0}, {0, 24}},
-                             Grating{"lines along a footprint that lies", {0, 27}, {24, 0}, {0, 1.5}},
+    const glm::dvec2 upright(0, 24), lying(24, 0);
+    for (const Grating& g : {Grating{"lines along the footprint", {40, 0}, {1.5, 0}, upright},
+                             Grating{"lines along a footprint that lies", {0, 27}, lying, {0, 1.5}},
                              Grating{"fine lines along the footprint", {80, 0}, {0, 30}, {1, 0}},
                              Grating{"lines along an oblique footprint", {25, -25 * 331.0 / 509}, {20, 20}, {-1, 1}},
-                             Grating{"lines across the footprint", {0, 9}, {1.5, 0}, {0, 24}},
-                             Grating{"lines at an angle to the footprint", {30, 4}, {1.5, 0}, {0, 24}}}) {
-        const Image map = image(size, one_float, [&](uint32_t, uint32_t x, uint32_t y) {
-            const glm::dvec2 at = glm::dvec2(x + 0.5, size.y - y - 0.5) / glm::dvec2(size);
-            return glm::dvec4(0.5 + 0.5 * std::cos(2 * M_PI * glm::dot(g.waves, at)));
-        });
-        fill(map, "polyphase");
-        // The integral of a cosine over a parallelogram, divided by its area.
-        const glm::dvec2 per_texel = g.waves / glm::dvec2(size);
-        const double contrast = sinc(glm::dot(per_texel, g.across)) * sinc(glm::dot(per_texel, g.down));
-        std::vector<double> errors;
-        for (const std::string& limit : maps.anisotropy.options) {
-            const std::vector<float> found = read_with(limit, map, g.across, g.down);
-            double sum = 0;
-            for (uint32_t i = 0; i < places; ++i) {
-                const glm::dvec2 at(double(i % 16) / 16, double(i / 16) / 16);  // NOLINT(bugprone-integer-division)
-                const double truth = 0.5 + 0.5 * contrast * std::cos(2 * M_PI * glm::dot(g.waves, at));
-                sum += std::pow(double(found[i]) - truth, 2);
-            }
-            errors.push_back(std::sqrt(sum / places));
-        }
-        std::string text = fmt::format("{}: errors", g.name);
-        for (const double error : errors) text += fmt::format(" {:.4f}", error);
-        INFO(text);
+                             Grating{"lines across the footprint", {0, 9}, {1.5, 0}, upright},
+                             Grating{"lines at an angle to the footprint", {30, 4}, {1.5, 0}, upright}}) {
+        const std::vector<double> errors = errors_of(g);
         for (size_t i = 1; i < errors.size(); ++i) CHECK(errors[i] < errors[i - 1]);
         CHECK(errors.back() < 0.4 * errors.front());
     }
+}
+
+TEST_CASE_METHOD(OnFootprints, "anisotropy gains nothing where a rolled camera makes both derivatives equally long",
+                 "[07.rolled]") {
+    const glm::dvec2 upright(0, 24), across(1.5, 0);
+    const std::vector<double> level = errors_of({"", {40, 0}, across, upright});
+    // The same footprint from diagonal steps: its sides are now the halves of a rhombus' diagonals.
+    const std::vector<double> rolled =
+        errors_of({"", {40, 0}, std::sqrt(0.5) * (upright + across), std::sqrt(0.5) * (upright - across)});
+    CHECK(level.back() < 0.2 * level.front());
+    CHECK(rolled.back() > 0.9 * rolled.front());
 }
