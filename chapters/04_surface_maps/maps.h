@@ -109,6 +109,12 @@ struct Maps : Module {
                   "toksvig",
                   "Filtering of distant normal maps: unit length again (renormalised), or with highlights widened by "
                   "the spread of normals (toksvig)"};
+    Choice anisotropy{*this,
+                      "anisotropy",
+                      {"1", "2", "4", "8", "16"},
+                      "1",
+                      "Maximum number of reads of a map along a pixel's footprint, which is longer than wide where a "
+                      "surface is seen at a grazing angle; 1: trilinear filtering"};
     Choice coverage{*this,
                     "coverage",
                     {"kept", "averaged"},

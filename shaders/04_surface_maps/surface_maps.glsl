@@ -7,6 +7,7 @@
 #include "04_surface_maps/blend_detail.glsl"
 #include "04_surface_maps/mix_orm.glsl"
 #include "04_surface_maps/cutout.glsl"
+#include "04_surface_maps/read_map.glsl"
 
 layout(scalar) uniform ViewBlock { CameraView view; };
 layout(scalar) uniform AmbientBlock { vec3 ambient; };
@@ -81,17 +82,6 @@ mat3 tangent_space() {
 
 // Displaced meshes have their bumps in the geometry.
 #define HAS_DISPLACEMENT (MAPS_DISPLACEMENT && !(MAPS_HEIGHT && MAPS_MESH == MAPS_MESH_DISPLACED))
-
-struct Coordinates {
-    vec2 uv, dx, dy;  // and their screen-space derivatives
-};
-
-// Explicit level instead of textureGrad, which devices may approximate, as Mesa 22.3 does.
-vec4 read(sampler2D map, Coordinates at) {
-    vec2 size = vec2(textureSize(map, 0)), dx = at.dx * size, dy = at.dy * size;
-    float texels = max(max(dot(dx, dx), dot(dy, dy)), 1e-12);  // texels per pixel, squared
-    return textureLod(map, image_uv(at.uv), 0.5 * log2(texels));
-}
 
 // Coordinates of a map with its own transform or the second set.
 Coordinates placed(uint slot, Coordinates at) {

@@ -1,5 +1,6 @@
 // Where levels go wrong: a bound where the methods hold, the size of the failure where they do not.
 #include "04_surface_maps/levels.h"
+#include "04_surface_maps/maps.h"
 #include "chain_fixture.h"
 #include "common/base/files.h"
 #include "common/image/image.h"
@@ -10,6 +11,71 @@ namespace {
 
 constexpr VkFormat half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat srgb8 = VK_FORMAT_R8G8B8A8_SRGB;
+
+double sinc(double x) { return std::fabs(x) < 1e-9 ? 1 : std::sin(M_PI * x) / (M_PI * x); }
+
+// Reads of a map by footprints that are given in texels: what a surface's shader does with its derivatives.
+struct OnFootprints : OnChain {
+    static constexpr uint32_t places = 256;
+    Maps maps{owner, "maps"};
+    const Buffer seen{gpu.device, {.name = "seen", .bytes = 4 * places}};
+    const Pipeline look = compute_pipeline("footprints", R"(
+#include "04_surface_maps/read_map.glsl"
+layout(local_size_x = 64) in;
+uniform sampler2D map;
+layout(scalar) uniform FootprintBlock { vec2 across, down; } footprint;
+layout(scalar) buffer SeenBuffer { float seen[]; };
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    vec2 at = vec2(i % 16u, i / 16u) / 16.0, size = vec2(textureSize(map, 0));
+    seen[i] = read(map, Coordinates(at, footprint.across / size, footprint.down / size)).r;
+}
+)");
+
+    struct Grating {
+        const char* name;
+        glm::dvec2 waves, across, down;  // waves over the map's width and height; a pixel's footprint in texels
+    };
+
+    // RMS errors of the options in order. The truth is the integral of a cosine over a parallelogram, divided by its area.
+    std::vector<double> errors_of(const Grating& g) {
+        const glm::uvec2 size{509, 331};
+        const auto cosine = [&](glm::dvec2 at) { return std::cos(2 * M_PI * glm::dot(g.waves, at)); };
+        // v grows upwards, and rows of texels downwards.
+        const Image map = image(size, one_float, [&](uint32_t, uint32_t x, uint32_t y) {
+            return glm::dvec4(0.5 + 0.5 * cosine(glm::dvec2(x + 0.5, size.y - y - 0.5) / glm::dvec2(size)));
+        });
+        fill(map, "polyphase");
+        const glm::dvec2 per_texel = g.waves / glm::dvec2(size);
+        const double contrast = sinc(glm::dot(per_texel, g.across)) * sinc(glm::dot(per_texel, g.down));
+        std::vector<double> errors;
+        std::string text = fmt::format("{}: errors", g.name);
+        for (const std::string& limit : maps.anisotropy.options) {
+            const std::vector<float> found = read_with(limit, map, g.across, g.down);
+            double sum = 0;
+            for (uint32_t i = 0; i < places; ++i) {
+                const double truth = 0.5 + 0.5 * contrast * cosine({(i % 16) / 16.0, (i / 16) / 16.0});
+                sum += std::pow(double(found[i]) - truth, 2);
+            }
+            errors.push_back(std::sqrt(sum / places));
+            text += fmt::format(" {:.4f}", errors.back());
+        }
+        UNSCOPED_INFO(text);
+        return errors;
+    }
+
+    std::vector<float> read_with(const std::string& limit, const Image& map, glm::vec2 across, glm::vec2 down) {
+        maps.anisotropy.set(limit);
+        const std::array<glm::vec2, 2> footprint{across, down};
+        begin({4, 4});
+        frame.compute("footprints", {.reads = {map}, .writes = {seen}}, [&](Compute& pass) {
+            pass.use(look, maps.macros()).set("map", map).set("footprint", footprint).set("seen", seen);
+            pass.dispatch({places / 64, 1, 1});
+        });
+        frame.end();
+        return read<float>(seen);
+    }
+};
 
 }  // namespace
 
@@ -263,4 +329,30 @@ TEST_CASE_METHOD(OnChain, "roughness: the mean of two is rougher than their mean
     fill(orm, "single_pass", Content::roughness);
     CHECK(last(orm).g == Approx(std::pow(0.5, 0.25)).margin(1e-3));  // 0.84, not 0.5
     CHECK(last(orm).b == Approx(0.5).margin(1e-3));
+}
+
+TEST_CASE_METHOD(OnFootprints, "anisotropy: each doubling of the reads comes nearer to the mean over the footprint",
+                 "[07.anisotropy]") {
+    const glm::dvec2 upright(0, 24), lying(24, 0);
+    for (const Grating& g : {Grating{"lines along the footprint", {40, 0}, {1.5, 0}, upright},
+                             Grating{"lines along a footprint that lies", {0, 27}, lying, {0, 1.5}},
+                             Grating{"fine lines along the footprint", {80, 0}, {0, 30}, {1, 0}},
+                             Grating{"lines along an oblique footprint", {25, -25 * 331.0 / 509}, {20, 20}, {-1, 1}},
+                             Grating{"lines across the footprint", {0, 9}, {1.5, 0}, upright},
+                             Grating{"lines at an angle to the footprint", {30, 4}, {1.5, 0}, upright}}) {
+        const std::vector<double> errors = errors_of(g);
+        for (size_t i = 1; i < errors.size(); ++i) CHECK(errors[i] < errors[i - 1]);
+        CHECK(errors.back() < 0.4 * errors.front());
+    }
+}
+
+TEST_CASE_METHOD(OnFootprints, "anisotropy gains nothing where a rolled camera makes both derivatives equally long",
+                 "[07.rolled]") {
+    const glm::dvec2 upright(0, 24), across(1.5, 0);
+    const std::vector<double> level = errors_of({"", {40, 0}, across, upright});
+    // The same footprint from diagonal steps: its sides are now the halves of a rhombus' diagonals.
+    const std::vector<double> rolled =
+        errors_of({"", {40, 0}, std::sqrt(0.5) * (upright + across), std::sqrt(0.5) * (upright - across)});
+    CHECK(level.back() < 0.2 * level.front());
+    CHECK(rolled.back() > 0.9 * rolled.front());
 }
