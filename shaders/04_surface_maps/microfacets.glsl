@@ -1,4 +1,5 @@
 // Microfacets: GGX with Smith's height-correlated masking, and reflection of a light by a microfacet coat.
+#include "04_surface_maps/ggx_visibility.glsl"
 #include "common/schlick.glsl"
 #include "common/structs.h"
 
@@ -10,15 +11,6 @@ float ggx_density(float n_dot_h, float alpha) {
     float square = alpha * alpha, c = n_dot_h * n_dot_h;
     float d = c * square + (1.0 - c);  // c (square - 1) + 1 would cancel for c near 1
     return square / max(pi * d * d, 1e-30);
-}
-
-// Masking and shadowing over 4 n·l n·v: E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based
-// BRDFs", JCGT 3(2), 2014, equation 99. n_dot_l and n_dot_v are above 0.
-float ggx_visibility(float n_dot_l, float n_dot_v, float alpha) {
-    float square = alpha * alpha;
-    float l = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - square) + square);
-    float v = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0 - square) + square);
-    return 0.5 / max(l + v, 1e-20);
 }
 
 // [multiscatter]
