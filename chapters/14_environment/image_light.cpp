@@ -75,7 +75,7 @@ void ImageLight::record_table(Frame& frame) {
 void ImageLight::record(Frame& frame, const Scene& scene) {
     scene_ = &scene;
     now_ = &sky;
-    if (made_.is_current(epoch())) return;
+    if (made_.is_current(limit.value, sh_window.index, prefilter.epoch(), levels.epoch())) return;
     const Image& picture = picture_of(frame, scene);
     const ImageView cube = sky.radiance.as_array().mip(0);
     frame.compute("equirect to cube", {.reads = {picture}, .writes = {cube}}, [&](Compute& pass) {
@@ -116,7 +116,8 @@ void ImageLight::filter(Frame& frame, LightCubes& cubes) {
     const ImageView array = cubes.radiance.as_array(), result = cubes.irradiance.as_array();
     frame.compute("irradiance", {.reads = {array}, .writes = {result}}, [&](Compute& pass) {
         pass.use(irradiance_).set("radiance", array, nearest_clamp).set("source_level", 4).set("irradiance", result);
-        pass.dispatch(glm::uvec3(cubes.irradiance.desc.size, 6));  // a workgroup for each normal
+        const glm::uvec2 size = cubes.irradiance.desc.size;
+        pass.dispatch({size.x / 8, size.y, 6});  // a workgroup for eight normals
     });
     if (!table_made_.is_current(Exercises::epoch())) record_table(frame);
 }

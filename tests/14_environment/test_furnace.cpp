@@ -1,6 +1,5 @@
 // White furnace: radiance 1 from everywhere, in which no material may send out more than arrives.
 #include <set>
-#include <utility>
 
 #include "../common/module_fixture.h"
 #include "01_obj/camera_view.h"
@@ -17,7 +16,6 @@ struct InFurnace : OnModules {
     LitAround objects{owner, "objects", light};
 
     Scene scene;
-    bool is_lit = false;
 
     /// Its objects without lights and emission, in an ambient light of 1.
     void load(SceneFile file) {
@@ -36,7 +34,7 @@ struct InFurnace : OnModules {
         owner.prepare_all(gpu, scene);
         const View view = view_of(scene.file.camera, {96, 54});
         begin(view.size);
-        if (!std::exchange(is_lit, true)) light.record(frame, scene);  // the surroundings stay as they are
+        light.record(frame, scene);
         Canvas canvas(frame.hdr, frame.depth, glm::vec4(1));
         lightwalk::draw(frame, view, canvas, {objects});
         frame.end();

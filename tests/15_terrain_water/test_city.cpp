@@ -43,6 +43,7 @@ struct OnCity : OnLand {
         sun_shadow.maps.distance_m.value = 3000;
         sun_shadow.maps.bias_m.value = 0.1f;
         sun_shadow.maps.resolution.value = 2048;
+        light.radiance_alone = true;  // as Shore has it
         water.tracer = &reflected;
         water.method.set("none");
         load("terrain/jacksboro_dem.png");

@@ -17,6 +17,7 @@ struct OnWater : OnModules {
     glm::vec4 background{0.3f, 0.5f, 0.8f, 1};
 
     OnWater() {
+        light.radiance_alone = true;  // as Shore has it
         scene.set_sun({.to_sun = glm::normalize(glm::vec3(0.3f, 0.5f, -0.6f)),
                        .light = glm::vec3(3.0f),
                        .sky = {0.2f, 0.3f, 0.5f}});

@@ -22,6 +22,7 @@ struct Driven {
     glm::vec2 cursor{0.0f};
     explicit Driven(const char* scene = two_cubes) : live(window, gpu, write(scene)) {
         window.name = "18_playground";
+        window.bench.light.prefilter.samples.change_default("1");  // no case looks at reflections
         live.load({});
         draw();
     }

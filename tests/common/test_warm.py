@@ -5,6 +5,7 @@ import os
 import shutil
 import tempfile
 import unittest
+from contextlib import ExitStack
 from pathlib import Path
 
 from picture_drawing import BUILD, BUILT, CHAPTERS, HAS_SOLUTION, ROOT, Drawer, Live, cheap, sets, steps, thing
@@ -55,6 +56,7 @@ EDIT = ("14", ["environment.method=prefiltered"], "14_environment/solution/split
 class Warm(unittest.TestCase):
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.drawer, self.drawing = None, self.enterContext(ExitStack())
         for name, scene in SCENES.items():
             (self.folder / f"{name}.json").write_text(json.dumps(scene))
 
@@ -62,11 +64,14 @@ class Warm(unittest.TestCase):
         file = str(self.folder / f"{scene}.json") if scene in SCENES else scene
         return (["--scene", file] if scene else []) + cheap(chapter) + sets(*settings)
 
-    def cold(self, chapter: str, *options, size=SIZE, drawer: Drawer | None = None) -> Path:
-        """The picture of a program that has drawn no other, or of a chapter that has: a drawer's makes one for each."""
-        drawer = drawer or self.enterContext(Drawer(next(name for name in CHAPTERS if name.startswith(chapter)), self.folder))
-        picture, wrong = drawer.draw("--size", f"{size[0]}x{size[1]}", *options)
-        self.assertEqual(wrong, "", f"{drawer.chapter} {options}")
+    def cold(self, chapter: str, *options, size=SIZE) -> Path:
+        """The picture of a chapter that has drawn no other: a drawer makes one for each."""
+        if not self.drawer or not self.drawer.chapter.startswith(chapter):
+            self.drawing.close()
+            name = next(name for name in CHAPTERS if name.startswith(chapter))
+            self.drawer = self.drawing.enter_context(Drawer(name, self.folder))
+        picture, wrong = self.drawer.draw("--size", f"{size[0]}x{size[1]}", *options)
+        self.assertEqual(wrong, "", f"{chapter} {options}")
         return picture.rename(self.folder / f"cold {len(list(self.folder.iterdir()))}.png")
 
     def live(self, live: Live, words: list, size=SIZE, **request) -> Path:
@@ -95,19 +100,20 @@ class Warm(unittest.TestCase):
             known = {*exercises(chapter), *([LOADED] if chapter[:2] in ("05", "12", "18") else [])} - UNWRITTEN
             together = ",".join(["solution", *(f"{name}=exercise" for name in sorted(known))])
             alone = [(f"solution,{name}=exercise", USED[name]) for name in sorted(known & USED.keys())]
-            with Live(chapter, self.folder) as live, Drawer(chapter, self.folder) as drawer:
-                words = cheap(chapter)
-                self.live(live, words)
-                for request, size in (({"time_s": 2}, SIZE), ({}, (64, 80)), ({}, SIZE)):
-                    with self.subTest(chapter=chapter, request=request, size=size):
-                        options = [*words, "--time", str(request.get("time_s", 0))]
-                        self.assert_cold(self.live(live, words, size, **request), self.cold(chapter, *options, size=size, drawer=drawer))
-                for use, used_by in ((together, ()), *alone):
+            with Live(chapter, self.folder) as live:
+                words, size = cheap(chapter), (64, 80)
+                first = self.live(live, words)
+                with self.subTest(chapter=chapter):
+                    later = self.live(live, words, size, time_s=2)
+                    self.assert_cold(later, self.cold(chapter, *words, "--time", "2", size=size))
+                    self.assert_cold(self.live(live, words), first)
+                with self.subTest(chapter=chapter, use=together):
+                    self.assert_cold(self.live(live, words, use=together), self.cold(chapter, *words, "--use", together))
+                for use, used_by in alone:
                     with self.subTest(chapter=chapter, use=use):
                         words = [*used_by, *cheap(chapter)]
                         before = self.live(live, words)
-                        warm, cold = self.live(live, words, use=use), self.cold(chapter, *words, "--use", use, drawer=drawer)
-                        (self.assert_changed if used_by else lambda _, *pair: self.assert_cold(*pair))(before, warm, cold)
+                        self.assert_changed(before, self.live(live, words, use=use), self.cold(chapter, *words, "--use", use))
 
     def test_a_knob(self):
         for chapter, scene, settings, change in KNOBS:
