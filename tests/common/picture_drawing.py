@@ -5,17 +5,13 @@ import json
 import math
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 from PIL import Image, ImageChops
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
+from shots.rendering import Drawing, surroundings
+from tree import BUILD, ROOT
 
-from shots.rendering import Drawing, surroundings  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
 BUILT = (BUILD / "compare").exists() or "LIGHTWALK_BUILD" in os.environ
 HAS_SOLUTION = any((ROOT / "shaders").glob("*/solution"))

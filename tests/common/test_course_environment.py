@@ -175,7 +175,3 @@ class Compilers(unittest.TestCase):
     def test_the_compiler_speaks_english(self):
         done, _ = self.compiled("#!/bin/sh\necho \"one.cpp:1:1: error: $LC_ALL\"\ncase \"$*\" in *empty*) exit 0 ;; esac\nexit 1\n")
         self.assertIn("error: C", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -420,7 +420,3 @@ class Pages(Files):
         self.assertEqual(names[2], "ann")
         for name in names:
             (self.folder / f".{name}.html.1234567.7f0000000000").touch()
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -139,7 +139,3 @@ class Built(unittest.TestCase):
             self.assertEqual([name for name in named if name not in made], [])
             trials = [name for name in named if "checks_trial_" in name]
             self.assertEqual(bool(trials), chapter[:2] in ("02", "11", "12", "14"))
-
-
-if __name__ == "__main__":
-    unittest.main()

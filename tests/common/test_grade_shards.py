@@ -204,7 +204,3 @@ class Graded(unittest.TestCase):
                             (["--shard", "1/3", "--merge", "x"], "one of them")):
             printed = self.course(*words, code=2)
             self.assertRegex(printed, rf"\Acourse: [^\n]*{said}[^\n]*\n\Z")
-
-
-if __name__ == "__main__":
-    unittest.main()

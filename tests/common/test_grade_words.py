@@ -349,7 +349,3 @@ class Contained(unittest.TestCase):
     def test_who_is_mapped(self):
         self.assertTrue(sandbox.is_mapped(65534, "         0          0 4294967295\n"))
         self.assertFalse(sandbox.is_mapped(65534, "         0       1000          1\n"))
-
-
-if __name__ == "__main__":
-    unittest.main()

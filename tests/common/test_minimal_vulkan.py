@@ -9,9 +9,9 @@ import unittest
 from pathlib import Path
 
 from x_server import XServer
-from tree import ROOT
+from tree import BUILD, ROOT
 
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "minimal"
+PROGRAMS = BUILD / "minimal"
 FOLDER = ROOT / "docs" / "minimal"
 PAGE = (ROOT / "docs" / "vulkan.md").read_text(encoding="utf-8")
 SIDE = 256
@@ -35,7 +35,7 @@ def weights(x: float, y: float) -> list[float]:
 
 def run(program: Path, *arguments, display: str = "") -> subprocess.CompletedProcess:
     environment = os.environ | {"DISPLAY": display, "XDG_RUNTIME_DIR": "/tmp", "VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC": "true"}
-    return subprocess.run([program, BUILD, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    return subprocess.run([program, PROGRAMS, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           timeout=120, env=environment)
 
 
@@ -55,7 +55,7 @@ class Vulkan(unittest.TestCase):
     def test_the_picture_is_the_triangle_and_validation_is_silent(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "triangle.ppm")
-            done = run(BUILD / "00_vulkan", file)
+            done = run(PROGRAMS / "00_vulkan", file)
             self.assertEqual((done.returncode, done.stdout), (0, ""))
             pixels = file.read_bytes()[-3 * SIDE * SIDE:]
         inside = 0
@@ -70,7 +70,7 @@ class Vulkan(unittest.TestCase):
         self.assertAlmostEqual(inside / SIDE ** 2, 0.28, delta=0.01)  # 1.6 · 1.4 / 2 of 4
 
     def test_the_gpu_is_timed_and_validation_is_silent(self):
-        done = run(BUILD / "00_vulkan", "time", 3)
+        done = run(PROGRAMS / "00_vulkan", "time", 3)
         self.assertEqual(done.returncode, 0, done.stdout)
         median, low, high = map(float, re.fullmatch(r".*, 3 passes: median ([\d.]+) us, quartiles ([\d.]+) and ([\d.]+) us\n",
                                                     done.stdout).groups())
@@ -97,7 +97,7 @@ class Vulkan(unittest.TestCase):
     def test_the_window_shows_it_and_validation_is_silent(self):
         server = XServer()
         try:
-            done = run(BUILD / "00_vulkan", "window", 20, display=server.display)
+            done = run(PROGRAMS / "00_vulkan", "window", 20, display=server.display)
         finally:
             server.close()
         self.assertEqual((done.returncode, done.stdout), (0, ""))
@@ -118,7 +118,7 @@ class Vulkan(unittest.TestCase):
 
     def test_a_missing_shader_or_file_is_one_line(self):
         for arguments, words in (([], "usage"), (["/nowhere/x.ppm"], "/nowhere/x.ppm cannot be written")):
-            done = run(BUILD / "00_vulkan", *arguments)
+            done = run(PROGRAMS / "00_vulkan", *arguments)
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stdout, f"^error: {words}[^\n]*\n$")
 
@@ -130,7 +130,7 @@ class Vulkan(unittest.TestCase):
             done = run(program, Path(folder, "broken.ppm"))
             self.assertEqual(done.returncode, 1)
             found = codes(done.stdout)
-            same = run(BUILD / "00_vulkan", Path(folder, "right.ppm"))
+            same = run(PROGRAMS / "00_vulkan", Path(folder, "right.ppm"))
             self.assertEqual(same.returncode, 0)
         named = set(codes(PAGE))
         self.assertGreaterEqual(len(named), 4)
