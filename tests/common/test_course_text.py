@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from small_course import LESSON, REAL, SHOTS_02, Course
+from small_course import LESSON, SHOTS_02, Course
 
 
 class Text(Course):
@@ -35,20 +35,6 @@ class Text(Course):
             self.put("docs/02_lambert.md", f"# Two\n{bad}\n`[a](code.md)` [b](https://example.org)\n")
             self.assertEqual(self.wrong().count("docs/02_lambert.md:2:"), 1, bad)
 
-    def test_paragraphs_without_an_end(self):
-        for bad in ("You need not compute the angles, because", "In general, the ray\n\n```math\nt = 1\n```\n\nThe denominator is 1.",
-                    "A **word** and <!-- figure: x -->", "- A point\n  that goes"):
-            self.put("docs/02_lambert.md", f"# Two\n\n{bad}\n\nMore.\n")
-            self.assertIn("docs/02_lambert.md", self.wrong(), bad)
-            self.assertIn("the paragraph has no end", self.wrong(), bad)
-        self.put("docs/02_lambert.md", "# Two\n\nThen\n\n```math\nt = 1\n```\n\nThe window\n\n```math\nw\n```\n\nis narrow (*so*).\n\n"
-                                       "Run this\n\n    make\n\nWhat is it?\n\n| a |\n|---|\n\n<details><summary>x</summary>\n\nYes.\n</details>\n")
-        self.assertEqual(self.wrong(), "")
-
-    def test_a_page_names_the_next_one_once(self):
-        self.put("docs/02_lambert.md", "# Two\n\nNext: [one](01_obj.md).\n\nNext: [one](01_obj.md) again.\n")
-        self.assertEqual(self.wrong(), "docs/02_lambert.md:5: a second 'Next:' on this page\n")
-
     @unittest.skipUnless(shutil.which("glslangValidator"), "no compiler of GLSL here")
     def test_shaders_on_pages_compile(self):
         block = "layout(location = 0) out vec4 color;\n{}uniform Light {{ vec3 radiance; }};\nvoid main() {{ color = vec4(radiance, 1.0); }}\n"
@@ -74,12 +60,6 @@ class Text(Course):
         self.assertIn("docs/index.md:5: there is no exercise 02.two", index(right.replace("02.one", "02.two")))
         self.assertIn("docs/index.md: no row names the exercise 02.one; link it in the last column of its term", index(right.replace("[02.one]", "[one]")))
         self.assertIn("not in alphabetical order: 'matt'", index(right.replace("glossy surfaces", "surfaces"), "matt | | [02](02_lambert.md) | | |"))
-
-    def test_the_index_has_the_words_of_older_courses(self):
-        text = (REAL / "docs/index.md").read_text().casefold()
-        for word in ("DOT3", "skydome", "scene graph", "greyscale", "grayscale", "Perez", "descriptor heap", "specular albedo", "backscatter",
-                     "range-based", "resource heap", "model pool", "scan lines", "dispersion", "glow", "trigger point", "sphere of music"):
-            self.assertIn(word.casefold(), text)
 
     def test_commands_that_the_course_refuses(self):
         for bad in ("./course paint", "./course check 01 --hnt", "./course check 01.three", "./course study 01 --turns 3"):

@@ -1,7 +1,6 @@
 """The linters that take seconds: clang-format over the C++ and the GLSL, pyflakes over the Python."""
 # Builds: nothing
 
-import ast
 import re
 import shutil
 import subprocess
@@ -23,28 +22,3 @@ class Lint(unittest.TestCase):
         found = [re.match(r"([^:]+):(\d+):", line) for line in said.splitlines()]
         self.assertEqual([one.string for one in found
                           if one and "# noqa" not in (ROOT / one[1]).read_text().splitlines()[int(one[2]) - 1]], [])
-
-    def test_text_has_an_encoding(self):
-        """The locale's would be another on another machine."""
-        found = []
-        for name in files():
-            if name.suffix == ".py" and name.parts[:2] == ("common", "course"):
-                found += [f"{name}:{call.lineno}: {ast.unparse(call)[:80]}" for call in ast.walk(ast.parse((ROOT / name).read_text(encoding="utf-8")))
-                          if isinstance(call, ast.Call) and reads_text(call)]
-        self.assertEqual(found, [], 'encoding="utf-8" is missing')
-
-
-def reads_text(call: ast.Call) -> bool:
-    """Whether a call opens, reads or writes text in the encoding of the locale."""
-    name = ast.unparse(call.func)
-    words = {keyword.arg for keyword in call.keywords}
-    if words & {"encoding", None}:
-        return False
-    if name.endswith((".read_text", ".write_text")):
-        return len(call.args) < (2 if name.endswith("write_text") else 1)
-    if name not in ("open", "os.fdopen", "tempfile.TemporaryFile", "tempfile.NamedTemporaryFile") and not name.endswith("Path.open"):
-        return False
-    at = 0 if "emporary" in name else 1
-    given = call.args[at] if len(call.args) > at else next((word.value for word in call.keywords if word.arg == "mode"), None)
-    mode = given.value if isinstance(given, ast.Constant) else "b" if given or "emporary" in name else "r"
-    return "b" not in str(mode)

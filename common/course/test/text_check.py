@@ -32,7 +32,6 @@ PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home",
 
 
 def prose(name: Path) -> list[tuple[int, str]]:
-    """(line number, text) of a Markdown file without its code."""
     found, fence = [], None
     for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
         match = FENCE.match(line)
@@ -46,7 +45,6 @@ def prose(name: Path) -> list[tuple[int, str]]:
 
 
 def anchors(name: Path) -> set[str]:
-    """The headings' anchors as GitHub makes them."""
     found = set()
     text = (ROOT / name).read_text(encoding="utf-8")
     for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
@@ -78,68 +76,13 @@ def check_links(name: Path) -> list[str]:
     return wrong
 
 
-def blocks(name: Path) -> list[tuple[int, str, list[str]]]:
-    """(line number, language or "", lines) of a Markdown file's blocks of code and, with a language of "text", of its paragraphs."""
-    found, fence, language, block, start = [], None, "", [], 0
-    for number, line in enumerate([*(ROOT / name).read_text(encoding="utf-8").splitlines(), ""], 1):
-        match = FENCE.match(line)
-        if fence:
-            if line.strip() == fence:
-                found.append((start, language, block))
-                fence, block = None, []
-            else:
-                block.append(line)
-        elif match or not line.strip():
-            if block:
-                found.append((start, "text", block))
-            block = []
-            if match:
-                fence, language, start = match[1], line.strip()[len(match[1]):], number
-        else:
-            start = start if block else number
-            block.append(line)
-    return found
-
-
-def ends(words: str) -> bool:
-    """Whether a paragraph's last words end a sentence, behind marks of emphasis, code and brackets."""
-    return bool(re.search(r"[.:?!…][*_)\"'”’`]*$", words))
-
-
-def check_paragraphs(name: Path) -> list[str]:
-    """A paragraph is whole: it ends with a sentence, or leads to a formula, a table or code."""
-    wrong, found = [], blocks(name)
-    for i, (number, language, lines) in enumerate(found):
-        if language != "text" or re.match(r"(    |\s*(#|\||<|!\[|\[!\[))", lines[0]):
-            continue
-        words = re.sub(r"<!--.*?-->|</details>", "", " ".join(line.strip() for line in lines)).strip()
-        if not words or words.endswith("|") or ends(words):
-            continue
-        following = found[i + 1] if i + 1 < len(found) else (0, "text", [""])
-        # A formula ends a sentence that has a verb: five words or a word such as Then.
-        sentence = re.split(r"(?<=[.:?!]) ", words)[-1].split()
-        whole = len(sentence) > 4 or sentence[-1] in ("Then", "So", "Hence", "is", "are", "by", "so")
-        goes_on = i + 2 < len(found) and re.match(r"\s*[a-z(]", found[i + 2][2][0])
-        leads = following[1] == "math" and (whole or goes_on) or following[1] not in ("text", "math") or \
-            following[2][0].startswith(("    ", "|", "       ")) or "<!-- table" in following[2][0] or words.endswith("`")
-        if not leads:
-            wrong.append(f"{name}:{number + len(lines) - 1}: the paragraph has no end: '… {words[-40:]}'")
-    return wrong
-
-
-def check_next(name: Path) -> list[str]:
-    """A page names the next one once."""
-    numbers = [number for number, line in prose(name) if line.startswith("Next:")]
-    return [f"{name}:{number}: a second 'Next:' on this page" for number in numbers[1:]]
-
-
 def check_snippets(name: Path) -> list[str]:
     """GLSL that a page does not quote from a file compiles, as the stage that its words are of."""
-    wrong, lines = [], (ROOT / name).read_text(encoding="utf-8").splitlines()
-    for number, language, code in blocks(name):
-        if language != "glsl" or QUOTE.match(lines[number - 2]) or not shutil.which("glslangValidator"):
+    wrong, page = [], (ROOT / name).read_text(encoding="utf-8")
+    for block in re.finditer(r"^([^\n]*)\n( *)```glsl\n(.*?)^\2```", page, re.M | re.S):
+        if QUOTE.match(block[1]) or not shutil.which("glslangValidator"):
             continue
-        text = "\n".join(code)
+        number, text = page.count("\n", 0, block.start(2)) + 1, block[3]
         stage = "vert" if "gl_Position" in text else "comp" if "local_size" in text else "frag"
         if "#version" not in text:
             text = "#version 460\n" + text
@@ -387,7 +330,7 @@ def check_all() -> list[str]:
         if name.suffix == ".md":
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name) + claims.check_claims(name)
             if name.parts[0] == "docs" and name.parts[:2] != ("docs", "studies"):
-                wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
+                wrong += check_snippets(name)
             wrong += wrong_words(name, (ROOT / name).read_text(encoding="utf-8"))
         wrong += check_private_paths(name)
         if str(name) in ABOUT_THE_TREE:
