@@ -130,7 +130,6 @@ class Drawer:
         self.progress = Progress("drawing")
 
     def draw_all(self, programs: Programs | None = None) -> int:
-        """Returns how many there were to draw."""
         self.programs, waiting = programs, list(dict.fromkeys(picture["chapter"] for picture in self.pictures))
         later, is_building = [], programs is not None
         with self.progress, ThreadPoolExecutor(WORKERS) as pool:
@@ -164,7 +163,6 @@ class Drawer:
         return self.total
 
     def stale(self, chapter: str) -> list[dict]:
-        """The chapter's pictures that are to be drawn."""
         self.keys[chapter] = key_of(chapter)
         found = [picture for picture in self.pictures if picture["chapter"] == chapter and (
             self.known is None or self.known.get(picture["image"]) != self.keys[chapter] or not (self.folder / picture["image"]).exists())]

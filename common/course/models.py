@@ -50,7 +50,6 @@ class Picture:
         return self.texels[max(row - 1, 0):row + 2, max(column - 1, 0):column + 2].reshape(-1, 3).mean(0)
 
     def thing(self):
-        """The pixels that differ from the corner's."""
         return self.texels[self.mask()]
 
     def mask(self):
@@ -99,7 +98,6 @@ def wrong(case: dict, draw) -> str:
 
 
 def picture_behind(draw):
-    """The background seen through a hole in a model."""
     return draw({"file": "single_sided.gltf", "options": ["--camera-of-file", "1"]}).at(0.5, 0.5)
 
 

@@ -355,12 +355,10 @@ def named(text: str, name: str) -> str:
 
 
 def written(name: str) -> dict[str, str]:
-    """The files of a chapter by path."""
     return {named(path, name): named(text, name) for path, text in FILES.items()}
 
 
 def with_row(index: str, name: str) -> str:
-    """The index with the example's term, in alphabetical order."""
     lines = index.splitlines(keepends=True)
     terms = [(number, line.split("|")[1].strip().casefold()) for number, line in enumerate(lines) if line.count("|") == 7]
     after = [number for number, term in terms if ROW[0] >= term != "term" and term != "---"]

@@ -38,7 +38,6 @@ KEPT = re.compile(r"""PATH|HOME|USER|LOGNAME|SHELL|TERM|COLORTERM|COLUMNS|LINES|
 
 
 def keep_environment():
-    """Forgets what is not in the list."""
     for name in [name for name in os.environ if not KEPT.fullmatch(name)]:
         del os.environ[name]
 
@@ -124,7 +123,6 @@ def chapters() -> list[str]:
 
 
 def left_alone() -> list[str]:
-    """What lies among the exercises and chapters and takes part in nothing."""
     known = {path for chapter in chapters() for path in exercises(chapter).values()}
     found = [path for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir() and path.name not in chapters()]
     for chapter in chapters():
@@ -143,7 +141,6 @@ def say_left_alone():
 
 
 def shader_files() -> list[Path]:
-    """All shaders of the course; of its exercises those in the manifest."""
     known = {path for chapter in chapters() for path in exercises(chapter).values()}
     return [path for path in sorted((ROOT / "shaders").rglob("*.*")) if is_source(path) and (path.parent.name != "exercise" or path in known)]
 
@@ -253,7 +250,6 @@ def has_solutions() -> bool:
 
 
 def is_edited(path: Path) -> bool:
-    """True where git knows that a file is not as it was committed."""
     if not (ROOT / ".git").exists():
         return False
     return subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", path],

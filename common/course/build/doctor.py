@@ -34,7 +34,6 @@ def run(_arguments, _rest) -> int:
 
 
 def disk(folder: Path | None = None) -> str:
-    """The free space where the course is built, and whether it is enough."""
     folder = folder or (BUILD if BUILD.exists() else ROOT)
     free_gb = shutil.disk_usage(folder).free / 1e9
     short = [f"{command} needs {needed} GB" for command, needed in NEEDS_GB.items() if free_gb < needed]
@@ -42,7 +41,6 @@ def disk(folder: Path | None = None) -> str:
 
 
 def packages() -> str:
-    """Which packages are missing, by the list that has them."""
     if not shutil.which("dpkg-query"):
         return "not a Debian system: the lists in common/course/packages say what is needed"
     here = names_here()

@@ -48,7 +48,6 @@ class Programs:
         self.thread.start()
 
     def stop(self):
-        """Ends the build; compiled files stay."""
         self.stopping.set()
         if self.ninja:
             self.ninja.terminate()

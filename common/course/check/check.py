@@ -268,7 +268,6 @@ def still_open(chapter: str, exercise: str) -> list[str]:
 
 @functools.cache
 def reference_picture(chapter: str, name: str, size: str = "", **environment) -> Path:
-    """The shot as the references draw it, here and now; in a handout the golden."""
     if not has_solutions():
         return golden_path(chapter, name)
     picture = checked_path(chapter, name, size)
@@ -332,7 +331,6 @@ def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", si
 
 
 def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:
-    """The fault in a picture, in words; empty if none."""
     look = f"look at {relative(picture)} and, for where it differs, {relative(heatmap)}"
     wrong = unfit(metrics)
     if wrong:

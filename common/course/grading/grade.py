@@ -220,7 +220,6 @@ def grade(submissions, judge: Judge) -> list[dict]:
 
 
 def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
-    """Each student's results, and the contents of readable submissions."""
     submitted, grades, waiting = {}, {}, {}
     with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), MOST_AT_ONCE)) as pool:
         try:
@@ -282,7 +281,6 @@ def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:
-    """A line for each student: right answers by chapter, and notes."""
     width = min(max([7, *[len(one["student"]) for one in grades]]), 40)
     lines = [f"{'student':{width}}  right  " + " ".join(f"{chapter[:2]:>5}" for chapter in named)]
     for one in grades:
@@ -300,7 +298,6 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
 
 
 def groups(grades: list[dict]) -> list[str]:
-    """Who is alike, each group once."""
     lines, seen = [], set()
     pairs = {one["student"]: {other["student"]: other["what"] for other in one["alike"]} for one in grades}
     for first in pairs:

@@ -119,7 +119,6 @@ def write(file: Path, kind: str, shard: Shard, head: dict, entries: dict, files:
 
 
 def command_words(words: list[str]) -> str:
-    """The command that makes a shard again, without its number."""
     kept, words = [], list(words)
     while words:
         word = words.pop(0)
@@ -135,13 +134,10 @@ DAMAGED = (OSError, zipfile.BadZipFile, zlib.error, EOFError, KeyError, ValueErr
 
 
 class Merged:
-    """Results of all shards, as of one run."""
-
     def __init__(self, of: int):
         self.of, self.head, self.entries, self.came_from = of, {}, {}, {}
 
     def file(self, entry: str, name: str) -> bytes:
-        """A file that was written with an entry."""
         try:
             with zipfile.ZipFile(self.came_from[entry]) as archive:
                 return archive.read(f"files/{name}")
@@ -222,7 +218,6 @@ def files_in(paths: list[Path], kind: str) -> list[Path]:
 
 
 def read(path: Path, kind: str) -> dict:
-    """A shard's contents. Raises UsageError."""
     try:
         with zipfile.ZipFile(path) as archive:
             about = json.loads(archive.read("shard.json"))

@@ -65,7 +65,6 @@ class Question:
 
 @functools.cache
 def studies_of(request: Path) -> tuple[Study, ...]:
-    """The studies that a request made, those of a CPU first."""
     found = []
     for file in sorted((ROOT / "docs/studies").glob(f"{request.parent.name}*.json")):
         if measured.request_of(json.loads(file.read_text(encoding="utf-8"))) == str(request):
@@ -180,7 +179,6 @@ def failures(question: Question) -> list[str]:
 
 
 def device_text(study: Study) -> str:
-    """A column's device."""
     if study.data["subject"] == "loader":
         return f"{study.data['stage']}"
     name = "lavapipe" if study.software else re.sub(r"\s*(80GB HBM3|HBM3)", "", study.data["device"])
@@ -188,7 +186,6 @@ def device_text(study: Study) -> str:
 
 
 def table(question: Question) -> list[str]:
-    """A question's table and the lines below it."""
     studies = [study for study in question.studies if any(question.points(study, scene) for scene in question.scenes())]
     head = ["scene", *map(device_text, studies), "dominated on each"]
     rows = [[scene, *(taken(question, study, scene) or "–" for study in studies), ", ".join(map(code, beaten(question, scene))) or "–"]
@@ -212,7 +209,6 @@ def block(name: str) -> list[str]:
 
 
 def check_blocks(text: Path, lines: list[str]) -> tuple[list[str], list[str]]:
-    """The faults in a text's verdicts, and its lines with them filled."""
     def verdict(match: re.Match, i: int) -> tuple[int, int]:
         end = next((j for j in range(i, len(lines)) if END.match(lines[j]) or BEGIN.match(lines[j])), None)
         if end is None or not END.match(lines[end]):
@@ -224,7 +220,6 @@ def check_blocks(text: Path, lines: list[str]) -> tuple[list[str], list[str]]:
 
 
 def page() -> str:
-    """docs/which.md"""
     lines = ["# What should I use?", "",
              "<!-- Written by ./course docs --quote from docs/studies; edit \"verdicts\" in chapters/NN_name/study.json instead. -->", "",
              "Each table answers one question from a study that is in the tree. In each scene it names the cheapest method that is *enough*, on a "

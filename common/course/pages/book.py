@@ -53,13 +53,11 @@ def run(arguments, _rest) -> int:
 
 
 def pages_of_lesson(word: str) -> list[Path]:
-    """The page that is meant; of a chapter, all its pages."""
     page = find_lesson(word)
     return lesson_pages(page.stem) or [page]
 
 
 def find_browser() -> str | None:
-    """The path of the first of BROWSERS that this machine has."""
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 

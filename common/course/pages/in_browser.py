@@ -78,7 +78,6 @@ def write(folder: Path) -> list[str]:
 
 
 def table(exercise: str, path: Path, recorded: dict) -> dict:
-    """The data for one exercise. Raises Unfit."""
     if recorded["others"]:
         raise Unfit("its check asks for more than a function's results")
     solution = path.parent.parent / "solution" / path.name

@@ -88,7 +88,6 @@ def inner(element: str) -> str:
 
 
 def words(element: str) -> str:
-    """Without tags."""
     return html.unescape(re.sub(r"<[^>]+>", "", element)).strip()
 
 
@@ -112,7 +111,6 @@ def pixels(file: Path, most_side: int, quality: int, flat: bool) -> str:
 
 
 def katex_css() -> str:
-    """With its fonts in it."""
     css = (KATEX / "katex.min.css").read_text(encoding="utf-8")
     return KATEX_FACES.sub(lambda found: f"url({uri((KATEX / 'fonts' / f'{found[1]}.woff2').read_bytes(), 'font/woff2')}) format('woff2')",
                            css)

@@ -46,7 +46,6 @@ def page(chapter: str, slides: list[dict]) -> str:
 
 
 def make(chapter: str) -> list[dict]:
-    """Each slide: kind, title, over (its section), and contents."""
     charts = set()  # which have letters of their own, and a slide each
 
     def picture(path: Path) -> str:
@@ -102,7 +101,6 @@ def balanced(text: str) -> bool:
 
 
 def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]:
-    """The slides of the text under one heading."""
     bullets, beside, alone = [], [], []
     for tag, attributes, text in part:
         kind = attributes.get("class", "") or ""
@@ -145,7 +143,6 @@ def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]
 
 
 def code(text: str) -> dict:
-    """A block of code, in letters as large as fit."""
     name = re.search(r'<span class="filename">(.*?)</span>', text)
     text = re.sub(r'<span class="filename">.*?</span>', "", text, count=1)
     lines = words_of_code(text).split("\n")

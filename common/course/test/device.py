@@ -160,7 +160,6 @@ def check_results(device: dict, checked: list[str]) -> dict:
 
 
 def origin() -> dict:
-    """The date, and the commit where git knows it."""
     try:
         commit = git("describe", "--always", "--dirty", "--exclude", "*").decode().strip()
     except Failure:
@@ -169,7 +168,6 @@ def origin() -> dict:
 
 
 def entry(result: dict) -> dict:
-    """A shot's part of the file."""
     metrics = result["picture"]["metrics"]
     figures = {key: round(value, 6) for key, value in distance_of(metrics).items()} if metrics else {}
     return {"ok": result["ok"], **figures} | ({"why": result["why"]} if result["why"] else {})
@@ -200,7 +198,6 @@ def first_of(lines: list[str]) -> list[str]:
 
 
 def read_run(path: Path) -> dict:
-    """An earlier run's file. Raises UsageError."""
     try:
         made = json.loads(path.read_text(encoding="utf-8"))
         if made["kind"] == KIND and all(figures_words(shot) and shot["ok"] in (True, False) for shot in made["shots"].values()):

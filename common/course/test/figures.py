@@ -69,7 +69,6 @@ def program_of(source: str) -> str:
 
 
 def check(lesson: Path, only_list: bool) -> int:
-    """Prints a lesson's figures beside their sources. How many are wrong."""
     lines = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
     problems = tables.check_tables(lesson, lines)[0] + tables.check_figures(lesson) + lesson_tests.check_named(lesson)
     for problem in problems:
@@ -117,7 +116,6 @@ def check_commands(chapter: str, only_list: bool) -> int:
 
 
 def ran(command: str) -> tuple[str, int]:
-    """Output and exit code of a command."""
     words = shlex.split(command)
     words[0] = str(BUILD / Path(words[0]).relative_to("build"))
     done = subprocess.run(words, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -153,7 +153,6 @@ def choices(chapter: str, measured: dict) -> dict:
 
 
 def measured_rows(chapter: str, needs: dict, everything: bool) -> list[dict]:
-    """A row for each choice, and the median's."""
     measured = measure(chapter, needs, crops=False)
     rows = rows_of_study(measured)
     if everything:

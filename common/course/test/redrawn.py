@@ -31,7 +31,6 @@ def key_of(point: dict) -> str:
 
 
 def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: str) -> dict:
-    """The study's scenes with these labels, drawn again."""
     part = {key: value for key, value in request.items() if key == "title" or key not in measured.UNMEASURED}
     part["scenes"] = [scene for scene in request["scenes"] if label_of(scene) in labels]
     folder = BUILD / "study"
@@ -48,7 +47,6 @@ def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: s
 
 
 def compared(name: str, study: dict, again: dict, labels: list[str]) -> list[str]:
-    """A line for each printed error that differs."""
     if "failed" in again:
         return [f"{name}: it could not be drawn again: {again['failed']}"]
     new, wrong = {key_of(point): point for point in again["points"]}, []

@@ -137,7 +137,6 @@ def of_changes(commit: str, reduced: bool) -> list[str]:
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
-    """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
     command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-label-summary", "-j", str((os.cpu_count() or 1) + 1),

@@ -32,7 +32,6 @@ def study_to_test(chapter: str) -> dict:
 
 
 def quick_run(chapter: str, name: str, study: dict, **environment) -> dict:
-    """The study at a small size and with one round of timing."""
     file = BUILD / "study" / f"{name}.{chapter}.json"
     size = "x".join(str(side) for side in study.get("test_size", SIZE))
     file.parent.mkdir(parents=True, exist_ok=True)
