@@ -219,7 +219,6 @@ STUDY = """{
 \t"error_metric": "flip_mean",
 \t"stage": "compute",
 \t"size": [960, 540],
-\t"test_size": [96, 54],
 \t"rounds": 11,
 \t"truth": {"set": {"method": "exact"}, "exact": true},
 \t"scenes": [

@@ -225,12 +225,11 @@ def compiler_said(chapter: str, exercise: str, root: Path) -> str:
     return file + wrong.partition(file)[2] if file in wrong else wrong
 
 
-def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
-                  options=(), **environment) -> dict:
-    """The protocol's object, or a substitute if the program (the chapter's own) gave none."""
-    program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
+def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, **environment) -> dict:
+    """The protocol's object, or a substitute if the program gave none."""
+    program = (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
     try:
-        done = subprocess.run([program, "--exercise", exercise, "--use", use, *options], cwd=root, stdin=subprocess.DEVNULL,
+        done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=root, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                               env=os.environ | environment, timeout=TIMEOUT_S)
     except OSError as error:
