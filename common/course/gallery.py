@@ -137,7 +137,7 @@ class Drawer:
                 if programs:
                     programs.start()
                 while waiting:
-                    is_building = programs is not None and programs.are_building()  # asked first: what is ready then is all there will be
+                    is_building = programs is not None and programs.thread.is_alive()  # asked first: what is ready then is all there will be
                     for chapter in [chapter for chapter in waiting if not programs or chapter in programs.ready()]:
                         waiting.remove(chapter)
                         stale = self.stale(chapter)

@@ -33,8 +33,8 @@ def run(_arguments, _rest) -> int:
     return 0
 
 
-def disk(folder: Path | None = None) -> str:
-    folder = folder or (BUILD if BUILD.exists() else ROOT)
+def disk() -> str:
+    folder = BUILD if BUILD.exists() else ROOT
     free_gb = shutil.disk_usage(folder).free / 1e9
     short = [f"{command} needs {needed} GB" for command, needed in NEEDS_GB.items() if free_gb < needed]
     return f"{free_gb:.1f} GB free in {relative(folder) if folder != ROOT else ROOT}" + (f": too little, {', '.join(short)}" if short else "")

@@ -54,9 +54,6 @@ class Programs:
         if self.thread.is_alive():
             self.thread.join()
 
-    def are_building(self) -> bool:
-        return self.thread.is_alive()
-
     def ready(self) -> list[str]:
         return [chapter for chapter, state in self.states.items() if state.name == "ready"]
 

@@ -119,7 +119,8 @@ class Panel:
             self.draw_row_line()
             self.label_rows(points)
         elif self.chart.x.kind == "knob":
-            self.label_ends(curves)
+            Labels(list(self.cells.values())).column(
+                [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
         else:
             self.label(curves, front, notes, enough)
 
@@ -267,10 +268,6 @@ class Panel:
             for p in dict.fromkeys((curve[0], curve[-1], *curve)) if len(curve) > 1 else ():
                 labels.want(self.chart.label_of(p), [self.anchor(p)], colour, size=8, weight="normal", must=False)
         labels.write()
-
-    def label_ends(self, curves: list):
-        Labels(list(self.cells.values())).column(
-            [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
 
     def name_rows(self, axis, named: bool):
         names = self.chart.names

@@ -275,8 +275,8 @@ class Running:
             self.cage.close()
 
 
-def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
-    return Running(command, mounts, limits, environment).finish()
+def run(command, mounts: Mounts, limits: Limits) -> Done:
+    return Running(command, mounts, limits).finish()
 
 
 def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:

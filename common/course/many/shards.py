@@ -11,7 +11,7 @@ another one from shard to shard. A shard's result is one file, KIND.3-of-16.zip,
 The same shard of the same input gives the same bytes where its entries hold no times.
 
     add_arguments(parser)                      --shard, --merge
-    shard.takes(name), shard.takes_number(i)   whether a piece belongs to it
+    shard.takes(name)                          whether a piece belongs to it
     write(file_of(out, kind, shard), ...)      at the end of a shard
     merge(paths, kind)                         a Merged: head, entries, file(name)
 """
@@ -48,24 +48,13 @@ class Shard:
         digest = hashlib.sha256(os.fsencode(name)).digest()
         return int.from_bytes(digest[:8], "big") % self.of == self.number - 1
 
-    def takes_number(self, index: int) -> bool:
-        """Of pieces that are numbered, such as frames: every Nth, because neighbours take equally long."""
-        return index % self.of == self.number - 1
-
-
-def parse(word: str) -> Shard:
-    """Raises ValueError."""
-    found = re.fullmatch(r"0*([1-9]\d{0,5})/0*([1-9]\d{0,5})", word)
-    if not found or int(found[1]) > int(found[2]) or int(found[2]) > MOST:
-        raise ValueError(f"'{word}' is not a shard; expected K/N with 1 <= K <= N <= {MOST}, such as 3/16")
-    return Shard(int(found[1]), int(found[2]))
-
 
 def argument(word: str) -> Shard:
-    try:
-        return parse(word)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
+    """Raises ArgumentTypeError."""
+    found = re.fullmatch(r"0*([1-9]\d{0,5})/0*([1-9]\d{0,5})", word)
+    if not found or int(found[1]) > int(found[2]) or int(found[2]) > MOST:
+        raise argparse.ArgumentTypeError(f"'{word}' is not a shard; expected K/N with 1 <= K <= N <= {MOST}, such as 3/16")
+    return Shard(int(found[1]), int(found[2]))
 
 
 def add_arguments(parser):

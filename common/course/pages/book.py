@@ -32,7 +32,7 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    named = [page for word in arguments.chapters for page in pages_of_lesson(word)] or lessons()
+    named = [page for first in map(find_lesson, arguments.chapters) for page in lesson_pages(first.stem) or [first]] or lessons()
     out = (arguments.out or BUILD / "book" / "lightwalk.pdf").absolute()
     if out.suffix != ".pdf":
         raise UsageError(f"{arguments.out} is not called like a PDF: name a FILE.pdf")
@@ -50,11 +50,6 @@ def run(arguments, _rest) -> int:
         printed.replace(out)
     say(f"{relative(out)}: {page_count(out)} pages, {out.stat().st_size / 1e6:.1f} MB")
     return 0
-
-
-def pages_of_lesson(word: str) -> list[Path]:
-    page = find_lesson(word)
-    return lesson_pages(page.stem) or [page]
 
 
 def find_browser() -> str | None:

@@ -72,16 +72,12 @@ def make(chapter: str) -> list[dict]:
             continue
         if heading and over.lower() not in LEFT_OUT:
             slides += questions(part) if over.lower() == "questions" else section(heading, over if heading != over else "", part, charts)
-        part, heading = [], title_of(block[2])
+        part, heading = [], words(re.sub(r'<a class="headerlink".*?</a>', "", block[2]))
         if block[0] == "h1":
             heading = ""
         if block[0] == "h2":
             over = heading
     return slides
-
-
-def title_of(text: str) -> str:
-    return words(re.sub(r'<a class="headerlink".*?</a>', "", text))
 
 
 def sentence(text: str, count: int = 1) -> str:
@@ -145,13 +141,9 @@ def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]
 def code(text: str) -> dict:
     name = re.search(r'<span class="filename">(.*?)</span>', text)
     text = re.sub(r'<span class="filename">.*?</span>', "", text, count=1)
-    lines = words_of_code(text).split("\n")
+    lines = words(text).rstrip("\n").split("\n")
     return {"kind": "code", "html": text, "file": name[1] if name else "", "lines": max(len(lines), 12),
             "columns": max([50, *map(len, lines)])}
-
-
-def words_of_code(text: str) -> str:
-    return words(text).rstrip("\n")
 
 
 def questions(part: list) -> list[dict]:

@@ -125,14 +125,14 @@ def judge(device: dict, chapter: str, shot: dict, picture: Path, failure: str) -
             "picture": picture_entry(name, not why, golden, picture, metrics)}
 
 
-def common_step(expected: Path, actual: Path, share: float = 0.001) -> int:
-    """The largest step of any channel that more than `share` of the pixels reach: the 99.9th percentile."""
+def common_step(expected: Path, actual: Path) -> int:
+    """The largest step of any channel that more than a thousandth of the pixels reach: the 99.9th percentile."""
     from PIL import Image, ImageChops  # here: help needs no package
 
     with Image.open(expected) as a, Image.open(actual) as b:
         channels = ImageChops.difference(a.convert("RGB"), b.convert("RGB")).split()
     counts = functools.reduce(ImageChops.lighter, channels).histogram()
-    left = share * sum(counts)
+    left = 0.001 * sum(counts)
     for step in range(255, 0, -1):
         left -= counts[step]
         if left < 0:

@@ -49,7 +49,7 @@ def run(arguments, _rest) -> int:
         raise UsageError(f"chapter {chapter} has no lesson")
     if not arguments.list:
         programs = sorted({one.program for lesson in chosen for one in lesson_tests.named_in(lesson)} |
-                          {program_of(source) for lesson in chosen for *_, source in commands(lesson)})
+                          {Path(source.split()[0]).name for lesson in chosen for *_, source in commands(lesson)})
         build([*programs, *(one for one in chapters() if one.startswith(chapter[:2]))])
     wrong = sum(check(lesson, arguments.list) for lesson in chosen)
     wrong += sum(check_commands(one, arguments.list) for one in chapters() if one.startswith(chapter[:2]))
@@ -62,10 +62,6 @@ def run(arguments, _rest) -> int:
 
 def commands(lesson: Path) -> list[tuple[int, str, str, str]]:
     return [figure for figure in tables.figures((ROOT / lesson).read_text(encoding="utf-8")) if figure[3].startswith("build/")]
-
-
-def program_of(source: str) -> str:
-    return Path(source.split()[0]).name
 
 
 def check(lesson: Path, only_list: bool) -> int:

@@ -92,11 +92,8 @@ def run(arguments, rest) -> int:
         given = arguments.changed if arguments.changed is not None else arguments.with_changed
         selection = EVERY_COMMIT if given is None else of_changes(given, reduced=arguments.changed is not None)
 
-    def of_shard(folder, chosen):
-        return test_shards.words(folder, chosen, arguments.shard)
-
     preset, junit = ("sanitizer", results / "sanitizer.xml") if arguments.sanitize else ("default", results / "tests.xml")
-    folder, options = build_for(selection, of_shard, preset, also=["every_shader"] if arguments.all else [])
+    folder, options = build_for(selection, lambda *asked: test_shards.words(*asked, arguments.shard), preset, also=["every_shader"] if arguments.all else [])
     total, failed = run_ctest(folder, junit, options)
     for line in times(junit, with_reasons=not arguments.sanitize) if total else []:
         say(line)
