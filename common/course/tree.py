@@ -201,6 +201,11 @@ def chapter_title(chapter: str) -> str:
     return f"{number} {title}" if name else chapter
 
 
+def slug(title: str, _separator: str = "-") -> str:
+    """A heading's address as forges make it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
 def chapter_program(chapter: str) -> Path:
     return BUILD / "chapters" / chapter
 
@@ -363,10 +368,7 @@ def run_on_chapter(main):
     if len(sys.argv) != 2:
         warn(f"usage: {Path(sys.argv[0]).stem} NN_name")
         sys.exit(2)
-    try:
-        problems = main(sys.argv[1])
-    except Failure as error:
-        problems = [str(error)]
+    problems = main(sys.argv[1])
     for problem in problems:
         say(problem)
     sys.exit(1 if problems else 0)

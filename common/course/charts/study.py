@@ -191,16 +191,18 @@ def measure(chapter: str, arguments, study: Path | None = None, part: str = "") 
     return file
 
 
+def key_of(point: dict) -> str:
+    return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
+
+
 def errors_into(file: Path, study: dict) -> dict:
     """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times."""
     try:
         old = json.loads(file.read_text(encoding="utf-8"))
     except OSError:
         return study
-    def key(point: dict) -> str:
-        return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
-    times = {key(point): point["time_ms"] for point in old["points"]}
-    points = [point | {"time_ms": times.get(key(point), point["time_ms"])} for point in study["points"]]
+    times = {key_of(point): point["time_ms"] for point in old["points"]}
+    points = [point | {"time_ms": times.get(key_of(point), point["time_ms"])} for point in study["points"]]
     kept = {key: old[key] for key in ("device", "driver", "command", "measured") if key in old}
     return study | kept | {"points": points, "errors_measured": study["measured"]}
 

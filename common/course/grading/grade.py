@@ -5,9 +5,7 @@ student's checks and framework have no effect. Each exercise is judged by itself
 an identical answer is judged once.
 """
 
-import csv
 import hashlib
-import io
 import json
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +14,7 @@ from pathlib import Path
 from grading import marks
 from grading.alike import alike
 from grading.feedback import write_pages
-from grading.gradebook import FORMATS, Book, write_books
+from grading.gradebook import FORMATS, Book, as_csv, write_books
 from grading.judge import BUDGET_S, MOST_AT_ONCE, Judge, picture_path, starters_of
 from grading.roster import Roster, known_as
 from grading.rules import Rules
@@ -268,16 +266,14 @@ def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wa
 
 def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n", 0o600)
-    text = io.StringIO()
-    rows = csv.writer(text, quoting=csv.QUOTE_ALL)
-    rows.writerow(["student", "right", "of", *wanted, "error", "alike", "note"])
+    rows = [["student", "right", "of", *wanted, "error", "alike", "note"]]
     for one in grades:
         given = {result["exercise"]: "?" if result["state"] == "undecided" else "not judged" if result["state"] == "failed" else "missing" if result["state"] in UNTOUCHED else
                  int(result["ok"]) for result in one["results"]}
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
-        rows.writerow([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
-                       cell(one["error"] or ""), cell(same), cell(one.get("note", ""))])
-    write_atomically(out / "grades.csv", text.getvalue(), 0o600)
+        rows.append([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
+                     cell(one["error"] or ""), cell(same), cell(one.get("note", ""))])
+    write_atomically(out / "grades.csv", as_csv(rows), 0o600)
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:

@@ -24,10 +24,10 @@ from pathlib import Path
 
 from charts import measured
 from charts.study_file import Study, figures, load
-from charts.verdict import Verdict, limits_of, names_of, verdict_of
+from charts.verdict import Verdict, names_of, verdict_of
 from check import lesson_tests
 from pages.tables import fill
-from tree import ROOT, Failure, chapter_title, chapters
+from tree import ROOT, Failure, chapter_title, chapters, slug
 
 PAGE = Path("docs/which.md")
 BEGIN, END = re.compile(r"\s*<!-- verdict: ([\w.]+) -->\s*$"), re.compile(r"\s*<!-- /verdict -->\s*$")
@@ -57,8 +57,7 @@ class Question:
         points = self.points(study, scene)
         if "enough" not in self.entry:
             return verdict_of(study, scene, points)
-        limits = {name: at for metric, at in self.entry["enough"].items() for name in limits_of(study, scene, metric, at)}
-        limits = {name: self.entry["enough"][name] for name in limits}
+        limits = self.entry["enough"]
         doubts = {name: study.doubling_change(scene, name) or 0.0 for name in limits}
         return Verdict(points, limits, doubts, higher_is_faster=study.higher_is_faster)
 
@@ -233,16 +232,12 @@ def page() -> str:
     for question in questions().values():
         by_chapter.setdefault(question.chapter, []).append(question)
     for chapter, own in by_chapter.items():
-        lines.append(f"| [{chapter[:2]}](#{anchor(chapter_title(chapter))}) | {' · '.join(q.entry['question'] for q in own)} |")
+        lines.append(f"| [{chapter[:2]}](#{slug(chapter_title(chapter))}) | {' · '.join(q.entry['question'] for q in own)} |")
     for chapter, own in by_chapter.items():
         lines += ["", f"## {chapter_title(chapter)}", "", f"Why: [the lesson]({chapter}.md)."]
         for question in own:
             lines += ["", f"**{question.entry['question']}**", "", *table(question)]
     return "\n".join(lines) + "\n"
-
-
-def anchor(title: str) -> str:
-    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 def check_page() -> list[str]:

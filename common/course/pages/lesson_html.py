@@ -9,8 +9,8 @@ from pathlib import Path
 from pages.docs import KATEX
 from pages.knob_links import Placed
 from pages.page import TYPES, encoded, uri
-from pages.pages_markdown import Site, convert, slug
-from tree import ROOT, Failure
+from pages.pages_markdown import Site, convert
+from tree import ROOT, Failure, slug
 
 VOID = ("img", "br", "hr", "input", "link", "meta", "col", "source", "wbr")
 MOST_VECTOR_BYTES = 600_000  # a chart of more is smaller as pixels

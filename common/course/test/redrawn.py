@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 from charts import measured
-from charts.study import device_slug
+from charts.study import device_slug, key_of
 from charts.study_file import figures
 from charts.study_shards import label_of
 from tree import BUILD, ROOT, chapter_program, run_on_chapter, say
@@ -24,10 +24,6 @@ NOT_ERRORS = re.compile(r"_ms$|per_s$")  # measured beside the errors, different
 
 def chosen(chapter: str, label: str, tenth: bool) -> bool:
     return not tenth or hashlib.sha256(f"{chapter} {label}".encode()).digest()[0] % 10 == 0
-
-
-def key_of(point: dict) -> str:
-    return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
 
 
 def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: str) -> dict:

@@ -100,8 +100,4 @@ def main(words: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except Failure as error:
-        warn(str(error))
-        sys.exit(1)
+    sys.exit(main(sys.argv[1:]))

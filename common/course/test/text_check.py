@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from importlib import import_module
 from pathlib import Path
 
@@ -16,11 +17,12 @@ from check.check import grades
 from check.lesson_tests import check_named, of_chapters
 from check.starters import check_starters
 from pages import advice, claims, tables
-from pages.quotes import FENCE, LINK, MARKER, QUOTE, check_quotes, lessons
+from pages.pages_markdown import fence_after
+from pages.quotes import LINK, MARKER, QUOTE, check_quotes, lessons
 from shots.golden import measured_distances
 from test.lesson_commands import wrong_words
 from test.order import check_order
-from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots
+from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots, slug
 
 # An environment variable where code reads it.
 VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']|\b(LIGHTWALK_[A-Z_]+)=")
@@ -34,27 +36,19 @@ PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home",
 def prose(name: Path) -> list[tuple[int, str]]:
     found, fence = [], None
     for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
-        match = FENCE.match(line)
-        if fence:
-            fence = None if line.strip() == fence else fence
-        elif match:
-            fence = match[1]
-        else:
+        before, fence = fence, fence_after(fence, line)
+        if not before and not fence:
             found.append((number, re.sub(r"`[^`]*`", "", line)))
     return found
 
 
 def anchors(name: Path) -> set[str]:
-    found = set()
+    found, seen = set(), Counter()
     text = (ROOT / name).read_text(encoding="utf-8")
     for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
-        title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title)
-        base = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
-        anchor, count = base, 0
-        while anchor in found:
-            count += 1
-            anchor = f"{base}-{count}"
-        found.add(anchor)
+        base = slug(re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title))
+        found.add(f"{base}-{seen[base]}" if seen[base] else base)
+        seen[base] += 1
     return found | set(re.findall(r"<a (?:id|name)=\"([^\"]+)\"", text))
 
 
