@@ -4,6 +4,8 @@ import importlib.util
 import runpy
 import sys
 
+from tree import Failure
+
 if __name__ == "__main__":
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     package, _, module = name.partition(".")
@@ -12,4 +14,7 @@ if __name__ == "__main__":
               file=sys.stderr)
         sys.exit(2)
     del sys.argv[0]
-    runpy.run_module(name, run_name="__main__", alter_sys=True)
+    try:
+        runpy.run_module(name, run_name="__main__", alter_sys=True)
+    except Failure as error:
+        sys.exit(str(error))

@@ -51,7 +51,6 @@ def main(words: list[str]) -> int:
 
 
 def on_one_line(message: str) -> str:
-    """Escapes control characters in a given name."""
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in message)
 
 

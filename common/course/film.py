@@ -71,8 +71,8 @@ def run(arguments, rest) -> int:
 def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int:
     """The shard's frames as a film of their own, in a shard's file. The exit code."""
     film = find_film(option(options, "scene", "films/ambiance.film"))
-    frames = frame_count(options)
     said = json.loads(film.read_text(encoding="utf-8"))
+    frames = round(version(said, options)[0] * float(option(options, "fps", "30")))
     head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0),
             "music_from_s": version(said, options)[1], "options": options,
             "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
@@ -98,11 +98,6 @@ def existing(folder: Path) -> Path:
 def cut(frames: int, number: int, count: int) -> tuple[int, int]:
     """The frames of one part: parts differ by one frame at most, and together are all."""
     return frames * (number - 1) // count, frames * number // count
-
-
-def frame_count(options: list[str]) -> int:
-    film, fps = find_film(option(options, "scene", "films/ambiance.film")), float(option(options, "fps", "30"))
-    return round(version(json.loads(film.read_text(encoding="utf-8")), options)[0] * fps)
 
 
 def version(said: dict, options: list[str]) -> tuple[float, float]:

@@ -130,7 +130,6 @@ class Drawer:
         self.progress = Progress("drawing")
 
     def draw_all(self, programs: Programs | None = None) -> int:
-        """Returns how many there were to draw."""
         self.programs, waiting = programs, list(dict.fromkeys(picture["chapter"] for picture in self.pictures))
         later, is_building = [], programs is not None
         with self.progress, ThreadPoolExecutor(WORKERS) as pool:
@@ -138,7 +137,7 @@ class Drawer:
                 if programs:
                     programs.start()
                 while waiting:
-                    is_building = programs is not None and programs.are_building()  # asked first: what is ready then is all there will be
+                    is_building = programs is not None and programs.thread.is_alive()  # asked first: what is ready then is all there will be
                     for chapter in [chapter for chapter in waiting if not programs or chapter in programs.ready()]:
                         waiting.remove(chapter)
                         stale = self.stale(chapter)
@@ -164,7 +163,6 @@ class Drawer:
         return self.total
 
     def stale(self, chapter: str) -> list[dict]:
-        """The chapter's pictures that are to be drawn."""
         self.keys[chapter] = key_of(chapter)
         found = [picture for picture in self.pictures if picture["chapter"] == chapter and (
             self.known is None or self.known.get(picture["image"]) != self.keys[chapter] or not (self.folder / picture["image"]).exists())]

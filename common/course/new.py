@@ -219,7 +219,6 @@ STUDY = """{
 \t"error_metric": "flip_mean",
 \t"stage": "compute",
 \t"size": [960, 540],
-\t"test_size": [96, 54],
 \t"rounds": 11,
 \t"truth": {"set": {"method": "exact"}, "exact": true},
 \t"scenes": [
@@ -355,12 +354,10 @@ def named(text: str, name: str) -> str:
 
 
 def written(name: str) -> dict[str, str]:
-    """The files of a chapter by path."""
     return {named(path, name): named(text, name) for path, text in FILES.items()}
 
 
 def with_row(index: str, name: str) -> str:
-    """The index with the example's term, in alphabetical order."""
     lines = index.splitlines(keepends=True)
     terms = [(number, line.split("|")[1].strip().casefold()) for number, line in enumerate(lines) if line.count("|") == 7]
     after = [number for number, term in terms if ROW[0] >= term != "term" and term != "---"]

@@ -38,7 +38,6 @@ KEPT = re.compile(r"""PATH|HOME|USER|LOGNAME|SHELL|TERM|COLORTERM|COLUMNS|LINES|
 
 
 def keep_environment():
-    """Forgets what is not in the list."""
     for name in [name for name in os.environ if not KEPT.fullmatch(name)]:
         del os.environ[name]
 
@@ -124,7 +123,6 @@ def chapters() -> list[str]:
 
 
 def left_alone() -> list[str]:
-    """What lies among the exercises and chapters and takes part in nothing."""
     known = {path for chapter in chapters() for path in exercises(chapter).values()}
     found = [path for path in (ROOT / "chapters").glob("[0-9][0-9]_*") if path.is_dir() and path.name not in chapters()]
     for chapter in chapters():
@@ -143,7 +141,6 @@ def say_left_alone():
 
 
 def shader_files() -> list[Path]:
-    """All shaders of the course; of its exercises those in the manifest."""
     known = {path for chapter in chapters() for path in exercises(chapter).values()}
     return [path for path in sorted((ROOT / "shaders").rglob("*.*")) if is_source(path) and (path.parent.name != "exercise" or path in known)]
 
@@ -204,6 +201,11 @@ def chapter_title(chapter: str) -> str:
     return f"{number} {title}" if name else chapter
 
 
+def slug(title: str, _separator: str = "-") -> str:
+    """A heading's address as forges make it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
 def chapter_program(chapter: str) -> Path:
     return BUILD / "chapters" / chapter
 
@@ -253,7 +255,6 @@ def has_solutions() -> bool:
 
 
 def is_edited(path: Path) -> bool:
-    """True where git knows that a file is not as it was committed."""
     if not (ROOT / ".git").exists():
         return False
     return subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", path],
@@ -367,10 +368,7 @@ def run_on_chapter(main):
     if len(sys.argv) != 2:
         warn(f"usage: {Path(sys.argv[0]).stem} NN_name")
         sys.exit(2)
-    try:
-        problems = main(sys.argv[1])
-    except Failure as error:
-        problems = [str(error)]
+    problems = main(sys.argv[1])
     for problem in problems:
         say(problem)
     sys.exit(1 if problems else 0)

@@ -12,8 +12,8 @@ import unittest
 
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+from tree import BUILD, ROOT
+
 CHAPTERS = {"01": BUILD / "chapters" / "01_obj", "02": BUILD / "chapters" / "02_lambert_phong",
             "04": BUILD / "chapters" / "04_surface_maps", "14": BUILD / "chapters" / "14_environment",
             "15": BUILD / "chapters" / "15_terrain_water"}

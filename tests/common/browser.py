@@ -5,15 +5,13 @@ import os
 import select
 import shutil
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import npm
 from x_server import XServer
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common/course"))
-from pages.book import find_browser  # noqa: E402
+from pages.book import find_browser
 
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 WHY_NONE = npm.why_not("playwright-core") if find_browser() else "Chromium is not installed"

@@ -1,12 +1,8 @@
 """A small study as tests of charts, verdicts and claims use it."""
 
 import copy
-import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
-
-from charts.study_file import Study  # noqa: E402
+from charts.study_file import Study
 
 
 def point(scene, method, error, ms, knobs=None, **more):

@@ -2,9 +2,7 @@
 
 import fcntl
 import functools
-import os
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -13,11 +11,9 @@ from browser import WHY_NONE
 from live_server import Server
 from small_course import REAL
 
-sys.path.insert(0, str(REAL / "common/course"))
-from live.serve import is_old  # noqa: E402
-from pages import docs  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", REAL / "build"))
+from live.serve import is_old
+from pages import docs
+from tree import BUILD
 
 
 def copy_of_course(root: Path):

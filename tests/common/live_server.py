@@ -40,14 +40,11 @@ for line in sys.stdin:
 class Server:
     """Use it as a context: `address` with the token, `base` without, `cookie` as a header's value."""
 
-    def __init__(self, root: Path, *words, within=(), build: bool = False, refine: str = "off", **environment):
-        """within: the words of a program that starts the server; build: it may build exercises."""
+    def __init__(self, root: Path, *words, refine: str = "off", **environment):
         self.process = subprocess.Popen(
-            [*within, sys.executable, root / "common/course/cli.py", "serve", "--refine", refine, *([] if build else ["--no-build"]), "--port", "0", *words],
+            [sys.executable, root / "common/course/cli.py", "serve", "--refine", refine, "--no-build", "--port", "0", *words],
             cwd=root, env=clean_environment() | environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
         self.address = self.process.stdout.readline().strip()
-        while build and self.address and not self.address.startswith("http"):  # that it writes the pages
-            self.address = self.process.stdout.readline().strip()
         found = re.fullmatch(r"(http://127.0.0.1:(\d+)/)\?token=(.+)", self.address)
         if not found:
             self.__exit__()

@@ -5,17 +5,13 @@ import json
 import math
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 from PIL import Image, ImageChops
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "common/course"))
+from shots.rendering import Drawing
+from tree import BUILD, ROOT
 
-from shots.rendering import Drawing, surroundings  # noqa: E402
-
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 CHAPTERS = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
 BUILT = (BUILD / "compare").exists() or "LIGHTWALK_BUILD" in os.environ
 HAS_SOLUTION = any((ROOT / "shaders").glob("*/solution"))
@@ -33,59 +29,38 @@ def sets(*settings: str) -> list[str]:
     return [word for setting in settings for word in ("--set", setting)]
 
 
-class Drawer:
-    """Draws pictures of one chapter, each as its program's first frame: a chapter is made for each. Starts the program
-    again where it has died."""
+class Drawer(Drawing):
+    """Draws pictures of one chapter into a folder, each as its program's first frame: a chapter is made for each."""
 
     def __init__(self, chapter: str, folder: Path):
-        self.chapter, self.folder, self.count, self.drawing = chapter, Path(folder), 0, None
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        if self.drawing:
-            self.drawing.close()
+        super().__init__(chapter)
+        self.folder, self.count = Path(folder), 0
 
     def draw(self, *options) -> tuple[Path, str]:
         """The picture, and the error: empty if the program succeeded."""
-        if not self.drawing or not self.drawing.is_alive():
-            if self.drawing:
-                self.drawing.close()
-            self.drawing = Drawing(self.chapter)
         self.count += 1
         picture = self.folder / f"{self.chapter}_{self.count}.png"
-        code, wrong, said = self.drawing.draw(list(options), picture)
+        code, wrong, said = super().draw(list(options), picture)
         # Progress messages of slow work appear on a busy machine.
         said = "\n".join(line for line in said.splitlines() if line.strip() and not line.startswith("drawing: "))
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
 
-class Live:
+class Live(Drawing):
     """One program of a chapter that goes on: what it draws may depend on what it has drawn before."""
 
     def __init__(self, chapter: str, folder: Path):
-        self.chapter, self.folder, self.count = chapter, Path(folder), 0
-        self.program = subprocess.Popen([BUILD / "chapters" / chapter, "--pictures", "--validate", "on"], cwd=ROOT,
-                                        env=surroundings({}), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.program.stdin.close()
-        self.program.wait()
-        self.program.stdout.close()
+        super().__init__(chapter)
+        self.folder, self.count = Path(folder), 0
 
     def draw(self, words: list, size: tuple, **request) -> tuple[Path, str]:
         """The picture of a request, which changes what `words` have loaded, and the error: empty if there is none."""
         words = ["--frames", "1", *words]  # without any word it would be the chapter's best shot
-        self.program.stdin.write(json.dumps({"words": words, "size": size, "still": True} | request).encode() + b"\n")
-        self.program.stdin.flush()
-        answer = json.loads(self.program.stdout.readline())
+        answer, said, code = self.ask({"words": words, "size": size, "still": True} | request)
+        answer = answer or {"error": f"exit code {code}: {said}"}
         self.count += 1
         picture = self.folder / f"{self.chapter}_live_{self.count}.png"
-        picture.write_bytes(self.program.stdout.read(answer["bytes"]))
+        picture.write_bytes(self.picture)
         return picture, "\n".join([answer["error"], *answer.get("errors", [])]).strip()
 
 

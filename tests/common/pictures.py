@@ -66,8 +66,7 @@ class ChapterPictures(unittest.TestCase):
 
     def draw_picture(self, options, picture, silent):
         cls = type(self)
-        if not cls.drawing or not cls.drawing.is_alive():
-            cls.drawing = Drawing(self.chapter)
+        cls.drawing = cls.drawing or Drawing(self.chapter)
         code, wrong, said = cls.drawing.draw(options, Path(picture))
         self.assertEqual(code, 0, wrong)
         if silent:  # Settings that make pictures of a chapter faster, unrelated to the comparison: most of a small picture's time goes into one-time work before its first frame.

@@ -83,6 +83,15 @@ class Solving(unittest.TestCase):
             self.press(browser, exercise, "Check")
             browser.wait(f"document.querySelector('.run-verdict.{verdict}') ? 1 : 0")
 
+    def read_offline(self, browser, address: str, end):
+        """After one visit, pages that were not looked at are there without the server."""
+        browser.open(f"{address}index.html")
+        browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
+        end()
+        for page in ("16_volume", "index"):
+            browser.open(f"{address}{page}.html")
+            self.assertIn("Lightwalk", browser.evaluate("document.title"))
+
     def turn_by_keys(self, browser):
         """An arrow turns Saturn; Tab leads to the first button below it."""
         browser.open(site() / "17_planets.html")

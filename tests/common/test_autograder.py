@@ -144,7 +144,3 @@ class Steps(Course):
     def test_next_is_one_step(self):
         said = self.course("check", "--next")
         self.assertRegex(said, r"\Anext: 01\.one.*\n  read .*\n  edit .*\n  then   \./course check 01\.one\n\Z")
-
-
-if __name__ == "__main__":
-    unittest.main()

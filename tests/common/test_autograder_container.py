@@ -74,7 +74,3 @@ class Container(unittest.TestCase):
         results = self.graded(notes__txt="I have done nothing.\n")
         self.assertEqual(results["score"], 0.0)
         self.assertTrue(results["output"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -14,12 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
-from charts import chart, chart_labels, chart_panel
+from charts import chart, chart_panel
 from chart_fixture import STUDY, over_lights, point, study
 from charts.said import between, said_by
 from charts.study_charts import Chart, charts_of
 from charts.study_file import Study, StudyError, load, markdown_table
-from charts.verdict import verdict_of
 from tree import ROOT
 
 
@@ -102,33 +101,6 @@ class Drawing(unittest.TestCase):
     def test_an_exact_truth_is_called_so(self):
         texts = self.texts(self.figure(study(truth={"method": "uncut", "knobs": {}, "exact": True})))
         self.assertTrue([text for text in texts if "Truth: uncut, by definition." in text])
-
-    def labels_on(self, size=(6, 4)):
-        figure = chart.plt.figure(figsize=size)
-        self.addCleanup(chart.plt.close, figure)
-        axis = figure.add_subplot()
-        axis.set(xlim=(0, 10), ylim=(0, 10))
-        return figure, axis, chart_labels.Labels(figure.axes)
-
-    def test_a_crowd_of_labels(self):
-        figure, axis, labels = self.labels_on()
-        points = [(axis, 4 + 0.1 * i, 5 + 0.05 * i, (4 + 0.1 * i,) * 2, (5 + 0.05 * i,) * 2) for i in range(9)]
-        for i, at in enumerate(points):
-            labels.avoid_curve([at])
-            labels.want(f"method {i}", [at], "black", 11, "bold", True)
-            labels.want("7", [at], "black", 8, "normal", False)
-        labels.write()
-        self.assertEqual([text.get_text() for text in axis.texts], [f"method {i}" for i in range(9)])  # no "7": of which?
-        boxes = [text.get_window_extent(figure.canvas.get_renderer()) for text in axis.texts]
-        for i, box in enumerate(boxes):
-            self.assertFalse([other for other in boxes[:i] if box.overlaps(other)])
-        self.assertGreater(len(figure.artists) + len(figure.lines), 0)  # a distant label has a line to its point
-
-    def test_spaced(self):
-        self.assertEqual(chart_labels.spaced([0, 50, 100], 10, 0, 100), [0, 50, 100])
-        self.assertEqual(chart_labels.spaced([50, 50, 50], 10, 0, 100), [40, 50, 60])
-        self.assertEqual(chart_labels.spaced([98, 99], 10, 0, 100), [90, 100])
-        self.assertEqual(chart_labels.spaced([20, 29, 90], 10, 0, 100), [19.5, 29.5, 90])
 
     def test_a_row_for_each_method(self):
         s = study(error_metric="ulp", points=[point("s", "exact", 0, 2), point("s", "near", 0, 1)],
@@ -307,19 +279,6 @@ class Added(unittest.TestCase):
 
 
 class Reading(unittest.TestCase):
-    def test_front(self):
-        front = [(p.method, p.time[1]) for p in verdict_of(study(), "bunny").front]
-        self.assertEqual(front, [("gouraud", 0.1), ("phong", 0.2)])  # of what is enough the first alone
-        tie = study(points=[point("s", "a", 1, 1), point("s", "b", 1, 1), point("s", "c", 1, 2), point("s", "d", 2, 1)])
-        self.assertEqual([p.method for p in verdict_of(tie, "s").front], ["a", "b"])
-
-    def test_throughput_is_faster_where_it_is_higher(self):
-        points = [{"scene": "f", "method": m, "error": {"ulp": ulp}, "mb_per_s": {"median": v, "q1": v, "q3": v}}
-                  for m, v, ulp in (("slow", 10, 0), ("fast", 800, 0), ("wrong", 900, 3))]
-        loaders = study(subject="loader", time_unit="MB/s", error_metric="ulp", points=points)
-        self.assertEqual([p.method for p in verdict_of(loaders, "f").front], ["wrong", "fast"])
-        self.assertFalse(loaders.software)
-
     def test_software_times_are_labelled(self):
         self.assertEqual(study().time_label, "GPU time, ms")
         for names in ({"device": "llvmpipe (LLVM 15.0.6, 256 bits)"}, {"driver": "llvmpipe"}):

@@ -13,9 +13,9 @@ import unittest
 
 from PIL import Image
 
-from tree import ROOT
+from tree import BUILD
 
-COMPARE = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")) / "compare"
+COMPARE = BUILD / "compare"
 
 
 @unittest.skipUnless(COMPARE.exists() or "LIGHTWALK_BUILD" in os.environ, f"{COMPARE} is not built")

@@ -91,10 +91,6 @@ class Exercises(Course):
         self.assertFalse((folder / "grades.csv").exists())
         self.assertEqual((folder / "chapters/01_obj/exercise/one.cpp").read_text(), "open")
 
-    def test_a_check_that_dies_is_open(self):
-        self.put("chapters/01_obj/exercise/one.cpp", "die")
-        self.assertIn("ended by signal 6", self.course("check", "01", code=1))
-
     def test_handout_has_no_solution_and_works(self):
         self.accept()
         folder = self.outside / "handout"

@@ -151,7 +151,8 @@ def write_two_chapters():
     expect("100% tests passed" in said and f"shots.{number}" in said and "text.tree" in said, said)
     expect(not re.search(r"knobs|equal_methods .* Passed|text\.pages.* Passed", said), said)
     course("new", f"{last + 2:02}_second")
-    said = course("test", rf"^(wrong_picture|study)\.{number}|^text\.tree$")
+    course("study", number, "--size", "96x54", "--rounds", "1", "--out", "build/study/scaffold")
+    said = course("test", rf"^(wrong_picture|tenth)\.{number}|^text\.tree$")
     expect("100% tests passed, 0 tests failed out of 3" in said, said)
 
 

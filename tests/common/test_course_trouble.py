@@ -148,18 +148,6 @@ class Trouble(Course):
 
 
 class Saves(Course):
-    def test_killed_at_any_moment_the_old_file_or_the_new_one_is_there(self):
-        file = self.outside / "kept"
-        write_atomically(file, "a" * 1000000)
-        code = (f"import sys; sys.path.insert(0, {str(REAL / 'common/course')!r})\nfrom pathlib import Path\n"
-                f"from tree import write_atomically\nwhile True:\n for c in 'ab': write_atomically(Path({str(file)!r}), c * 1000000)\n")
-        for _ in range(8):
-            writer = subprocess.Popen([sys.executable, "-c", code])
-            time.sleep(random.uniform(0.15, 0.3))
-            writer.kill()
-            writer.wait()
-            self.assertIn(file.read_text(), ("a" * 1000000, "b" * 1000000))
-
     def test_on_a_full_disk_the_old_file_stays(self):
         file = self.outside / "full"
         write_atomically(file, "old")

@@ -59,12 +59,9 @@ class DamagedModels(unittest.TestCase):
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory())) / "set"
         shutil.copytree(SET, self.folder)
-        self.drawing = None
+        self.drawing = self.enterContext(Drawing(CHAPTER, "off"))
 
     def draw(self, model: str) -> tuple[int, str, str]:
-        if not self.drawing or not self.drawing.is_alive():
-            self.drawing = Drawing(CHAPTER, "off")
-            self.addCleanup(self.drawing.close)
         return self.drawing.draw(["--scene", self.folder / model, "--size", "32x18"], self.folder / "picture.png")
 
     def test_drawn_or_refused_in_one_line(self):

@@ -1,4 +1,4 @@
-"""Tests of the course's descriptions for other systems: the workflow of a public CI, the dev container, editors, forms,
+"""Tests of the course's descriptions for other systems: the workflow of a public CI, the dev container, editors,
 docs/elsewhere.md and the hours of docs/teaching.md."""
 # Builds: nothing
 
@@ -96,14 +96,6 @@ class Editors(unittest.TestCase):
         for configuration in launch["configurations"]:
             self.assertEqual(configuration["program"], "${workspaceFolder}/build/chapters/${input:chapter}")
             self.assertIn(configuration["preLaunchTask"], [task["label"] for task in tasks["tasks"]])
-
-    @unittest.skipUnless(yaml, "there is no python3-yaml, which mkdocs brings")
-    def test_forms_citation_and_the_language_server_are_yaml_with_their_keys(self):
-        for name, keys in {".clangd": {"CompileFlags"}, ".github/CITATION.cff": {"cff-version", "title", "authors", "license"},
-                           ".github/ISSUE_TEMPLATE/device.yml": {"name", "description", "body"},
-                           ".github/ISSUE_TEMPLATE/lesson.yml": {"name", "description", "body"},
-                           ".github/ISSUE_TEMPLATE/wrong.yml": {"name", "description", "body"}}.items():
-            self.assertLessEqual(keys, set(yaml.safe_load((ROOT / name).read_text())), name)
 
 
 class Page(unittest.TestCase):

@@ -188,7 +188,3 @@ class FirstContact(unittest.TestCase):
             watch.cancel()
             errors.seek(0)
             return process.returncode if code is None else code, errors.read()
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -4,7 +4,6 @@ import csv
 import json
 import os
 import threading
-import unittest
 import zipfile
 from unittest import mock
 
@@ -106,7 +105,3 @@ class Submissions(Class):
         with Judge({"02.lambert": "02_lambert_phong"}, 2, False) as judge:
             said = {judge.judge("02.lambert", wrong, seed)["first_failure"] for seed in (0, 1, 2)}
         self.assertEqual(len(said), 3, said)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -259,7 +259,3 @@ class HandIns(unittest.TestCase):
         for name, data in ((f"ann/1/2/3/4/5/6/7/{LAMBERT}", RIGHT), (f"ann/__MACOSX/{LAMBERT}", other)):
             self.put(name, data)
         self.assertEqual(said_of(self.folder), {"ann": READ})
-
-
-if __name__ == "__main__":
-    unittest.main()

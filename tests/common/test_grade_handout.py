@@ -66,7 +66,3 @@ class Handout(unittest.TestCase):
                     continue  # a library's, or one that can lack
                 with self.subTest(str(name)):
                     self.assertTrue(meant & set(self.contents), said)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -242,7 +242,3 @@ class Graded(unittest.TestCase):
         whole, _ = grade(made / "class", made / "whole", *words).communicate()
         self.assertEqual(printed, whole)
         self.assertEqual(files(made / "slurm"), files(made / "whole"))
-
-
-if __name__ == "__main__":
-    unittest.main()

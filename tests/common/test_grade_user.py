@@ -55,7 +55,3 @@ class AsUser(unittest.TestCase):
                 with self.subTest(module):
                     done = as_nobody(["-c", AS_USER, module], home)
                     self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-6000:])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,13 +1,10 @@
 """--look: a pass's output, without a window."""
 # Builds: 06_deferred
-import sys
 import unittest
-from pathlib import Path
 
 from PIL import Image
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-from bad_input import BUILD, BadInput  # noqa: E402
+from bad_input import BUILD, BadInput
 
 DEFERRED = BUILD / "chapters" / "06_deferred"
 

@@ -56,9 +56,4 @@ class InFirefox(Solving, pictures.Comparing):
     def test_it_is_read_without_a_network_after_one_visit(self):
         address, end = serve()
         with Firefox() as browser:
-            browser.open(f"{address}index.html")
-            browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
-            end()
-            for page in ("16_volume", "index"):
-                browser.open(f"{address}{page}.html")
-                self.assertIn("Lightwalk", browser.evaluate("document.title"))
+            self.read_offline(browser, address, end)

@@ -159,12 +159,7 @@ class InBrowser(Solving):
     def test_a_server_of_files_and_then_none(self):
         address, end = serve()
         with Browser(webgl=True, server=address) as browser:
-            browser.open(f"{address}index.html")
-            browser.wait("navigator.serviceWorker.ready.then(one => one.active.state === 'activated' ? 1 : 0)")
-            end()
-            for page in ("16_volume", "index"):
-                browser.open(f"{address}{page}.html")
-                self.assertIn("Lightwalk", browser.evaluate("document.title"))
+            self.read_offline(browser, address, end)
 
     def test_every_page_keeps_to_its_budget_before_a_click_and_can_be_read(self):
         """Lessons and other texts, and of pages of sources the largest of each folder. Texts in light and in dark, with an editor

@@ -3,11 +3,11 @@
 import json
 import re
 import unittest
-from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
 from browser import WHY_NONE, Browser
+from html_seen import Seen
 from live_page import has_pages
 
 from tree import BUILD, chapters, exercises, lesson_pages, lessons
@@ -44,22 +44,6 @@ ASK = """new Promise(done => {
 })"""
 
 
-class Links(HTMLParser):
-    """Names in a page, and the names that exist."""
-
-    def __init__(self, page: Path):
-        super().__init__()
-        self.links, self.names = [], set()
-        self.feed(page.read_text(encoding="utf-8"))
-
-    def handle_starttag(self, tag, attributes):
-        for name, value in attributes:
-            if name in ("href", "src") and value:
-                self.links.append((tag, value))
-            elif name in ("id", "name") and value:
-                self.names.add(value)
-
-
 class TheCourse(unittest.TestCase):
     """The pages of the tree as it is. They stay in the build folder: the report links them."""
 
@@ -74,7 +58,7 @@ class TheCourse(unittest.TestCase):
 
 class Pages(TheCourse):
     def test_every_link_leads_to_a_file_and_a_heading(self):
-        found = {page: Links(page) for page in self.pages}
+        found = {page: Seen(page.read_text(encoding="utf-8")) for page in self.pages}
         self.assertGreater(sum(len(links.links) for links in found.values()), 500)
         for page, links in found.items():
             for tag, link in links.links:
@@ -89,7 +73,7 @@ class Pages(TheCourse):
 
     def test_each_exercise_has_an_address_that_opens_at_it(self):
         for chapter in chapters():
-            names = {page.stem: Links(self.folder / f"{page.stem}.html").names for page in lesson_pages(chapter)}
+            names = {page.stem: Seen((self.folder / f"{page.stem}.html").read_text()).names for page in lesson_pages(chapter)}
             for exercise in exercises(chapter):
                 [page] = [stem for stem in names if exercise in names[stem]]
                 self.assertIn(f"../{page}.html#{exercise}", (self.folder / "open" / f"{exercise}.html").read_text())

@@ -25,9 +25,9 @@ JUNIT = """<?xml version="1.0"?>
 """
 
 
-def metrics(mean, p99, steps, nan=0):
+def metrics(mean, p99, steps):
     return {"flip": {"mean": mean, "p99": p99}, "max_diff": {"steps": steps, "x": 3, "y": 4},
-            "nan": {"reference": 0, "test": nan}, "inf": {"reference": 0, "test": 0}}
+            "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0}}
 
 
 class ReportCase(unittest.TestCase):
@@ -197,25 +197,3 @@ class InBrowser(ReportCase):
             browser.drag((x + width / 2, y), (x + width / 4, y))
             self.assertLess(abs(browser.evaluate("+document.querySelector('.slide input').value") - 25), 4)
             self.assertEqual(browser.complaints, [])
-
-    def test_the_gallery_shows_its_pictures(self):
-        folder = self.folder / "gallery"
-        folder.mkdir()
-        Image.new("RGB", (96, 54), "#775533").save(folder / "bunny.png")
-        write_gallery([{"chapter": "01_obj", "name": "bunny", "caption": "A bunny.", "image": "bunny.png",
-                        "error": None, "command": "./course run 01"}], folder / "index.html")
-        with Browser(dark=True) as browser:
-            browser.open(folder / "index.html")
-            widths = "Promise.all([...document.images].map(i => i.decode().then(() => i.naturalWidth)))"
-            self.assertEqual(browser.evaluate(widths), [96, 96])
-            self.assertEqual(browser.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 23, 28)")
-            self.assertEqual(browser.complaints, [])
-
-    def test_the_browser_does_notice_what_is_wrong(self):
-        bad = self.folder / "bad.html"
-        bad.write_text('<!doctype html><img src="missing.png"><script>console.error("no"); nothing.at.all</script>')
-        with Browser() as browser:
-            browser.open(bad)
-            browser.evaluate("1")
-            self.assertTrue(any("no" in complaint for complaint in browser.complaints), browser.complaints)
-            self.assertGreaterEqual(len(browser.complaints), 3)

@@ -43,13 +43,6 @@ class Whole(unittest.TestCase):
         for name in names():
             self.assertIn(name.rsplit("/", 1)[1], files_of(whole(name))[0])
 
-    def test_few_files_make_a_shader(self):
-        # Of the first, 15 are exercises; each of the others is a module's, a struct that C++ reads as well, put_surface(), which
-        # others replace, as light from points is, or a concept of several chapters (microfacets and coats of them, height
-        # fields, Schlick's reflectance, depth in metres).
-        for name, most in (("05_shadow_maps/surface.frag", 33), ("12_skin/skin.frag", 34)):
-            self.assertLessEqual(len(files_of(whole(name))), most, name)
-
     def test_macros_are_those_of_the_compiler(self):
         self.assertEqual(macros_of({"name": "shadow.method", "type": "choice", "default": "pcf", "options": ["hard", "pcf"]}),
                          {"SHADOW_METHOD": 1, "SHADOW_METHOD_HARD": 0, "SHADOW_METHOD_PCF": 1})

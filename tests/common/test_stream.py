@@ -2,7 +2,6 @@
 # Builds: 02_lambert_phong
 
 import io
-import json
 import subprocess
 import tempfile
 import unittest
@@ -10,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image, ImageChops
 
-from shots.rendering import render, render_many
+from shots.rendering import Drawing, render, render_many
 from tree import BUILD, ROOT, Failure
 
 PROGRAM = BUILD / "chapters" / "02_lambert_phong"
@@ -20,20 +19,13 @@ SHOT, SMALL = ["--shot", "teapot"], ["--size", "48x27"]
 class Stream(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.program = subprocess.Popen([PROGRAM, "--pictures", "--validate", "on"], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        cls.addClassCleanup(cls.end)
+        cls.program = cls.enterClassContext(Drawing(PROGRAM.name))
 
-    @classmethod
-    def end(cls):
-        cls.program.stdin.close()
-        cls.program.wait(60)
-        cls.program.stdout.close()
+    def ask(self, **request) -> tuple[dict, bytes]:
+        return self.asked({"words": SHOT, "size": [160, 90]} | request)
 
-    def ask(self, line: bytes | None = None, **request) -> tuple[dict, bytes]:
-        self.program.stdin.write((line or json.dumps({"words": SHOT, "size": [160, 90]} | request).encode()) + b"\n")
-        self.program.stdin.flush()
-        answer = json.loads(self.program.stdout.readline())
-        return answer, self.program.stdout.read(answer["bytes"])
+    def asked(self, question) -> tuple[dict, bytes]:
+        return self.program.ask(question)[0], self.program.picture
 
     def picture(self, **request) -> Image.Image:
         answer, picture = self.ask(still=True, **request)
@@ -70,8 +62,8 @@ class Stream(unittest.TestCase):
         self.assertTrue(answer["looks"] and answer["device"])
 
     def test_what_is_wrong_is_said_and_the_next_one_drawn(self):
-        for line, says in ((b"{", "a line is no request: {"), (b"[1]", "a line is no request: [1]"), (b'{"words": 1}', "a line is no request")):
-            answer, picture = self.ask(line)
+        for line, says in (("{", 'a line is no request: "{"'), ([1], "a line is no request: [1]"), ({"words": 1}, "a line is no request")):
+            answer, picture = self.asked(line)
             self.assertEqual((answer["code"], picture), (2, b""))
             self.assertIn(says, answer["error"])
         for request, says in (({"set": {"nope": "1"}}, "unknown knob 'nope'"), ({"size": [4, 4]}, '"size": expected two numbers'),

@@ -11,9 +11,8 @@ import unittest
 
 from small_course import INTERRUPTIBLE, Course
 
-from test.need_test import median_row, row, set_options, sweep
+from test.need_test import median_row, row, set_options
 from charts.study import SceneEntry, device_slug
-from test.study_test import curve_row, curve_rows, frame_rows
 
 # Writes its arguments and folder; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
@@ -117,67 +116,7 @@ class Study(Course):
 
 
 class Tables(unittest.TestCase):
-    """Verdicts of study_test.py and need_test.py on measurements."""
-
-    def test_more_samples_must_not_be_worse(self):
-        self.assertTrue(curve_row("a", "b", [0.3, 0.2, 0.2, 0.0, 0.0])["ok"])
-        for errors in ([0.2, 0.3], [0.2, 0.0, 0.1]):
-            self.assertFalse(curve_row("a", "b", errors)["ok"], errors)
-
-    def test_frames_are_finite_complete_and_the_truth_converges(self):
-        study = {"truth": {"most_change": 0.001}, "scenes": ["x/a.json"],
-                 "curves": [{"method": "m"}, {"method": "n", "set": {"taps": [1, 2]}}]}
-        self.assertEqual(sweep(study), [{"method": "m"}, {"method": "n", "taps": 1}, {"method": "n", "taps": 2}])
-
-        def wrong(change=0.001, nan=0, error=0.1, points=3):
-            found = [{"scene": "a", "method": method, "knobs": knobs, "error": {"rmse": error, "nan": nan, "inf": 0}}
-                     for method, knobs in (("m", {}), ("n", {"taps": "1"}), ("n", {"taps": "2"}))][:points]
-            rows = frame_rows(study, {"error_metric": "rmse", "points": found, "truth": {"doubling_change": change}})
-            return [row["case"].split()[0] for row in rows if not row["ok"]]
-
-        self.assertEqual(wrong(), [])
-        self.assertEqual(wrong(change=0.002), ["the"])
-        self.assertEqual(wrong(nan=1), ["pixels"])
-        self.assertEqual(wrong(points=2), ["points"])
-
-    def test_scenes_that_set_knobs_and_an_exact_truth(self):
-        entry = {"scene": "x/a.json", "set": {"lights": 10}, "label": "ten"}
-        study = {"truth": {"exact": True}, "scenes": ["x/a.json", entry],
-                 "curves": [{"method": "m", "set": {"threshold": [0.1, 0.01], "b": 1}}]}
-        found = [{"scene": scene, "method": "m", "knobs": {"b": 1, **lights, "threshold": threshold},
-                  "error": {"rmse": threshold, "nan": 0, "inf": 0}}
-                 for scene, lights in (("a", {}), ("ten", {"lights": 10})) for threshold in (0.1, 0.01)]
-
-        def wrong(points=found, **changes):
-            rows = frame_rows(study | changes, {"error_metric": "rmse", "points": points, "truth": {}})
-            return [row["case"].split()[0] for row in rows if not row["ok"]]
-
-        self.assertEqual(wrong(better={"threshold": "lower"}), [])
-        self.assertEqual(wrong(better={"threshold": "either"}), [])
-        self.assertEqual(wrong(), ["a,", "ten,"])  # a larger threshold is worse
-        self.assertEqual(wrong(better={"threshold": "lower"}, scenes=["x/a.json", entry | {"set": {"lights": 9}}]),
-                         ["points"])
-
-        curve = study["curves"][0] | {"where": {"lights": 10}}  # measured in one of the two scenes alone
-        more = {"better": {"threshold": "lower"}, "curves": [curve],
-                "scenes": [{"scene": "x/a.json", "set": {"lights": 1}}, entry]}
-        self.assertEqual(wrong(**more), ["points"])
-        self.assertEqual(wrong([point for point in found if point["scene"] == "ten"], **more), [])
-
-    def test_only_points_that_differ_in_one_knob_are_compared(self):
-        def point(a, b, error):
-            return {"scene": "s", "method": "m", "knobs": {"a": a, "b": b}, "error": {"rmse": error}}
-
-        points = [point(1, 1, 0.4), point(1, 2, 0.3), point(2, 1, 0.35), point(2, 2, 0.2)]
-        rows = curve_rows({}, {"error_metric": "rmse", "points": points})
-        self.assertEqual(len(rows), 4)
-        self.assertTrue(all(row["ok"] for row in rows))
-        self.assertEqual(len({row["case"] for row in rows}), 4)
-        points[3]["error"]["rmse"] = 0.32
-        wrong = [row["case"] for row in curve_rows({}, {"error_metric": "rmse", "points": points}) if not row["ok"]]
-        self.assertEqual(wrong, ["s, m, b=2: error over that of the a before"])
-        del points[0]["error"]["rmse"]  # not measured there
-        self.assertEqual(len(curve_rows({}, {"error_metric": "rmse", "points": points})), 2)
+    """Verdicts of need_test.py on measurements."""
 
     def test_a_scene_of_a_need_sets_its_knobs(self):
         scene = SceneEntry({"scene": "assets/yard.json", "set": {"lights": 10, "fast": True}, "label": "ten lights"})

@@ -2,7 +2,6 @@
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
@@ -11,8 +10,7 @@ from pathlib import Path
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest, copy_of_course, read_png
 from window_session import BUILD, ROOT, Session
 
-sys.path.insert(0, str(ROOT / "common/course"))
-from check.starters import digest  # noqa: E402
+from check.starters import digest
 
 
 class Window(WindowTest):

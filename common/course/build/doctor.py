@@ -33,16 +33,14 @@ def run(_arguments, _rest) -> int:
     return 0
 
 
-def disk(folder: Path | None = None) -> str:
-    """The free space where the course is built, and whether it is enough."""
-    folder = folder or (BUILD if BUILD.exists() else ROOT)
+def disk() -> str:
+    folder = BUILD if BUILD.exists() else ROOT
     free_gb = shutil.disk_usage(folder).free / 1e9
     short = [f"{command} needs {needed} GB" for command, needed in NEEDS_GB.items() if free_gb < needed]
     return f"{free_gb:.1f} GB free in {relative(folder) if folder != ROOT else ROOT}" + (f": too little, {', '.join(short)}" if short else "")
 
 
 def packages() -> str:
-    """Which packages are missing, by the list that has them."""
     if not shutil.which("dpkg-query"):
         return "not a Debian system: the lists in common/course/packages say what is needed"
     here = names_here()

@@ -66,7 +66,6 @@ def fuzz(folder: Path, source: Path, seconds: int) -> bool:
 
 
 def wait(process, name: str, seconds: int) -> int:
-    """Until it ends, with the seconds counted on a terminal."""
     start = time.monotonic()
     while True:
         try:

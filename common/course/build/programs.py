@@ -48,15 +48,11 @@ class Programs:
         self.thread.start()
 
     def stop(self):
-        """Ends the build; compiled files stay."""
         self.stopping.set()
         if self.ninja:
             self.ninja.terminate()
         if self.thread.is_alive():
             self.thread.join()
-
-    def are_building(self) -> bool:
-        return self.thread.is_alive()
 
     def ready(self) -> list[str]:
         return [chapter for chapter, state in self.states.items() if state.name == "ready"]

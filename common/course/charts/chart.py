@@ -93,7 +93,6 @@ def build_figure(chart: Chart, made: list | None = None):
 
 
 def heading(figure, chart: Chart, height: float, says: list[str], measured: list[str]):
-    """Subject, statement, device, and the command that measures it again."""
     figure.text(0.022, 1 - 0.33 / height, chart.title, fontsize=15, weight="bold", va="center")
     for i, line in enumerate(says):
         figure.text(0.022, 1 - (0.64 + 0.24 * i) / height, line, fontsize=11.5, va="center")
@@ -105,7 +104,6 @@ def heading(figure, chart: Chart, height: float, says: list[str], measured: list
 
 
 def notes_of(chart: Chart) -> list[str]:
-    """Notes about the points for the reader, a sentence each."""
     d, kinds = chart.study.data, (chart.x.kind, chart.y.kind)
     notes = ["Points: median, bars: quartiles."] if "time" in kinds else []
     if d.get("truth") and "error" in kinds:
@@ -140,7 +138,6 @@ def below(chart: Chart) -> str:
 
 
 def truth_note(chart: Chart) -> str:
-    """The reference of the errors, and its own uncertainty."""
     truth = chart.study.data["truth"]
     knobs = ", ".join(f"{name} {value}" for name, value in truth.get("knobs", {}).items())
     knobs += f", mean of {truth['pictures']} pictures" if "pictures" in truth else ""

@@ -60,7 +60,6 @@ class Axis:
 
     @property
     def zero_text(self):
-        """The label of the strip."""
         return "≈ 0" if any(self.is_zero(p) and self.value(p) for p in self.study.points if self.has(p)) else "0"
 
     def label(self, upright=False):

@@ -69,7 +69,6 @@ class Labels:
         self.samples += [before + (at - before) * k / steps for k in range(1, steps)]
 
     def avoid_line(self, axis, y):
-        """A line from left to right."""
         (x0, x1), height = axis.get_window_extent(self.renderer).intervalx, axis.transData.transform((1, y))[1]
         self.samples += [(x, height) for x in np.arange(x0, x1, 8 * self.scale)]
 
@@ -163,7 +162,6 @@ class Labels:
         return 10 * covered + 1.5 * np.sum(on_curve, axis=1) + 2 * outside
 
     def cost_of_line(self, leader, at):
-        """Marks crossed by a label's line to its point at `at`."""
         x, y = leader.T[:, :, None]
         on = (self.fixed[:, 0] < x) & (x < self.fixed[:, 2]) & (self.fixed[:, 1] < y) & (y < self.fixed[:, 3])
         on &= ~((self.fixed[:, 0] < at[0]) & (at[0] < self.fixed[:, 2]) & (self.fixed[:, 1] < at[1]) &
@@ -229,7 +227,6 @@ def among(place, others, scale):
 
 
 def inside(box, points):
-    """Which of the points lie in the box."""
     if not len(points):
         return np.zeros(0, bool)
     return (points[:, 0] > box.x0) & (points[:, 0] < box.x1) & (points[:, 1] > box.y0) & (points[:, 1] < box.y1)

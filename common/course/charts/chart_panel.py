@@ -119,7 +119,8 @@ class Panel:
             self.draw_row_line()
             self.label_rows(points)
         elif self.chart.x.kind == "knob":
-            self.label_ends(curves)
+            Labels(list(self.cells.values())).column(
+                [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
         else:
             self.label(curves, front, notes, enough)
 
@@ -240,7 +241,6 @@ class Panel:
         return best[1]
 
     def pixels_of(self, points: list) -> tuple[list, list]:
-        """Where points lie, and places on the curves through them."""
         at, between = [], []
         for _, curve in self.chart.curves(points):
             pixels = [self.main.transData.transform(self.at(p)) for p in curve if self.axis_of(p) is self.main]
@@ -269,13 +269,7 @@ class Panel:
                 labels.want(self.chart.label_of(p), [self.anchor(p)], colour, size=8, weight="normal", must=False)
         labels.write()
 
-    def label_ends(self, curves: list):
-        """Over a knob: each curve's name, right of its end."""
-        Labels(list(self.cells.values())).column(
-            [(self.chart.name_of(curve[0]), self.anchor(curve[-1]), colour) for _, curve, colour in curves])
-
     def name_rows(self, axis, named: bool):
-        """The names of all rows, in their colours."""
         names = self.chart.names
         axis.set_yticks(range(len(names)), names if named else [""] * len(names))
         axis.tick_params(axis="y", length=0)
@@ -285,7 +279,6 @@ class Panel:
             tick.set(color=COLOURS[numbers[name] % len(COLOURS)], fontsize=11.5, weight="bold")
 
     def draw_row_line(self):
-        """The error that one 8-bit step makes, where rows stand over an error."""
         step, _, measured = lines_of(self.chart, self.scenes, self.chart.x)
         if self.main and step and self.limits.x[0] < step < self.limits.x[1]:
             self.main.axvline(step, color=QUIET, linewidth=1, dashes=(5, 3), zorder=1)
@@ -294,7 +287,6 @@ class Panel:
                                textcoords="offset points", gid="label")
 
     def label_rows(self, points: list):
-        """Each row's text, right of its point."""
         for p in points:
             right = self.chart.x.spread(p)[2]
             self.axis_of(p).annotate(self.chart.row_text(p), (right, self.chart.y.value(p)), xytext=(11, 0),

@@ -28,7 +28,6 @@ def sources(listed: list[str], chapter: str) -> list[str]:
 
 
 def version_of(listed: list[str], read: Reader, chapter: str, request: str = "") -> str:
-    """The hash, of twelve digits."""
     request = request or f"chapters/{chapter}/study.json"
     names = sources(listed, chapter)
     if request in listed:
@@ -53,7 +52,6 @@ def request_of(study: dict) -> str:
 
 
 def here(chapter: str, request: str = "") -> str:
-    """Of the tree as it is."""
     if (chapter, request) not in _here:
         listed = [str(path.relative_to(ROOT)) for folder in ("chapters", "shaders", "assets/scenes")
                   for path in sorted((ROOT / folder).rglob("*")) if path.is_file()]
@@ -85,5 +83,4 @@ def has_old_times_alone(study: Path) -> bool:
 
 
 def earlier() -> list[Path]:
-    """The studies that measured earlier versions."""
     return [path for path in sorted((ROOT / "docs/studies").rglob("*.json")) if is_of_earlier(path)]

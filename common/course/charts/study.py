@@ -92,7 +92,6 @@ def run(arguments, _rest) -> int:
 
 
 def measure_timings(arguments) -> int:
-    """Measures the passes that lessons quote. The exit code."""
     timed = [name for name in chapters() if timings.request_of(name)]
     named = [find_chapter(arguments.chapter)] if arguments.chapter else timed
     for chapter in named:
@@ -106,7 +105,6 @@ def measure_timings(arguments) -> int:
 
 
 def measure_shard(arguments, named: list[str]) -> int:
-    """Measures the scenes that belong to a shard and writes it. The exit code."""
     shard, entries = arguments.shard, {}
     file = shards.file_of(arguments.out, "study", shard)
     mine = {chapter: labels for chapter in named if (labels := study_shards.taken(chapter, study_of(chapter), shard))}
@@ -124,7 +122,6 @@ def measure_shard(arguments, named: list[str]) -> int:
 
 
 def merge(paths: list[Path], named: list[str], out: Path) -> int:
-    """Puts shards together and draws the charts. The exit code."""
     made = shards.merge(paths, "study")
     merged = {chapter: study for chapter in named if (study := study_shards.whole(chapter, study_of(chapter), made))}
     for chapter, study in merged.items():
@@ -194,16 +191,18 @@ def measure(chapter: str, arguments, study: Path | None = None, part: str = "") 
     return file
 
 
+def key_of(point: dict) -> str:
+    return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
+
+
 def errors_into(file: Path, study: dict) -> dict:
     """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times."""
     try:
         old = json.loads(file.read_text(encoding="utf-8"))
     except OSError:
         return study
-    def key(point: dict) -> str:
-        return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
-    times = {key(point): point["time_ms"] for point in old["points"]}
-    points = [point | {"time_ms": times.get(key(point), point["time_ms"])} for point in study["points"]]
+    times = {key_of(point): point["time_ms"] for point in old["points"]}
+    points = [point | {"time_ms": times.get(key_of(point), point["time_ms"])} for point in study["points"]]
     kept = {key: old[key] for key in ("device", "driver", "command", "measured") if key in old}
     return study | kept | {"points": points, "errors_measured": study["measured"]}
 

@@ -138,7 +138,6 @@ class Chart:
 
     @cached_property
     def names(self):
-        """Names of all curves or rows, in order."""
         ordered = sorted(self.points, key=lambda p: self.methods.index(p.method))
         return list(dict.fromkeys(self.name_of(p) for p in ordered))
 

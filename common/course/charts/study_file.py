@@ -103,12 +103,10 @@ class Study:
         return [name for name in METRICS if name in measured] + own
 
     def metric_label(self, metric):
-        """How a table or an axis calls it."""
         return METRICS[metric][0] if metric in METRICS else self.data.get("metrics", {}).get(metric,
                                                                                              metric.replace("_", " "))
 
     def set_by(self, scene):
-        """The knobs that a scene sets."""
         return self.data.get("scenes", {}).get(scene, {}).get("set", {})
 
     @cached_property

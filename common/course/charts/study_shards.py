@@ -42,7 +42,6 @@ def part_of(chapter: str, study: dict, taken_labels: list[str], shard: shards.Sh
 
 
 def entries(chapter: str, measured: dict) -> dict[str, dict]:
-    """The fields kept of each piece."""
     of_all = {key: measured[key] for key in OF_ALL if key in measured} | {"machine": machine(measured)}
     if measured.get("subject") == "loader":
         return {f"{chapter}/": {"study": of_all, "whole": measured}}

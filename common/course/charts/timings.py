@@ -38,19 +38,16 @@ def request_of(chapter: str, file: str = "timings.json") -> dict:
 
 
 def programs(chapter: str) -> list[str]:
-    """The chapters whose programs it runs."""
     return sorted({find_chapter(run.get("program", chapter)) for run in request_of(chapter)["runs"]})
 
 
 def methods(run: dict) -> dict[str, str]:
-    """The words of each method."""
     if isinstance(run["methods"], dict):
         return run["methods"]
     return {str(value): f"--set {run['knob']}={value}" for value in run["methods"]}
 
 
 def point_of(scene: str, method: str, found: dict) -> dict:
-    """A point, from what --timings writes."""
     # A pass that is recorded several times in a frame has as many samples.
     passes = {one["name"]: one["gpu_ms"] * max(1, round(one["frames"] / found["frames"]))
               for one in found["passes"] if not one["name"].startswith("read back")}
@@ -61,7 +58,6 @@ def point_of(scene: str, method: str, found: dict) -> dict:
 
 
 def measure(chapter: str, device: str | None, size: str | None) -> dict:
-    """Draws all runs. Raises Failure where a program fails."""
     request, points, found = request_of(chapter), [], {}
     for run in request["runs"]:
         for method, own in methods(run).items():

@@ -115,19 +115,14 @@ class Verdict:
         return [p for p in self.points if p is not point and self.same(p, point)]
 
 
-def limits_of(study, scene: str, metric: str, at: float | None = None) -> dict[str, float]:
-    """The limits of a metric in a scene: a stated one, or the error of one 8-bit step. A mean FLIP hides errors in few pixels, so
-    that its 99th percentile must be below it, too. A metric of no picture has no limit unless stated: all is ranked."""
-    if at is not None:
-        return {metric: at}
-    has_p99 = any("flip_p99" in p.data["error"] for p in study.points)
-    metrics = [metric, "flip_p99"] if metric == "flip_mean" and has_p99 else [metric]
-    return {name: study.one_step(scene, name)[0] or 0.0 for name in metrics}
-
-
 def verdict_of(study, scene: str, points=None, metric: str | None = None, at: float | None = None) -> Verdict:
-    """The verdict on a scene of a study, or on some of its points, by its own metric and one 8-bit step or another limit."""
-    limits = limits_of(study, scene, metric or study.metric, at)
+    """The verdict on a scene of a study, or on some of its points, by its own metric and one 8-bit step or another limit. A mean FLIP
+    hides errors in few pixels, so that its 99th percentile must be below a step, too. Without a limit, as a metric of no picture, all is
+    ranked."""
+    metric = metric or study.metric
+    has_p99 = metric == "flip_mean" and any("flip_p99" in p.data["error"] for p in study.points)
+    limits = {metric: at} if at is not None else \
+        {name: study.one_step(scene, name)[0] or 0.0 for name in ([metric, "flip_p99"] if has_p99 else [metric])}
     doubts = {name: study.doubling_change(scene, name) or 0.0 for name in limits}
     points = [p for p in study.points if p.scene == scene] if points is None else points
     return Verdict(points, limits, doubts, higher_is_faster=study.higher_is_faster)

@@ -191,16 +191,16 @@ def ended_compiler(chapter: str, exercise: str) -> str:
     return (said.strip().splitlines() or ["without a word"])[-1]
 
 
-def check(chapter: str, exercise: str, use: str = "exercise", root=ROOT) -> dict:
+def check(chapter: str, exercise: str) -> dict:
     """The verdict on one exercise: the protocol's object, with "file" and "chapter"."""
     result = {"exercise": exercise, "ok": False, "passed": 0, "failed": 0, "first_failure": None, "hint": None}
-    result |= check_numbers(chapter, exercise, use, root)
-    if use == "exercise" and (said := compiler_said(chapter, exercise, root)):
+    result |= check_numbers(chapter, exercise)
+    if said := compiler_said(chapter, exercise):
         result["first_failure"] = f"it does not compile: {said}"
-    if result["ok"] and use == "exercise" and root == ROOT:
+    if result["ok"]:
         note_what_grading_refuses(exercises(chapter)[exercise], result)
         check_pictures(chapter, exercise, result)
-    if use == "exercise" and root == ROOT and exercise in untouched():  # results of the starter are nobody's work
+    if exercise in untouched():  # results of the starter are nobody's work
         result |= {"passed": 0, "failed": result["failed"] + result["passed"]}
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
 
@@ -213,10 +213,9 @@ def note_what_grading_refuses(path: Path, result: dict):
         result["note"] = "; ".join(filter(None, (result.get("note"), f"handed in like this it would be refused: {why}")))
 
 
-def compiler_said(chapter: str, exercise: str, root: Path) -> str:
+def compiler_said(chapter: str, exercise: str) -> str:
     """The first error in a C++ exercise that does not compile (compile_exercise.sh), else nothing."""
-    folder = (BUILD if root == ROOT else root / "build") / "CMakeFiles" / f"exercises_{chapter}.dir"
-    file = relative(exercises(chapter)[exercise])
+    folder, file = BUILD / "CMakeFiles" / f"exercises_{chapter}.dir", relative(exercises(chapter)[exercise])
     try:
         lines = (folder / f"{file}.o.error").read_text(errors="replace", encoding="utf-8").splitlines()
     except OSError:
@@ -225,12 +224,11 @@ def compiler_said(chapter: str, exercise: str, root: Path) -> str:
     return file + wrong.partition(file)[2] if file in wrong else wrong
 
 
-def check_numbers(chapter: str, exercise: str, use: str = "exercise", root=ROOT, program: Path | None = None,
-                  options=(), **environment) -> dict:
-    """The protocol's object, or a substitute if the program (the chapter's own) gave none."""
-    program = program or (BUILD if root == ROOT else root / "build") / "tests" / f"check_{chapter}"
+def check_numbers(chapter: str, exercise: str, use: str = "exercise", **environment) -> dict:
+    """The protocol's object, or a substitute if the program gave none."""
+    program = BUILD / "tests" / f"check_{chapter}"
     try:
-        done = subprocess.run([program, "--exercise", exercise, "--use", use, *options], cwd=root, stdin=subprocess.DEVNULL,
+        done = subprocess.run([program, "--exercise", exercise, "--use", use], cwd=ROOT, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                               env=os.environ | environment, timeout=TIMEOUT_S)
     except OSError as error:
@@ -268,7 +266,6 @@ def still_open(chapter: str, exercise: str) -> list[str]:
 
 @functools.cache
 def reference_picture(chapter: str, name: str, size: str = "", **environment) -> Path:
-    """The shot as the references draw it, here and now; in a handout the golden."""
     if not has_solutions():
         return golden_path(chapter, name)
     picture = checked_path(chapter, name, size)
@@ -332,7 +329,6 @@ def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", si
 
 
 def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:
-    """The fault in a picture, in words; empty if none."""
     look = f"look at {relative(picture)} and, for where it differs, {relative(heatmap)}"
     wrong = unfit(metrics)
     if wrong:

@@ -41,7 +41,6 @@ def cases(program: str) -> list[tuple[str, str]]:
 
 
 def matched(program: str, part: str) -> list[str]:
-    """The cases that one name, wildcard or tag matches."""
     if part.startswith("["):
         tags = re.findall(r"\[[^\]]*\]", part.lower())
         return [name for name, has in cases(program) if all(tag in has for tag in tags)]
@@ -49,7 +48,6 @@ def matched(program: str, part: str) -> list[str]:
 
 
 def named_in(lesson: Path) -> list[Named]:
-    """The names in a lesson, in its order."""
     text = (ROOT / lesson).read_text(encoding="utf-8")
     own = next((f"test_{chapter}" for chapter in chapters() if chapter[:2] == lesson.stem[:2]), "")
     found = [(match.start(), match[1], match[2]) for match in COMMAND.finditer(text)]

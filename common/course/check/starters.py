@@ -23,7 +23,6 @@ def digest(data: bytes) -> str:
 
 
 def listed(texts: dict[Path, bytes]) -> str:
-    """The list's text for starters by their path from the root."""
     return "".join(f"{digest(text)} {name.as_posix()}\n" for name, text in sorted(texts.items()))
 
 

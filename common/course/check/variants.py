@@ -53,12 +53,10 @@ class Variant:
 
     @property
     def words(self) -> str:
-        """Required words of the check's first failure; empty for a right answer."""
         return self.verdict.partition("wrong: ")[2].partition("; hint: ")[0]
 
     @property
     def hint(self) -> str:
-        """Required words of its hint."""
         return self.verdict.partition("; hint: ")[2]
 
 
@@ -163,7 +161,6 @@ def bare(line: str) -> str:
 
 
 def program(chapter: str) -> str:
-    """The C++ variants as one source."""
     found, mistakes = variants(chapter)
     for mistake in mistakes:
         warn(mistake)  # its test fails for it; meanwhile all else is built

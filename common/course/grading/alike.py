@@ -20,7 +20,6 @@ LEAST_BYTES = 200  # of an exercise that is the same with its comments, beyond t
 
 
 def alike(submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> list[tuple[str, str, str]]:
-    """(student, student, similarity) of the submissions, by exercise."""
     runs, texts, numbers, seen = {}, {}, {}, {}
     for student, answers in submitted.items():
         runs[student] = set()
@@ -75,6 +74,5 @@ def runs_of(data: bytes) -> set[bytes]:
 
 
 def added(data: bytes, starter: bytes) -> list[bytes]:
-    """The lines that the starter does not have."""
     known = {line.strip() for line in starter.splitlines()}
     return [line.strip() for line in data.splitlines() if line.strip() and line.strip() not in known]

@@ -15,7 +15,6 @@ MOST_SHOWN = 20000  # characters of an answer
 
 
 def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> int:
-    """Writes out/NAME.html for each student, and returns how many."""
     results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
     for row, name in zip(book.rows, page_names(book.rows)):
         chapters = [{"name": chapter, "points": number(row["chapters"][chapter], row["nothing"] or "missing"), "of": number(book.most(chapter), ""),

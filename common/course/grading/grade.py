@@ -5,9 +5,7 @@ student's checks and framework have no effect. Each exercise is judged by itself
 an identical answer is judged once.
 """
 
-import csv
 import hashlib
-import io
 import json
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +14,7 @@ from pathlib import Path
 from grading import marks
 from grading.alike import alike
 from grading.feedback import write_pages
-from grading.gradebook import FORMATS, Book, write_books
+from grading.gradebook import FORMATS, Book, as_csv, write_books
 from grading.judge import BUDGET_S, MOST_AT_ONCE, Judge, picture_path, starters_of
 from grading.roster import Roster, known_as
 from grading.rules import Rules
@@ -220,7 +218,6 @@ def grade(submissions, judge: Judge) -> list[dict]:
 
 
 def judged(submissions, judge: Judge) -> tuple[dict[str, dict], dict[str, dict[str, bytes]]]:
-    """Each student's results, and the contents of readable submissions."""
     submitted, grades, waiting = {}, {}, {}
     with Progress("grading") as progress, ThreadPoolExecutor(min(cores(), MOST_AT_ONCE)) as pool:
         try:
@@ -269,20 +266,17 @@ def complete(grades: dict[str, dict], submitted: dict[str, dict[str, bytes]], wa
 
 def write_files(out: Path, grades: list[dict], wanted: dict[str, str]):
     write_atomically(out / "grades.json", json.dumps(grades, indent=1, ensure_ascii=True) + "\n", 0o600)
-    text = io.StringIO()
-    rows = csv.writer(text, quoting=csv.QUOTE_ALL)
-    rows.writerow(["student", "right", "of", *wanted, "error", "alike", "note"])
+    rows = [["student", "right", "of", *wanted, "error", "alike", "note"]]
     for one in grades:
         given = {result["exercise"]: "?" if result["state"] == "undecided" else "not judged" if result["state"] == "failed" else "missing" if result["state"] in UNTOUCHED else
                  int(result["ok"]) for result in one["results"]}
         same = "; ".join(f"{other['student']}: {other['what']}" for other in one["alike"][:MOST_NAMES])
-        rows.writerow([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
-                       cell(one["error"] or ""), cell(same), cell(one.get("note", ""))])
-    write_atomically(out / "grades.csv", text.getvalue(), 0o600)
+        rows.append([cell(one["student"]), one["right"], one["of"], *[given.get(name, "missing") for name in wanted],
+                     cell(one["error"] or ""), cell(same), cell(one.get("note", ""))])
+    write_atomically(out / "grades.csv", as_csv(rows), 0o600)
 
 
 def table(grades: list[dict], named: list[str]) -> list[str]:
-    """A line for each student: right answers by chapter, and notes."""
     width = min(max([7, *[len(one["student"]) for one in grades]]), 40)
     lines = [f"{'student':{width}}  right  " + " ".join(f"{chapter[:2]:>5}" for chapter in named)]
     for one in grades:
@@ -300,7 +294,6 @@ def table(grades: list[dict], named: list[str]) -> list[str]:
 
 
 def groups(grades: list[dict]) -> list[str]:
-    """Who is alike, each group once."""
     lines, seen = [], set()
     pairs = {one["student"]: {other["student"]: other["what"] for other in one["alike"]} for one in grades}
     for first in pairs:

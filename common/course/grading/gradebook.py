@@ -86,7 +86,6 @@ class Book:
 
 
 def error_of(entries: list[dict]) -> str | None:
-    """Why nothing of them can be read."""
     errors = [one["error"] for one in entries]
     return "; ".join(dict.fromkeys(errors)) if all(errors) else None
 
@@ -119,7 +118,6 @@ def words_of(row: dict) -> str:
 
 
 def write_books(out: Path, book: Book, formats: list[str]) -> list[str]:
-    """Their names."""
     makers = {"moodle": moodle, "canvas": canvas, "csv": plain_csv, "json": as_json}
     names = []
     for kind in dict.fromkeys(formats):

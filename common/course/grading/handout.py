@@ -89,7 +89,6 @@ def new_folder(folder: Path):
 
 
 def what_is_handed_out(sources: bool) -> dict[Path, Path | bytes]:
-    """Each file by its path in the copy: its source, or its contents."""
     names = [name for name in tracked() if "solution" not in name.parts[:-1]]
     contents = {name: ROOT / name for name in names}
     committed = starters(names)

@@ -53,7 +53,6 @@ counted = threading.local()  # .seconds: what the verdict that this thread is on
 
 
 def targets(chapters: list[str]) -> list[str]:
-    """Build targets for judging these chapters."""
     return ["serve_main", *[f"{side}_{chapter}" for side in ("judge", "serve") for chapter in chapters]]
 
 
@@ -131,7 +130,6 @@ class Judge:
         self.kept.close()
 
     def stop(self):
-        """Ends running sandboxes, and starts no more."""
         self.stopped = True
         for one in list(self.running):
             one.kill()
@@ -283,7 +281,6 @@ class Judge:
             return {"ok": False, "suspect": words_of(error), "first_failure": words_of(error)}
 
     def reference(self, exercise: str) -> bytes | None:
-        """As a student would hand it in; None without one."""
         path = self.paths[exercise]
         place = ROOT / HANDED_IN[exercise] if exercise in HANDED_IN else path.parent.parent / "solution" / path.name
         return handed_in(place.read_text(encoding="utf-8")).encode() if place.exists() else None
@@ -341,7 +338,6 @@ class Judge:
         return kept
 
     def numbers(self, exercise: str, source: Path, seed: int) -> dict:
-        """The checks' verdict on a source that is alone in its folder."""
         if source.suffix == ".glsl":
             return self.decide(exercise, seed, source)
         try:

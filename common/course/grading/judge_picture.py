@@ -99,7 +99,6 @@ class Pictures:
         return None
 
     def drawn_wrong(self, exercise: str, source: Path, program: Path, shot: str, expected: Path, judge) -> str:
-        """The fault in one shot; empty for none. Raises DriverEnded."""
         picture = source.parent / f"{shot}.png"
         sealed = ["--shaders-from", "/grade/shaders"] if source.suffix == ".cpp" else []
         with picture.open("w+b") as out:
@@ -191,7 +190,6 @@ class Pictures:
 
 @functools.cache
 def link_command(chapter: str) -> list[str]:
-    """How ninja links the chapter's program, in the build folder."""
     done = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", f"chapters/{chapter}"], stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL, text=True)
     lines = done.stdout.strip().splitlines()

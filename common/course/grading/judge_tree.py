@@ -32,7 +32,6 @@ def library(folder: Path, chapter: str) -> Path:
 
 @functools.cache
 def object_files() -> list[Path]:
-    """All compiled objects, including leftovers of an earlier build."""
     found = []
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
         words = shlex.split(entry["command"])
@@ -41,7 +40,6 @@ def object_files() -> list[Path]:
 
 
 def objects(target: str) -> list[Path]:
-    """The object files of a target of the build."""
     folder = BUILD / "CMakeFiles" / f"{target}.dir"
     return [path for path in object_files() if path.is_relative_to(folder)]
 

@@ -141,7 +141,6 @@ class Roster:
         return (fits[0], by_number) if len(fits) == 1 else (None, False)
 
     def name(self, row: dict[str, str]) -> str:
-        """Of a person, as it is printed."""
         lower = {column.lower(): cell for column, cell in row.items()}
         whole = next((lower[column] for column in NAMES if lower.get(column)), "")
         return printable(whole or " ".join(filter(None, (lower.get("first name") or lower.get("firstname"),

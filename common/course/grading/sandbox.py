@@ -93,7 +93,6 @@ class Mounts:
         self.words += [*parents(seen), "--bind", str(where), str(seen)]
 
     def empty(self, seen: Path):
-        """An empty folder, hiding any contents."""
         self.words += [*parents(seen), "--size", str(1 << 20), "--tmpfs", str(seen)]
 
 
@@ -141,7 +140,6 @@ def require():
 
 
 def write_filter(limits: Limits, file):
-    """The filter of system calls, as bubblewrap reads it."""
     import errno
 
     import seccomp
@@ -161,7 +159,6 @@ def write_filter(limits: Limits, file):
 
 
 def signal_words(code: int) -> str:
-    """The signal in an exit code, if any."""
     try:
         return f", by {signal.Signals(code - 128).name}" if code > 128 else ""
     except ValueError:
@@ -278,12 +275,11 @@ class Running:
             self.cage.close()
 
 
-def run(command, mounts: Mounts, limits: Limits, environment=None) -> Done:
-    return Running(command, mounts, limits, environment).finish()
+def run(command, mounts: Mounts, limits: Limits) -> Done:
+    return Running(command, mounts, limits).finish()
 
 
 def wrapped(command, mounts: Mounts, limits: Limits, environment: dict, filter_fd: int, told_fd: int) -> list[str]:
-    """The whole command line: limits, then the sandbox, then the command."""
     words = ["prlimit", f"--as={limits.memory_bytes}", f"--cpu={int(limits.cpu_s) + 1}:{int(limits.cpu_s) + 3}", f"--fsize={FILE_BYTES}", "--core=0",
              "--memlock=0", "--msgqueue=0", "--sigpending=256", f"--nofile={OPEN_FILES if limits.device else 256}", "--", "bwrap",
              *own_world(), "--die-with-parent", "--new-session", "--as-pid-1", "--hostname", "grade", "--clearenv"]

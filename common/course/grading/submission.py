@@ -220,7 +220,6 @@ def shown(top: str) -> str:
 
 
 def place_of(name: str, wanted: set[str]) -> str | None:
-    """The path in the course, below any folders."""
     words = name.removeprefix("./").split("/")
     if ".." in words or "." in words or not words[0]:
         return None
@@ -228,7 +227,6 @@ def place_of(name: str, wanted: set[str]) -> str | None:
 
 
 def by_name(wanted: set[str]) -> dict[str, str]:
-    """The exercises with unique file names."""
     last = [name.rpartition("/")[2] for name in wanted]
     return {name.rpartition("/")[2]: name for name in wanted if last.count(name.rpartition("/")[2]) == 1}
 

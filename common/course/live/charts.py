@@ -17,15 +17,12 @@ ERROR = "chart.2"  # the place of the third picture
 
 
 def study_of(chart) -> Path:
-    """The study of a chart. Raises Refused."""
     if path := isinstance(chart, str) and drawn.study_of(chart):
         return path
     raise Refused(404, "there is no such chart")
 
 
 class Points(Answer):
-    """Where a chart's points lie."""
-
     async def get(self, chart: str):
         try:
             path = study_of(chart)

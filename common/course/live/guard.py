@@ -31,8 +31,6 @@ class Guard:
 
 
 class Guarded(RequestHandler):
-    """A request that passes the guard, or an answer of one line."""
-
     NAME = "lightwalk"
 
     def cookie_name(self) -> str:

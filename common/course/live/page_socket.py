@@ -195,7 +195,6 @@ class Work:
             self.start(kind, exercise)
 
     def written(self, exercise: str):
-        """An exercise was saved by a page: one in C++ is built."""
         chapter, _ = answers.file_of(exercise)
         if is_cpp(chapter, exercise) and self.build:
             self.start("build", exercise)

@@ -30,8 +30,6 @@ def head(depth: int) -> str:
 
 
 class Page(Guarded):
-    """A file of the pages."""
-
     def initialize(self, folder: Path):
         self.folder = folder
 
@@ -58,8 +56,6 @@ class Page(Guarded):
 
 
 class Ours(Guarded):
-    """A script, a style, the editor."""
-
     def get(self, name: str):
         if name not in OURS:
             raise HTTPError(404, reason="There is no such file")

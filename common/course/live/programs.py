@@ -27,7 +27,6 @@ class Program:
         return self.asked.program.pid if self.asked and self.asked.program else None
 
     async def draw(self, request: dict) -> tuple[dict, bytes]:
-        """The answer and the picture. Raises Gone."""
         version = self.version()
         if not self.asked or version != self.started_from:  # it was built since
             self.end()
@@ -74,13 +73,11 @@ class Programs:
             self.tasks[chapter] = asyncio.ensure_future(self.work(chapter))
 
     def forget(self, client):
-        """A client has gone, and so have its requests."""
         for waiting in self.waiting.values():
             for place in [place for place in waiting if place[0] is client]:
                 del waiting[place]
 
     async def work(self, chapter: str):
-        """Draws a chapter's waiting requests, in order."""
         program = self.programs.setdefault(chapter, Program(chapter))
         try:
             while self.waiting.get(chapter):
@@ -120,7 +117,6 @@ class Programs:
         await asyncio.gather(*self.tasks.values(), return_exceptions=True)
 
     def running(self) -> dict[str, int]:
-        """Process ids by chapter."""
         return {chapter: program.pid for chapter, program in self.programs.items() if program.pid}
 
 

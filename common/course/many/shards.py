@@ -11,7 +11,7 @@ another one from shard to shard. A shard's result is one file, KIND.3-of-16.zip,
 The same shard of the same input gives the same bytes where its entries hold no times.
 
     add_arguments(parser)                      --shard, --merge
-    shard.takes(name), shard.takes_number(i)   whether a piece belongs to it
+    shard.takes(name)                          whether a piece belongs to it
     write(file_of(out, kind, shard), ...)      at the end of a shard
     merge(paths, kind)                         a Merged: head, entries, file(name)
 """
@@ -48,24 +48,13 @@ class Shard:
         digest = hashlib.sha256(os.fsencode(name)).digest()
         return int.from_bytes(digest[:8], "big") % self.of == self.number - 1
 
-    def takes_number(self, index: int) -> bool:
-        """Of pieces that are numbered, such as frames: every Nth, because neighbours take equally long."""
-        return index % self.of == self.number - 1
-
-
-def parse(word: str) -> Shard:
-    """Raises ValueError."""
-    found = re.fullmatch(r"0*([1-9]\d{0,5})/0*([1-9]\d{0,5})", word)
-    if not found or int(found[1]) > int(found[2]) or int(found[2]) > MOST:
-        raise ValueError(f"'{word}' is not a shard; expected K/N with 1 <= K <= N <= {MOST}, such as 3/16")
-    return Shard(int(found[1]), int(found[2]))
-
 
 def argument(word: str) -> Shard:
-    try:
-        return parse(word)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
+    """Raises ArgumentTypeError."""
+    found = re.fullmatch(r"0*([1-9]\d{0,5})/0*([1-9]\d{0,5})", word)
+    if not found or int(found[1]) > int(found[2]) or int(found[2]) > MOST:
+        raise argparse.ArgumentTypeError(f"'{word}' is not a shard; expected K/N with 1 <= K <= N <= {MOST}, such as 3/16")
+    return Shard(int(found[1]), int(found[2]))
 
 
 def add_arguments(parser):
@@ -119,7 +108,6 @@ def write(file: Path, kind: str, shard: Shard, head: dict, entries: dict, files:
 
 
 def command_words(words: list[str]) -> str:
-    """The command that makes a shard again, without its number."""
     kept, words = [], list(words)
     while words:
         word = words.pop(0)
@@ -135,13 +123,10 @@ DAMAGED = (OSError, zipfile.BadZipFile, zlib.error, EOFError, KeyError, ValueErr
 
 
 class Merged:
-    """Results of all shards, as of one run."""
-
     def __init__(self, of: int):
         self.of, self.head, self.entries, self.came_from = of, {}, {}, {}
 
     def file(self, entry: str, name: str) -> bytes:
-        """A file that was written with an entry."""
         try:
             with zipfile.ZipFile(self.came_from[entry]) as archive:
                 return archive.read(f"files/{name}")
@@ -222,7 +207,6 @@ def files_in(paths: list[Path], kind: str) -> list[Path]:
 
 
 def read(path: Path, kind: str) -> dict:
-    """A shard's contents. Raises UsageError."""
     try:
         with zipfile.ZipFile(path) as archive:
             about = json.loads(archive.read("shard.json"))

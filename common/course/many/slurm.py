@@ -50,7 +50,6 @@ def check_arguments(arguments):
 
 
 def options(text: str) -> list[str]:
-    """The options of sbatch that a person gave. Raises UsageError."""
     try:
         words = shlex.split(text)
     except ValueError as error:
@@ -139,7 +138,6 @@ def run(kind: str, arguments, words: list[str], prepare=lambda: None) -> Path:
 
 
 def finished(kind: str):
-    """The merge has been made: the next call starts again."""
     (BUILD / "slurm" / kind / "job.json").unlink(missing_ok=True)
 
 

@@ -24,10 +24,10 @@ from pathlib import Path
 
 from charts import measured
 from charts.study_file import Study, figures, load
-from charts.verdict import Verdict, limits_of, names_of, verdict_of
+from charts.verdict import Verdict, names_of, verdict_of
 from check import lesson_tests
 from pages.tables import fill
-from tree import ROOT, Failure, chapter_title, chapters
+from tree import ROOT, Failure, chapter_title, chapters, slug
 
 PAGE = Path("docs/which.md")
 BEGIN, END = re.compile(r"\s*<!-- verdict: ([\w.]+) -->\s*$"), re.compile(r"\s*<!-- /verdict -->\s*$")
@@ -57,15 +57,13 @@ class Question:
         points = self.points(study, scene)
         if "enough" not in self.entry:
             return verdict_of(study, scene, points)
-        limits = {name: at for metric, at in self.entry["enough"].items() for name in limits_of(study, scene, metric, at)}
-        limits = {name: self.entry["enough"][name] for name in limits}
+        limits = self.entry["enough"]
         doubts = {name: study.doubling_change(scene, name) or 0.0 for name in limits}
         return Verdict(points, limits, doubts, higher_is_faster=study.higher_is_faster)
 
 
 @functools.cache
 def studies_of(request: Path) -> tuple[Study, ...]:
-    """The studies that a request made, those of a CPU first."""
     found = []
     for file in sorted((ROOT / "docs/studies").glob(f"{request.parent.name}*.json")):
         if measured.request_of(json.loads(file.read_text(encoding="utf-8"))) == str(request):
@@ -180,7 +178,6 @@ def failures(question: Question) -> list[str]:
 
 
 def device_text(study: Study) -> str:
-    """A column's device."""
     if study.data["subject"] == "loader":
         return f"{study.data['stage']}"
     name = "lavapipe" if study.software else re.sub(r"\s*(80GB HBM3|HBM3)", "", study.data["device"])
@@ -188,7 +185,6 @@ def device_text(study: Study) -> str:
 
 
 def table(question: Question) -> list[str]:
-    """A question's table and the lines below it."""
     studies = [study for study in question.studies if any(question.points(study, scene) for scene in question.scenes())]
     head = ["scene", *map(device_text, studies), "dominated on each"]
     rows = [[scene, *(taken(question, study, scene) or "–" for study in studies), ", ".join(map(code, beaten(question, scene))) or "–"]
@@ -212,7 +208,6 @@ def block(name: str) -> list[str]:
 
 
 def check_blocks(text: Path, lines: list[str]) -> tuple[list[str], list[str]]:
-    """The faults in a text's verdicts, and its lines with them filled."""
     def verdict(match: re.Match, i: int) -> tuple[int, int]:
         end = next((j for j in range(i, len(lines)) if END.match(lines[j]) or BEGIN.match(lines[j])), None)
         if end is None or not END.match(lines[end]):
@@ -224,7 +219,6 @@ def check_blocks(text: Path, lines: list[str]) -> tuple[list[str], list[str]]:
 
 
 def page() -> str:
-    """docs/which.md"""
     lines = ["# What should I use?", "",
              "<!-- Written by ./course docs --quote from docs/studies; edit \"verdicts\" in chapters/NN_name/study.json instead. -->", "",
              "Each table answers one question from a study that is in the tree. In each scene it names the cheapest method that is *enough*, on a "
@@ -238,16 +232,12 @@ def page() -> str:
     for question in questions().values():
         by_chapter.setdefault(question.chapter, []).append(question)
     for chapter, own in by_chapter.items():
-        lines.append(f"| [{chapter[:2]}](#{anchor(chapter_title(chapter))}) | {' · '.join(q.entry['question'] for q in own)} |")
+        lines.append(f"| [{chapter[:2]}](#{slug(chapter_title(chapter))}) | {' · '.join(q.entry['question'] for q in own)} |")
     for chapter, own in by_chapter.items():
         lines += ["", f"## {chapter_title(chapter)}", "", f"Why: [the lesson]({chapter}.md)."]
         for question in own:
             lines += ["", f"**{question.entry['question']}**", "", *table(question)]
     return "\n".join(lines) + "\n"
-
-
-def anchor(title: str) -> str:
-    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 def check_page() -> list[str]:

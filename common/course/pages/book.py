@@ -32,7 +32,7 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    named = [page for word in arguments.chapters for page in pages_of_lesson(word)] or lessons()
+    named = [page for first in map(find_lesson, arguments.chapters) for page in lesson_pages(first.stem) or [first]] or lessons()
     out = (arguments.out or BUILD / "book" / "lightwalk.pdf").absolute()
     if out.suffix != ".pdf":
         raise UsageError(f"{arguments.out} is not called like a PDF: name a FILE.pdf")
@@ -52,14 +52,7 @@ def run(arguments, _rest) -> int:
     return 0
 
 
-def pages_of_lesson(word: str) -> list[Path]:
-    """The page that is meant; of a chapter, all its pages."""
-    page = find_lesson(word)
-    return lesson_pages(page.stem) or [page]
-
-
 def find_browser() -> str | None:
-    """The path of the first of BROWSERS that this machine has."""
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 

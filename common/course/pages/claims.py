@@ -103,7 +103,6 @@ class Scene:
 
 
 def scenes_of(source: str, named: list[str]) -> list[Scene]:
-    """A claim's scenes, on each of its devices."""
     name, _, device = source.partition("@")
     if name in advice.questions():
         question = advice.questions()[name]
@@ -151,7 +150,6 @@ def fault_of(claim: str) -> str:
 
 
 def check_claims(text: Path) -> list[str]:
-    """The claims of a text that do not hold."""
     words = (ROOT / text).read_text(encoding="utf-8")
     return [f"{text}:{words.count(chr(10), 0, match.start()) + 1}: a claim does not hold: {fault}"
             for match in CLAIM.finditer(words) if (fault := fault_of(match["claim"]))]

@@ -160,7 +160,6 @@ def whole_page(path: Path) -> str:
 
 
 def title_and_teaser(lesson: Path) -> tuple[str, str]:
-    """The lesson's first heading and its first paragraph, as plain text."""
     found = re.match(r"# (.*)\n+((?:.+\n)*)", (ROOT / lesson).read_text(encoding="utf-8"))
     title, teaser = found.groups() if found else (lesson.stem, "")
     return re.sub(r"^\d+[a-z]? ", "", title), re.sub(r"\[([^\]]*)\]\([^)]*\)|[*`]", r"\1", teaser).replace("\n", " ").strip()
@@ -203,7 +202,6 @@ def nav() -> list:
 
 
 def build_site(source: Path, made: Path):
-    """Runs mkdocs. Raises Failure with its warnings."""
     os.environ["SOURCE_DATE_EPOCH"] = "0"  # else today is in the pages
     try:
         from mkdocs.commands import build
@@ -290,8 +288,6 @@ def script(value) -> str:
 
 
 class Complaints(logging.Handler):
-    """Collects the warnings of mkdocs."""
-
     def __init__(self, kept: list[str]):
         super().__init__(logging.WARNING)
         self.kept = kept

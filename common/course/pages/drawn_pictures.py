@@ -58,7 +58,6 @@ def size_of(chapter: str, shot: str) -> tuple[int, int]:
 
 
 def fine(chapter: str, shot: str) -> Picture:
-    """A shot as a lesson shows it: its golden with sixteen samples."""
     samples = 1 if chapter in SAMPLED_ONCE else SAMPLES
     return Picture(chapter, shot, ("--shot", shot, "--samples", str(samples)), whole=True)
 
@@ -77,7 +76,7 @@ def draw(pictures: list[Picture]) -> dict[Picture, str]:
     stale = [one for one in dict.fromkeys(pictures) if not one.file().exists()]
     wrong, start_s, drawing = {}, time.monotonic(), None
     for number, picture in enumerate(sorted(stale, key=lambda one: one.chapter), 1):
-        if drawing and (drawing.chapter != picture.chapter or not drawing.is_alive()):
+        if drawing and drawing.chapter != picture.chapter:
             drawing.close()
             drawing = None
         drawing = drawing or Drawing(picture.chapter, validate="off")

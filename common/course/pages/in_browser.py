@@ -78,14 +78,13 @@ def write(folder: Path) -> list[str]:
 
 
 def table(exercise: str, path: Path, recorded: dict) -> dict:
-    """The data for one exercise. Raises Unfit."""
     if recorded["others"]:
         raise Unfit("its check asks for more than a function's results")
     solution = path.parent.parent / "solution" / path.name
     text = bare(solution.read_text(encoding="utf-8"))
     probes = [ported(probe, relative(solution)) for probe in recorded["probes"]]
     for probe in probes:
-        if said := refused(HEAD + probe["before"] + without_includes(text) + probe["after"] + probe["main"]):
+        if said := refused(HEAD + probe["before"] + re.sub(r"^\s*#\s*include.*$", "", text, flags=re.M) + probe["after"] + probe["main"]):
             raise Unfit(f"OpenGL ES refuses it: {said}")
     starter = path.read_text(encoding="utf-8")
     includes = sorted({name for one in (starter, text) for name in includes_of(bare(one))})
@@ -95,10 +94,6 @@ def table(exercise: str, path: Path, recorded: dict) -> dict:
 
 def bare(text: str) -> str:
     return without_comments(spliced(text))
-
-
-def without_includes(text: str) -> str:
-    return re.sub(r"^\s*#\s*include.*$", "", text, flags=re.M)
 
 
 def ported(probe: dict, answer: str) -> dict:

@@ -50,7 +50,6 @@ def is_number(knob: dict) -> bool:
 
 
 def default_text(knob: dict) -> str:
-    """A knob's default as --set takes it."""
     value = knob["default"]
     if isinstance(value, list):
         return " ".join(f"{one:.6g}" for one in value)
@@ -136,7 +135,6 @@ class Marks(Placed):
 
 
 def marked(page: str, knobs: list[dict]) -> str:
-    """The page with its marks."""
     out, done = [], 0
     for place, knob, value in Marks(page, knobs).found:
         given = "" if value is None else f' data-value="{html.escape(value)}"'

@@ -9,8 +9,8 @@ from pathlib import Path
 from pages.docs import KATEX
 from pages.knob_links import Placed
 from pages.page import TYPES, encoded, uri
-from pages.pages_markdown import Site, convert, slug
-from tree import ROOT, Failure
+from pages.pages_markdown import Site, convert
+from tree import ROOT, Failure, slug
 
 VOID = ("img", "br", "hr", "input", "link", "meta", "col", "source", "wbr")
 MOST_VECTOR_BYTES = 600_000  # a chart of more is smaller as pixels
@@ -88,7 +88,6 @@ def inner(element: str) -> str:
 
 
 def words(element: str) -> str:
-    """Without tags."""
     return html.unescape(re.sub(r"<[^>]+>", "", element)).strip()
 
 
@@ -112,7 +111,6 @@ def pixels(file: Path, most_side: int, quality: int, flat: bool) -> str:
 
 
 def katex_css() -> str:
-    """With its fonts in it."""
     css = (KATEX / "katex.min.css").read_text(encoding="utf-8")
     return KATEX_FACES.sub(lambda found: f"url({uri((KATEX / 'fonts' / f'{found[1]}.woff2').read_bytes(), 'font/woff2')}) format('woff2')",
                            css)

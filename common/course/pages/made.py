@@ -8,7 +8,6 @@ LIST = ROOT / "docs" / "images" / "pictures.json"
 
 
 def made() -> dict[str, dict]:
-    """The pictures by name, as the file has them."""
     try:
         return json.loads(LIST.read_text(encoding="utf-8")) if LIST.exists() else {}
     except ValueError as error:

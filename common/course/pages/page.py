@@ -24,7 +24,6 @@ TEMPLATES = Environment(loader=FileSystemLoader(Path(__file__).parent / "templat
 
 
 def page(template: str, **values) -> str:
-    """The HTML of a template, each value escaped."""
     return TEMPLATES.get_template(template).render(values)
 
 

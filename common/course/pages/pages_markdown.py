@@ -24,7 +24,7 @@ from charts.drawn import vector_of
 from charts.measured import has_old_times_alone, is_of_earlier
 from pages.quotes import FENCE, LINK, QUOTE
 from pages.tables import without_sources
-from tree import ROOT, Failure
+from tree import ROOT, Failure, slug
 
 EXERCISE = re.compile(r"### (\d\d\.\w+) \((easy|medium|hard)\)$")
 ITEM = re.compile(r"(?:[-*+]|\d+[.)]) +(?=\S)")
@@ -40,11 +40,6 @@ PICTURES = (".png", ".svg", ".jpg", ".webp")
 
 # Texts whose own name is another page's: index.md is the first page.
 MOVED = {Path("README.md"): Path("course.md"), Path("docs/index.md"): Path("terms.md")}
-
-
-def slug(title: str, _separator: str = "-") -> str:
-    """A heading's address as forges make it (text_check.anchors)."""
-    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 class Site:

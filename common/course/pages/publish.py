@@ -142,7 +142,6 @@ def with_film(page: str) -> str:
 
 
 def small(path: Path) -> Path | None:
-    """The picture beside itself as WebP, where that is smaller."""
     data = encoded(path, None if "images" in path.parts else (WIDEST, 10 * WIDEST), quality=82, method=4)
     if len(data) >= path.stat().st_size:
         return None
@@ -166,7 +165,6 @@ def sized(found: re.Match, page: Path) -> str:
 
 @functools.cache
 def size_of(file: Path) -> tuple[int, int] | None:
-    """In CSS pixels; None for a drawing that does not say."""
     if file.suffix == ".svg":
         head = file.read_text(encoding="utf-8")[:2000]
         said = [re.search(rf'<svg[^>]*\b{side}="([\d.]+)(pt|px|)"', head) for side in ("width", "height")]

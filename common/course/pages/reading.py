@@ -20,10 +20,7 @@ def sections(text: str) -> list[tuple[str, str]]:
     return [("", parts[0]), *zip(parts[1::2], parts[2::2])]
 
 
-def main_thread(text: str) -> str:
-    return "\n".join(part for heading, part in sections(HIDDEN.sub("", text)) if not BESIDE.match(heading))
-
-
 def minutes(page: Path) -> float:
     """Of a page of the tree, docs/02_lambert_phong.md for one."""
-    return len(main_thread((ROOT / page).read_text(encoding="utf-8")).split()) / WORDS_A_MINUTE
+    text = HIDDEN.sub("", (ROOT / page).read_text(encoding="utf-8"))
+    return sum(len(part.split()) for heading, part in sections(text) if not BESIDE.match(heading)) / WORDS_A_MINUTE

@@ -61,7 +61,6 @@ def is_ok(result: dict) -> bool:
 
 
 def render(results: list[dict], tests: list[dict], folder: Path) -> str:
-    """The page's HTML, for a folder."""
     failed = [result for result in results if not is_ok(result)]
     explained = {result.get("test", f"{result['kind']}.{result['chapter'][:2]}.{result.get('name')}")
                  for result in failed}
@@ -84,7 +83,6 @@ def chapter(name: str, results: list[dict]) -> dict:
 
 
 def again(result: dict, picture: dict | None) -> str:
-    """The command that shows more."""
     lines = [result["again"]] if result.get("again") else []
     if picture and picture.get("expected") and picture.get("actual"):
         lines.append(f"build/compare {picture['expected']} {picture['actual']} --heatmap error.png")

@@ -13,8 +13,6 @@ FIGURES = (("flip_mean", "FLIP mean", lambda m: m["flip"]["mean"]),
 
 
 class Pictures:
-    """Embeds pictures, each under an id of its own."""
-
     def __init__(self):
         self.count = 0
 
@@ -44,7 +42,6 @@ class Pictures:
 
 
 def figures(metrics: dict | None, limits: dict | None) -> list[tuple]:
-    """(label, value, limit or None) of each figure."""
     measured = [(label, value_of(metrics), (limits or {}).get(key)) for key, label, value_of in FIGURES] if metrics else []
     return [figure for figure in measured if figure[1] is not None]
 

@@ -46,7 +46,6 @@ def page(chapter: str, slides: list[dict]) -> str:
 
 
 def make(chapter: str) -> list[dict]:
-    """Each slide: kind, title, over (its section), and contents."""
     charts = set()  # which have letters of their own, and a slide each
 
     def picture(path: Path) -> str:
@@ -73,16 +72,12 @@ def make(chapter: str) -> list[dict]:
             continue
         if heading and over.lower() not in LEFT_OUT:
             slides += questions(part) if over.lower() == "questions" else section(heading, over if heading != over else "", part, charts)
-        part, heading = [], title_of(block[2])
+        part, heading = [], words(re.sub(r'<a class="headerlink".*?</a>', "", block[2]))
         if block[0] == "h1":
             heading = ""
         if block[0] == "h2":
             over = heading
     return slides
-
-
-def title_of(text: str) -> str:
-    return words(re.sub(r'<a class="headerlink".*?</a>', "", text))
 
 
 def sentence(text: str, count: int = 1) -> str:
@@ -102,7 +97,6 @@ def balanced(text: str) -> bool:
 
 
 def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]:
-    """The slides of the text under one heading."""
     bullets, beside, alone = [], [], []
     for tag, attributes, text in part:
         kind = attributes.get("class", "") or ""
@@ -145,16 +139,11 @@ def section(heading: str, over: str, part: list, charts: set[str]) -> list[dict]
 
 
 def code(text: str) -> dict:
-    """A block of code, in letters as large as fit."""
     name = re.search(r'<span class="filename">(.*?)</span>', text)
     text = re.sub(r'<span class="filename">.*?</span>', "", text, count=1)
-    lines = words_of_code(text).split("\n")
+    lines = words(text).rstrip("\n").split("\n")
     return {"kind": "code", "html": text, "file": name[1] if name else "", "lines": max(len(lines), 12),
             "columns": max([50, *map(len, lines)])}
-
-
-def words_of_code(text: str) -> str:
-    return words(text).rstrip("\n")
 
 
 def questions(part: list) -> list[dict]:

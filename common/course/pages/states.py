@@ -36,7 +36,6 @@ def state(chapter: str, shot: str, knob: str = "", value: str = "") -> Picture:
 
 
 def given(chapter: str, shot: str, knob: dict, knobs: list[dict]) -> str:
-    """The value that a knob has in a shot, as --set takes it."""
     for name, value in shot_of(chapter, shot).get("set", {}).items():
         if knob_links.find(knobs, name) is knob:
             return text(value)
@@ -57,7 +56,6 @@ def planned(page: str, chapter: str, knobs: list[dict]) -> list[tuple[str, str, 
         return sum(one[0] == shot for one in plan)
 
     def add(shot: str, knob: dict, value: str) -> bool:
-        """True if the shot has the state."""
         entry = (shot, knob["name"], value)
         if entry not in plan and count(shot) < MOST_STATES and not same(value, given(chapter, shot, knob, knobs)):
             plan.append(entry)
@@ -78,7 +76,6 @@ def planned(page: str, chapter: str, knobs: list[dict]) -> list[tuple[str, str, 
 
 
 def places_of_shots(page: str, chapter: str) -> dict[str, list[int]]:
-    """Where a page has pictures of its chapter's shots."""
     places = {}
     for image in IMAGE.finditer(page):
         if image[1] == chapter:

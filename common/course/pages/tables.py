@@ -154,7 +154,6 @@ def shown(number: float, form: str = "") -> str:
 
 
 def cell(study: dict, wanted: dict[str, str]) -> tuple[str, float]:
-    """A cell's text, and its first number."""
     text = wanted.get("cell") or "{" + wanted.get("value", "flip_mean") + ":" + wanted.get("format", "") + "}"
     scale = float(wanted.get("scale", 1))
     first = []
@@ -252,7 +251,6 @@ def fill(text: Path, lines: list[str], begin: re.Pattern, block_of, new_of, stal
 
 
 def check_tables(lesson: Path, lines: list[str]) -> tuple[list[str], list[str]]:
-    """The faults in a lesson's tables, and its lines with them filled."""
     def table(match: re.Match, i: int) -> tuple[int, int]:
         after = next((k for k in range(i - 1, len(lines)) if lines[k].rstrip().endswith("-->")), len(lines)) + 1
         first = next((k for k in range(after, len(lines)) if lines[k].strip()), len(lines))
@@ -314,7 +312,6 @@ def found_in(file: str, rest: str) -> tuple[float, dict[str, str]]:
 
 
 def check_figures(lesson: Path) -> list[str]:
-    """Numbers in running text with a file as their source."""
     wrong = []
     text = (ROOT / lesson).read_text(encoding="utf-8")
     for line, number, unit, source in figures(text):

@@ -9,17 +9,14 @@ Picture = tuple[str, str, list, Path]  # description, the chapter that draws it,
 
 
 def picture_path(chapter: str, name: str, wrong: int | None = None) -> Path:
-    """Of a shot, or of a picture that its golden must reject."""
     return BUILD / "shots" / chapter / (f"{name}.png" if wrong is None else f"{name}.wrong{wrong}.png")
 
 
 def right_picture(chapter: str, shot: dict) -> Picture:
-    """The reference's picture."""
     return shot["name"], chapter, ["--shot", shot["name"], "--use", "solution"], picture_path(chapter, shot["name"])
 
 
 def wrong_pictures(chapter: str, shot: dict) -> list[Picture]:
-    """The pictures that the golden must reject."""
     same = ["--shot", shot["name"]]
     files = exercises(chapter)
     # One that was edited since the last commit is no starter: somebody works on it.

@@ -72,7 +72,6 @@ def recorded_distances(chapter: str) -> dict:
 
 
 def measured_distances(chapter: str) -> dict:
-    """Measurements of ./course accept, by shot and driver."""
     return {name: {driver: distance for driver, distance in of.items() if "cause" not in distance}
             for name, of in recorded_distances(chapter).items()}
 
@@ -87,7 +86,6 @@ def limits_of(chapter: str, name: str) -> dict:
 
 
 def limits_by(found) -> dict:
-    """The limits that measured distances give."""
     return {key: max([limit, *(MARGIN * distance[key] for distance in found)]) for key, limit in LIMITS.items()}
 
 
@@ -136,7 +134,6 @@ def distance_of(metrics: dict) -> dict:
 
 
 def exceeded(metrics: dict, limits: dict) -> list[str]:
-    """The limits that a comparison is over, one line each."""
     found = distance_of(metrics)
     if found["max_diff"] <= NEVER_FAILS and not any(math.isnan(value) for value in found.values()):
         return []

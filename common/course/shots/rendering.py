@@ -25,7 +25,6 @@ UNWRITTEN = {"MALLOC_PERTURB_": "1"}
 
 
 def surroundings(environment: dict) -> dict:
-    """The environment of a program that draws pictures, with more in it."""
     return os.environ | UNWRITTEN | environment
 
 
@@ -82,16 +81,12 @@ class Asked:
             self.end()
 
     def end(self) -> int:
-        """Its exit code."""
         program, self.program = self.program, None
         if not program:
             return 0
         program.kill()
         with program, self.stderr:
             return program.wait()
-
-    def is_alive(self) -> bool:
-        return self.program is not None and self.program.poll() is None
 
     def ask(self, question) -> tuple[dict | None, str, int]:
         """(answer, text on stderr, exit code). Without an answer it has died or was late."""

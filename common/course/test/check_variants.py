@@ -37,7 +37,6 @@ def ask(checks: Asked, exercise: str, **answer: str) -> dict:
 
 
 def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
-    """The fault in its pictures; empty if none."""
     for shot in shots(chapter):
         if exercise in shot.get("exercises", []):
             try:
@@ -50,7 +49,6 @@ def drawn_wrong(chapter: str, exercise: str, overlay: str) -> str:
 
 
 def run_variant(chapter: str, variant: Variant, known: dict[str, Path], checks: Asked) -> str:
-    """The fault in the check's verdict; empty if none."""
     exercise = f"{chapter[:2]}.{variant.exercise}"
     if exercise not in known:
         return f"{variant.where}: there is no exercise {exercise}"

@@ -125,14 +125,14 @@ def judge(device: dict, chapter: str, shot: dict, picture: Path, failure: str) -
             "picture": picture_entry(name, not why, golden, picture, metrics)}
 
 
-def common_step(expected: Path, actual: Path, share: float = 0.001) -> int:
-    """The largest step of any channel that more than `share` of the pixels reach: the 99.9th percentile."""
+def common_step(expected: Path, actual: Path) -> int:
+    """The largest step of any channel that more than a thousandth of the pixels reach: the 99.9th percentile."""
     from PIL import Image, ImageChops  # here: help needs no package
 
     with Image.open(expected) as a, Image.open(actual) as b:
         channels = ImageChops.difference(a.convert("RGB"), b.convert("RGB")).split()
     counts = functools.reduce(ImageChops.lighter, channels).histogram()
-    left = share * sum(counts)
+    left = 0.001 * sum(counts)
     for step in range(255, 0, -1):
         left -= counts[step]
         if left < 0:
@@ -160,7 +160,6 @@ def check_results(device: dict, checked: list[str]) -> dict:
 
 
 def origin() -> dict:
-    """The date, and the commit where git knows it."""
     try:
         commit = git("describe", "--always", "--dirty", "--exclude", "*").decode().strip()
     except Failure:
@@ -169,7 +168,6 @@ def origin() -> dict:
 
 
 def entry(result: dict) -> dict:
-    """A shot's part of the file."""
     metrics = result["picture"]["metrics"]
     figures = {key: round(value, 6) for key, value in distance_of(metrics).items()} if metrics else {}
     return {"ok": result["ok"], **figures} | ({"why": result["why"]} if result["why"] else {})
@@ -200,7 +198,6 @@ def first_of(lines: list[str]) -> list[str]:
 
 
 def read_run(path: Path) -> dict:
-    """An earlier run's file. Raises UsageError."""
     try:
         made = json.loads(path.read_text(encoding="utf-8"))
         if made["kind"] == KIND and all(figures_words(shot) and shot["ok"] in (True, False) for shot in made["shots"].values()):

@@ -49,7 +49,7 @@ def run(arguments, _rest) -> int:
         raise UsageError(f"chapter {chapter} has no lesson")
     if not arguments.list:
         programs = sorted({one.program for lesson in chosen for one in lesson_tests.named_in(lesson)} |
-                          {program_of(source) for lesson in chosen for *_, source in commands(lesson)})
+                          {Path(source.split()[0]).name for lesson in chosen for *_, source in commands(lesson)})
         build([*programs, *(one for one in chapters() if one.startswith(chapter[:2]))])
     wrong = sum(check(lesson, arguments.list) for lesson in chosen)
     wrong += sum(check_commands(one, arguments.list) for one in chapters() if one.startswith(chapter[:2]))
@@ -64,12 +64,7 @@ def commands(lesson: Path) -> list[tuple[int, str, str, str]]:
     return [figure for figure in tables.figures((ROOT / lesson).read_text(encoding="utf-8")) if figure[3].startswith("build/")]
 
 
-def program_of(source: str) -> str:
-    return Path(source.split()[0]).name
-
-
 def check(lesson: Path, only_list: bool) -> int:
-    """Prints a lesson's figures beside their sources. How many are wrong."""
     lines = (ROOT / lesson).read_text(encoding="utf-8").splitlines()
     problems = tables.check_tables(lesson, lines)[0] + tables.check_figures(lesson) + lesson_tests.check_named(lesson)
     for problem in problems:
@@ -117,7 +112,6 @@ def check_commands(chapter: str, only_list: bool) -> int:
 
 
 def ran(command: str) -> tuple[str, int]:
-    """Output and exit code of a command."""
     words = shlex.split(command)
     words[0] = str(BUILD / Path(words[0]).relative_to("build"))
     done = subprocess.run(words, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

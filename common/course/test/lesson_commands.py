@@ -72,7 +72,6 @@ def printed_on(page: Path, text: str) -> list[Printed]:
 
 
 def printed() -> list[Printed]:
-    """Those of all pages, each once."""
     once = {(one.chapter, one.words): one for page in reversed(lessons())
             for one in reversed(printed_on(page, (ROOT / page).read_text(encoding="utf-8")))}
     return sorted(once.values(), key=lambda one: (str(one.page), one.line))
@@ -85,7 +84,6 @@ def is_drawn(words: tuple[str, ...]) -> bool:
 
 
 def small(words: tuple[str, ...]) -> list[str]:
-    """A command's words for a small picture."""
     kept = [word for i, word in enumerate(words) if word not in ASIDE and (i == 0 or words[i - 1] not in ASIDE)]
     return [*kept, *DRAWN]
 

@@ -14,7 +14,6 @@ build/needs/NN_name.auto.json, which a lesson quotes from docs/studies/tables. U
 pictures where crops decide. The first scene also tests --explain --json.
 """
 
-import itertools
 import json
 import os
 import sys
@@ -33,19 +32,6 @@ AIM = 1.15    # times the cost of the cheapest that would have done, in the medi
 SLACK = 1.3  # times that much is not a failure: the rule and this test time frames for themselves
 TRIES = 3     # of the times, where the median is above: a busy machine slows single frames
 SAME = 1e-6   # a mean FLIP: how far a picture redrawn may be from the one that was judged
-
-
-def sweep(study: dict, key: str = "curves", scene: dict | None = None) -> list[dict]:
-    """The study's points as the knobs they set, without points for other scenes than `scene`."""
-    points = []
-    for curve in study[key]:
-        if any((scene or {}).get(name, value) != value for name, value in curve.get("where", {}).items()):
-            continue
-        knobs = {name: values if isinstance(values, list) else [values]
-                 for name, values in curve.get("set", {}).items()}
-        points += [{"method": curve["method"], **dict(zip(knobs, values))}
-                   for values in itertools.product(*knobs.values())]
-    return points
 
 
 def label(method: str, knobs: dict) -> str:
@@ -69,15 +55,10 @@ def measure(chapter: str, needs: dict, crops: bool, of: str = "study.json") -> d
     name = f"{chapter}.{Path(of).stem}.{'large' if crops else 'small'}"
     file, out = folder / f"{name}.asked.json", folder / f"{name}.json"
     file.write_text(json.dumps(asked, indent=1), encoding="utf-8")
-    return run_study(chapter, out, "--study-file", file)
-
-
-def run_study(chapter: str, out: Path, *options: str, **environment) -> dict:
-    """A study from its beginning, with one round of timing, which filling unwritten memory would slow. Raises Failure."""
     out.with_name(out.name + ".partial").unlink(missing_ok=True)
-    environment = {"LP_NUM_THREADS": str(os.cpu_count() or 1)} | environment  # a time is that of the whole rasteriser
-    done = run_program([chapter_program(chapter), "--study", out, *options, "--study-rounds", "1"], MALLOC_PERTURB_="0",
-                       **environment)
+    # A time is that of the whole rasteriser, which filling unwritten memory would slow.
+    done = run_program([chapter_program(chapter), "--study", out, "--study-file", file, "--study-rounds", "1"], MALLOC_PERTURB_="0",
+                       LP_NUM_THREADS=str(os.cpu_count() or 1))
     if done.returncode:
         raise Failure(f"the study of {chapter} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
     return json.loads(out.read_text(encoding="utf-8"))
@@ -153,7 +134,6 @@ def choices(chapter: str, measured: dict) -> dict:
 
 
 def measured_rows(chapter: str, needs: dict, everything: bool) -> list[dict]:
-    """A row for each choice, and the median's."""
     measured = measure(chapter, needs, crops=False)
     rows = rows_of_study(measured)
     if everything:

@@ -24,7 +24,6 @@ def selected(folder: Path, selection: list[str]) -> list[tuple[str, str]]:
 
 
 def targets(folder: Path, tests: list[str]) -> list[str]:
-    """The targets of `tests`; by default those of a plain build."""
     needs = {words[0]: words[1:] for words in map(str.split, (folder / "tests.needs").read_text(encoding="utf-8").splitlines())}
     return sorted({target for test in tests for target in needs.get(test, ["all"])}) or NOTHING
 

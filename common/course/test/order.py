@@ -45,7 +45,6 @@ def later_parts(name: Path, pattern: re.Pattern, problem) -> list[str]:
 
 
 def later_include(user: Path, used: str) -> str:
-    """The fault of an #include, or ""."""
     mine, theirs = place(user), place(included(user, used))
     if theirs is None:
         return f"'{used}' leads to no part of the tree that code may include"
@@ -92,7 +91,6 @@ def place(name: Path) -> tuple[str, int] | None:
 
 
 def later_import(user: Path, used: str) -> str:
-    """The fault of an import, or ""."""
     mine = Path(user.parts[2]).stem
     if used not in PACKAGES or mine not in PACKAGES or PACKAGES.index(used) <= PACKAGES.index(mine):
         return ""

@@ -37,7 +37,6 @@ def users() -> dict[Path, set[Path]]:
 
 
 def reached_files(changed: list[str]) -> set[Path]:
-    """The changed files and all that need them."""
     found, asked = set(), [Path(name) for name in changed if name]
     while asked:
         path = asked.pop()
@@ -48,7 +47,6 @@ def reached_files(changed: list[str]) -> set[Path]:
 
 
 def chapter_of(path: Path) -> str | None:
-    """The chapter whose folder of chapters, shaders or tests holds a file."""
     return path.parts[1] if path.parts[0] in ("chapters", "shaders", "tests") and len(path.parts) > 2 and path.parts[1] in chapters() else None
 
 

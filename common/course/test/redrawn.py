@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 from charts import measured
-from charts.study import device_slug
+from charts.study import device_slug, key_of
 from charts.study_file import figures
 from charts.study_shards import label_of
 from tree import BUILD, ROOT, chapter_program, run_on_chapter, say
@@ -26,12 +26,7 @@ def chosen(chapter: str, label: str, tenth: bool) -> bool:
     return not tenth or hashlib.sha256(f"{chapter} {label}".encode()).digest()[0] % 10 == 0
 
 
-def key_of(point: dict) -> str:
-    return json.dumps([point["scene"], point["method"], point["knobs"]], sort_keys=True)
-
-
 def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: str) -> dict:
-    """The study's scenes with these labels, drawn again."""
     part = {key: value for key, value in request.items() if key == "title" or key not in measured.UNMEASURED}
     part["scenes"] = [scene for scene in request["scenes"] if label_of(scene) in labels]
     folder = BUILD / "study"
@@ -48,7 +43,6 @@ def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: s
 
 
 def compared(name: str, study: dict, again: dict, labels: list[str]) -> list[str]:
-    """A line for each printed error that differs."""
     if "failed" in again:
         return [f"{name}: it could not be drawn again: {again['failed']}"]
     new, wrong = {key_of(point): point for point in again["points"]}, []

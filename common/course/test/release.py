@@ -62,7 +62,6 @@ def run(arguments, _rest) -> int:
 
 
 def run_step(step: str) -> dict:
-    """A step's row. ok is None where it cannot run here."""
     try:
         words, environment, which = prepared(step)
     except UsageError as why:
@@ -116,19 +115,16 @@ def prepared(step: str) -> tuple[list[str], dict[str, str], str]:
 
 
 def junit_of(step: str) -> Path:
-    """Where the tests of a step leave their results."""
     build_folder = BUILD / "on" / step / "root" / TREE[1:] / "build" if step in SYSTEMS else BUILD
     return build_folder / "results" / ("sanitizer.xml" if step == "sanitizers" else "tests.xml")
 
 
 def counted(junit: Path) -> tuple[int, list[str]]:
-    """The number of tests that ran, and the names of those that failed."""
     cases = list(xml.parse(junit).getroot().iter("testcase")) if junit.exists() else []
     return len(cases), [case.get("name") for case in cases if case.get("status") == "fail"]
 
 
 def hardware() -> str:
-    """Name of the first Vulkan device that is not a software driver."""
     build([chapters()[0]])
     devices = [re.split(" {2,}", line.strip()) for line in output([chapter_program(chapters()[0]), "--list", "devices"]).splitlines()]
     found = [device[0] for device in devices if len(device) > 2 and device[2] != "software"]
@@ -168,7 +164,6 @@ def unpack(folder: Path, command: list):
 
 
 def rows_of(commit: str) -> list[dict]:
-    """The row of each step, for this commit."""
     rows = []
     for step in STEPS:
         path = FOLDER / f"{step}.json"

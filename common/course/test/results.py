@@ -33,7 +33,6 @@ def table(kind: str, chapter: str, name: str, again: str, rows: list[dict]) -> l
 
 
 def check(chapter: str) -> list[str]:
-    """Every exercise of the chapter, its reference against the truth."""
     done = run_program([BUILD / "tests" / f"check_{chapter}", "--use", "solution"])
     found = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     rows = [{"case": result["exercise"], "inputs": f"{result['passed'] + result['failed']} checks",
@@ -49,7 +48,6 @@ def check(chapter: str) -> list[str]:
 
 
 def stability(chapter: str) -> list[str]:
-    """The test cases: ok, how many expressions were checked, how long they took."""
     again = f"build/tests/test_{chapter} '-#' '[#test_stability]'"
     done = run_program([BUILD / "tests" / f"test_{chapter}", "-#", "[#test_stability]", "-r", "rows"])
     rows = [case_row(json.loads(line)) for line in done.stdout.splitlines() if line.startswith("{")]
@@ -66,7 +64,6 @@ def case_row(case: dict) -> dict:
 
 
 def charts() -> list[str]:
-    """One result for each study, and its faults."""
     said, shown = [], shown_by_lessons()
     for path in sorted((ROOT / "docs" / "studies").glob("*.json")):
         why, chapter, again = [], path.name.split(".")[0], ""
@@ -108,8 +105,4 @@ def main(words: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except Failure as error:
-        warn(str(error))
-        sys.exit(1)
+    sys.exit(main(sys.argv[1:]))

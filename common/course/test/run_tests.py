@@ -92,11 +92,8 @@ def run(arguments, rest) -> int:
         given = arguments.changed if arguments.changed is not None else arguments.with_changed
         selection = EVERY_COMMIT if given is None else of_changes(given, reduced=arguments.changed is not None)
 
-    def of_shard(folder, chosen):
-        return test_shards.words(folder, chosen, arguments.shard)
-
     preset, junit = ("sanitizer", results / "sanitizer.xml") if arguments.sanitize else ("default", results / "tests.xml")
-    folder, options = build_for(selection, of_shard, preset, also=["every_shader"] if arguments.all else [])
+    folder, options = build_for(selection, lambda *asked: test_shards.words(*asked, arguments.shard), preset, also=["every_shader"] if arguments.all else [])
     total, failed = run_ctest(folder, junit, options)
     for line in times(junit, with_reasons=not arguments.sanitize) if total else []:
         say(line)
@@ -137,7 +134,6 @@ def of_changes(commit: str, reduced: bool) -> list[str]:
 
 
 def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int]:
-    """(tests, failures). Raises Failure where ctest itself failed."""
     junit.unlink(missing_ok=True)
     # One more than there are processors: windows wait more than they work.
     command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-label-summary", "-j", str((os.cpu_count() or 1) + 1),

@@ -63,7 +63,6 @@ def picture_entry(name: str, ok: bool, golden: Path, actual: Path, metrics: dict
 
 
 def judge(test: str, chapter: str, shot: dict, pictures: list[Picture], failures: dict) -> bool:
-    """Writes a shot's result, says what is wrong. Whether it is right."""
     kind, name, number = {"shots": "shot", "wrong": "wrong_picture"}[test], shot["name"], chapter[:2]
     golden, limits, entries, why = golden_path(chapter, name), limits_of(chapter, name), [], []
     for picture in pictures:
@@ -101,8 +100,4 @@ def main(words: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except Failure as error:
-        warn(str(error))
-        sys.exit(1)
+    sys.exit(main(sys.argv[1:]))

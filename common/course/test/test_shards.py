@@ -40,7 +40,6 @@ def write(file: Path, shard: shards.Shard, results: Path, total: int, failed: in
 
 
 def merge(paths: list[Path]) -> int:
-    """The report of all shards, as one run writes it. The exit code."""
     made = shards.merge(paths, "test", per_shard=("counts",))
     results = BUILD / "results"
     shutil.rmtree(results, ignore_errors=True)

@@ -8,22 +8,16 @@ const Tables = {
   // A device may be off by 2^-11 in these, more than a table allows, and give no 0 for pow(0, y): ours are exact to a float's
   // last digits. fma and the functions of bits are not part of ES.
   EXACT: (() => {
-    const scalar = `float probe_sin(float x) {
+    const scalar = `float probe_turned(float x, int more) {
         float turns = floor(x * 0.636619772 + 0.5), r = ((x - turns * 1.5703125) - turns * 4.83751297e-4) - turns * 7.54979013e-8, q = r * r;
-        int quarter = int(turns) & 3;
+        int quarter = (int(turns) + more) & 3;
         float even = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
         float odd = r * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
         float s = (quarter & 1) == 1 ? even : odd;
         return (quarter & 2) == 2 ? -s : s;
       }
-      float probe_cos(float x) {
-        float turns = floor(x * 0.636619772 + 0.5), r = ((x - turns * 1.5703125) - turns * 4.83751297e-4) - turns * 7.54979013e-8, q = r * r;
-        int quarter = int(turns) & 3;
-        float even = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
-        float odd = r * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
-        float c = (quarter & 1) == 1 ? odd : even;
-        return quarter == 1 || quarter == 2 ? -c : c;
-      }
+      float probe_sin(float x) { return probe_turned(x, 0); }
+      float probe_cos(float x) { return probe_turned(x, 1); }
       float probe_atan(float t) {
         float size = abs(t), low = size > 1.0 ? 1.0 / size : size, near = low > 0.41421356 ? (low - 1.0) / (low + 1.0) : low, q = near * near, sum = 0.0;
         for (int i = 21; i > 0; i -= 2) sum = 1.0 / float(i) - q * sum;
