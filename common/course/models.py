@@ -89,7 +89,7 @@ def wrong(case: dict, draw) -> str:
             return f"[{red:.0f}, {green:.0f}, {blue:.0f}], expected red"
     if "mixed_with" in case:
         x, y, front, alpha = case["mixed_with"]
-        behind = (draw({"file": "single_sided.gltf", "options": ["--camera-of-file", "1"]}).at(0.5, 0.5) / 255) ** 2.2
+        behind = (picture_behind(draw) / 255) ** 2.2
         ahead = (numpy.array(front) / 255) ** 2.2
         mixed = 255 * (alpha * ahead + (1 - alpha) * behind) ** (1 / 2.2)
         if abs(picture.at(x, y) - mixed).max() > 8:
@@ -100,6 +100,10 @@ def wrong(case: dict, draw) -> str:
         if abs(picture.at(x, y) - passed).max() > 8:
             return f"{picture.at(x, y).round().tolist()}, expected about {passed.round().tolist()}"
     return wrong_thing(case, picture, draw)
+
+
+def picture_behind(draw):
+    return draw({"file": "single_sided.gltf", "options": ["--camera-of-file", "1"]}).at(0.5, 0.5)
 
 
 def wrong_thing(case: dict, picture: Picture, draw) -> str:
