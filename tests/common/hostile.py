@@ -51,11 +51,6 @@ bool light_reaches_box(const Light& light, float radius_m, const Bounds& box) {{
 """}
 
 
-def at_start(body: str, after: str = "") -> dict[str, str]:
-    """The same before main()."""
-    return box(after, f"[[gnu::constructor]] static void start() {{ {body} }}\n")
-
-
 def lambert(text: str) -> dict[str, str]:
     return {"02.lambert": text}
 
@@ -87,9 +82,8 @@ ATTACKS = {
         box('unsigned long long many = ~0ull; for (int fd = 3; fd < 64; ++fd) (void)!write(fd, &many, 8);'),
         "without an end"),
     "answers before it is asked": (
-        at_start('struct { unsigned long long size, nonce; unsigned kind, flags; unsigned long long count; char yes; } '
-                 '__attribute__((packed)) all{25, 0, 0, 0, 1, 1}; for (int fd = 3; fd < 64; ++fd) '
-                 'for (int i = 0; i < 1000; ++i) (void)!write(fd, &all, sizeof all);'), "nobody had asked"),
+        box("", "[[gnu::constructor]] static void start() { " + FORGED.replace("(void)", "for (int i = 0; i < 1000; ++i) (void)") + " }\n"),
+        "nobody had asked"),
     "closes everything": (box("for (int fd = 0; fd < 64; ++fd) close(fd);"), "ended|answer"),
     "calls the reference": (
         {"03.light_reaches_box": HEAD + """namespace lightwalk::solution {
