@@ -7,6 +7,7 @@
 #include "common/app/target.h"
 #include "common/base/error.h"
 #include "common/base/exercise.h"
+#include "common/base/names.h"
 #include "common/base/preparing.h"
 #include "common/base/shared_lock.h"
 #include "common/scene/mesh.h"
@@ -98,9 +99,15 @@ std::span<const std::byte> Module::block(const Binding& binding) const {
         visit_own([&](const KnobBase& knob) { own.push_back(&knob); });
         for (const BlockMember& member : binding.members) {
             const auto found = std::ranges::find(own, member.name, &KnobBase::name);
-            if (found == own.end())
-                throw Failure("the shader's {}.{} is no knob of {}", binding.name, member.name,
-                              path_.empty() ? "the chapter" : "the module " + path_);
+            if (found == own.end()) {
+                std::vector<std::string> names;
+                for (const KnobBase* knob : own)
+                    if (knob->numbers().count > 0) names.push_back(knob->name);
+                const std::vector<std::string> nearest = nearest_names(member.name, names, 1);
+                throw Failure("the shader's {}.{} is no knob of {}{}", binding.name, member.name,
+                              path_.empty() ? "the chapter" : "the module " + path_,
+                              nearest.empty() ? ", which has none" : "; the nearest is " + nearest[0]);
+            }
             if ((*found)->numbers().count == 0)
                 throw Failure("the shader's {}.{} is compiled in: use its macro {}", binding.name, member.name,
                               (*found)->macro());

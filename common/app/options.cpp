@@ -98,7 +98,8 @@ InputError unrecognised(const CLI::App& app) {
     const auto dashed =
         std::find_if(left.begin(), left.end(), [](const auto& word) { return word.rfind("-", 0) == 0; });
     if (dashed == left.end())
-        return InputError("unrecognised argument '{}': options begin with --; --help lists all", left.front());
+        return InputError("unrecognised argument '{}': options begin with --{}; --help lists all", left.front(),
+                          left.front().ends_with(".json") ? ", a scene is --scene FILE" : "");
     return unknown_name("option", dashed->substr(0, dashed->find('=')), known, "--help lists all");
 }
 
@@ -192,6 +193,9 @@ std::optional<Options> read_options(int argc, char** argv, Chapter& chapter) {
     // CLI11's range checks accept NaN.
     if (o.budget && !(*o.budget >= 0)) throw InputError("--budget: the greatest error allowed is 0 or more");
     if (o.time_given && std::isnan(*o.time_given)) throw InputError("--time nan: expected seconds from -1e6 to 1e6");
+    const std::filesystem::path picture = o.screenshot;
+    if (picture.has_extension() && picture.extension() != ".png")
+        throw InputError("--screenshot {}: a PNG is written; expected a name in .png", o.screenshot);
     o.validate = validate == "on";
     o.refine = refine == "on";
     if (!paths.empty()) o.software_paths = paths == "software";

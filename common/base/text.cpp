@@ -70,6 +70,7 @@ void warn_once(const std::string& text) {
 
 int report_exception(const std::exception& exception, const char* prefix) {
     const auto say = [&](std::string_view why, bool lines) {
+        if (why.starts_with("../")) why.remove_prefix(3);  // ccache names statements from the build folder
         std::fprintf(stderr, "%s: %s\n", prefix, printable(why, lines).c_str());
     };
     if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&exception)) {

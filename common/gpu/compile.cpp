@@ -50,19 +50,23 @@ std::string line_of(const std::string& file, int number) {
     return !source ? "" : "\n    " + (text.size() > 200 ? text.substr(0, 200) + " ..." : text);
 }
 
+// The first error of each line: those that follow in it are its consequences.
 std::string readable(const std::string& log) {
     static const std::regex pattern(R"(ERROR: ("?)([^:"]+)\1:(\d+): (.*))");
     std::istringstream in(log);
-    std::string line, result;
+    std::string line, result, last_place;
     while (std::getline(in, line)) {
         std::smatch match;
         if (!std::regex_match(line, match, pattern)) continue;
         const std::string file = match[2];
         const int number = std::stoi(match[3]);
-        const std::string message = match[4];
+        std::string message = match[4];
+        message.erase(message.find_last_not_of(' ') + 1);
         if (message.find("compilation terminated") != message.npos) continue;
-        result += fmt::format("{}{}:{}: {}", result.empty() ? "" : "\n", file, number, message);
-        result += line_of(file, number);
+        const std::string place = fmt::format("{}:{}", file, number);
+        if (place == last_place) continue;
+        last_place = place;
+        result += (result.empty() ? "" : "\n") + place + ": " + message + line_of(file, number);
     }
     return result.empty() ? log : result;
 }

@@ -66,6 +66,7 @@ class Flattener {
     FlatShader result;
 
     void include(const std::string& name, const std::string& from) {
+        if (name.empty()) throw ShaderError("{}: the pipeline names no shader, a path below shaders/", from);
         const fs::path file = resolve(name, from);
         if (!seen_.insert(file).second) return;
         if (!fs::is_regular_file(overlaid(file)))  // a device file may be endless
@@ -149,7 +150,12 @@ class Flattener {
             const std::string id = chapter_of(name) + "." + file.stem().string();
             return Exercises::uses_solution(id) ? root / folder / "solution" / file : exercise;
         }
-        throw ShaderError("{}: no file shaders/{}{}", from, name, near(name));
+        fs::path beside = fs::path(from).parent_path().lexically_relative("shaders");
+        if (beside.filename() == "exercise" || beside.filename() == "solution") beside = beside.parent_path();
+        if (folder.empty() && (fs::exists(root / beside / file) || fs::exists(root / beside / "exercise" / file)))
+            throw ShaderError("{}: no file shaders/{}; write \"{}\"", from, name, (beside / file).string());
+        throw ShaderError("{}: no file shaders/{}{}", from, name,
+                          name.starts_with("shaders/") ? "; leave out shaders/" : near(name));
     }
 
     const Macros& macros_;
@@ -251,10 +257,18 @@ std::vector<std::string_view> words_of(std::string_view line) {
 // The defined macro that a name in #ifdef was meant to be, which would silently be false; empty: none.
 std::string misspelt(std::string_view word, const Macros& macros) {
     for (const auto& [name, value] : macros) {
-        const size_t distance = name.size() < 8 ? 0 : edit_distance(name, word);
-        if (distance == 1 || distance == 2) return name;
+        if (name.size() >= 8 && name != word && edit_distance(name, word) <= 2) return name;
     }
     return "";
+}
+
+// Defined macros of which a name is the end, as METHOD is of TINT_METHOD; empty: none.
+std::string longer_names(std::string_view word, const Macros& macros) {
+    std::string names;
+    for (const auto& [name, value] : macros)
+        if (name.size() > word.size() && name.ends_with(word) && name[name.size() - word.size() - 1] == '_')
+            names += (names.empty() ? "" : " or ") + name;
+    return names;
 }
 
 // The choice that an option in #if is not compared with: an option alone is a constant. Empty: none.
@@ -307,6 +321,8 @@ void refuse_unknown_macros(const std::string& text, const Macros& macros) {
                     if (++i < words.size()) check_spelling(words[i]);
                 } else if (!known.count(words[i]) && !words[i].starts_with("GL_")) {
                     check_spelling(words[i]);
+                    if (const std::string longer = longer_names(words[i], macros); !longer.empty())
+                        refuse(fmt::format("nobody defines {}; did you mean {}?", words[i], longer));
                     refuse(fmt::format("nobody defines {}; does the pass state `.with` the module it belongs to?",
                                        words[i]));
                 } else {

@@ -213,6 +213,10 @@ void Pass::check_sampler(const std::source_location& where, const Binding& bindi
         fail(where, ": '{}' is read in the shader, and its sampler compares; declare a sampler2DShadow", binding.name);
     if (binding.compares && !view.image->is_depth())
         fail(where, ": '{}' compares depths in the shader, and {} is no depth image", binding.name, view.name());
+    const bool is_filtered = sampler.filter == Filter::linear || sampler.mip_filter == Filter::linear;
+    if (!binding.compares && is_filtered && (view.image->is_depth() || binding.texels != Texels::floats))
+        fail(where, ": '{}' would be filtered, and {} is {}, which has no filter; set it with nearest_clamp",
+             binding.name, view.name(), name_of(view.image->desc.format));
 }
 
 void Pass::check_written() const {

@@ -1,10 +1,12 @@
 #include "common/study/study.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "common/app/clock_warmer.h"
 #include "common/app/foreign_scene.h"
@@ -29,6 +31,13 @@ int rounds_of(const Options& options, int rounds_of_study) {
     const int rounds = options.study_rounds.value_or(rounds_of_study);
     if (rounds < 1) throw InputError("--study-rounds {}: expected 1 or more", rounds);
     return rounds;
+}
+
+std::set<std::string> metrics_of(const std::vector<json>& errors) {
+    std::set<std::string> names;
+    for (const json& error : errors)
+        for (const auto& [name, value] : error.items()) names.insert(name);
+    return names;
 }
 
 // One scene of the study: its truth, then every point's error, then every point's time, round by round.
@@ -59,8 +68,8 @@ class SceneStudy {
             if (plan_.budgets.empty()) errors.back().update(measured());
         }
         if (std::none_of(errors.begin(), errors.end(), [&](const json& e) { return e.contains(plan_.error_metric); }))
-            throw InputError("error_metric is '" + plan_.error_metric + "', but no point of " + scene_.label +
-                             " has it");
+            throw InputError("error_metric is '{}', but no point of {} has it; points have: {}", plan_.error_metric,
+                             scene_.label, fmt::join(metrics_of(errors), ", "));
         json result = {{"file", scene_.file},
                        {"set", as_json(scene_.set)},
                        {"doubling", doubling},
@@ -337,7 +346,9 @@ int run_study(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>& gp
         return 0;
     }
     gpu = make_gpu(options);
-    const json result = measure_study(read_file(file), file.string(), options, chapter, *gpu);
+    const std::string shown = std::filesystem::relative(file, course_root()).string();
+    const json result =
+        measure_study(read_file(file), options.study_file.empty() ? shown : file.string(), options, chapter, *gpu);
     write_file(options.study, result.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     std::filesystem::remove(options.study + ".partial");
     show_progress("written to " + options.study + "\n", 1, 1);

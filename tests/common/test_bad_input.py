@@ -27,7 +27,8 @@ OPTIONS = [
     (["--method", "auto"], "budget"), (["--method", "auto", "--budget", "-1"], "budget"), (["--explain"], "auto"),
     (["--shot", "missing"], "unknown shot 'missing'; the nearest are .* and .*; --list shots lists all"),
     (["--device", "quantum"], "quantum.*there are"), (["--validate", "maybe"], "validate"), (["--list", "everything"], "list"),
-    (["--unknown"], "unknown"), (["stray"], "stray"), (["--scene", ""], "scene|file")]
+    (["--unknown"], "unknown"), (["stray"], "stray"),
+    (["scenes/cones.json"], "options begin with --, a scene is --scene FILE"), (["--scene", ""], "scene|file")]
 
 # The keys of a scene file, or its text: what the reader alone cannot see; test_scene_file.cpp has the reader's own refusals. The error
 # names the file, and for text its line.
@@ -97,6 +98,7 @@ class Refused(BadInput):
     def test_options(self):
         for words, says in OPTIONS:
             self.refuse(CHAPTERS["02"], "--screenshot", self.picture, *words, says=says)
+        self.refuse(CHAPTERS["02"], "--screenshot", self.picture.with_suffix(".jpg"), says="a PNG is written; expected a name in .png")
         self.refuse(CHAPTERS["01"], "--screenshot", self.picture, "--loader", "fastest", says="fastest.*textbook")
         for limit in ("soon", "0", "nan"):
             self.draw("02", says=f"LIGHTWALK_TIMEOUT_S is '{limit}'; it takes a number of seconds", LIGHTWALK_TIMEOUT_S=limit)
@@ -166,7 +168,11 @@ class Refused(BadInput):
         good = (ROOT / "shaders" / SOLUTION).read_text()
         self.picture.write_bytes(b"the one before")
         for text, says in ((good.replace("max(", "maximum("), rf"shaders/{SOLUTION}:\d+: .*maximum"), (good.replace("}", ""), r"shaders/\S+:\d+: "),
-                           ('#include "none.glsl"\n' + good, r"lambert\.glsl:1: .*none\.glsl"), (bytes(range(256)), ""), ("", "lambert"),
+                           ('#include "none.glsl"\n' + good, r"lambert\.glsl:1: .*none\.glsl"),
+                           ('#include "phong.glsl"\n' + good, 'no file shaders/phong.glsl; write "02_lambert_phong/phong.glsl"'),
+                           (bytes(range(256)), ""), ("", "lambert"),
+                           ("uniform sampler2D lost;\n" + good.replace("max(", "texture(lost, vec2(0)).r + max("),
+                            r"error: chapters/02_lambert_phong/main\.cpp:\d+: pass 'shade' draws or dispatches without 'lost'"),
                            ("float lambert(vec3 normal, vec3 to_light) { return uintBitsToFloat(0x7fc00000u); }\n", "holds [1-9][0-9]* NaN")):
             self.draw("02", code=1, says=says, LIGHTWALK_OVERLAY=self.overlay(text))
         endless = """float lambert(vec3 normal, vec3 to_light) {

@@ -244,6 +244,8 @@ class Added(unittest.TestCase):
         for entry in ({"over": "unknown"}, {"over": "none", "passes": ["blur"]}):
             with self.subTest(entry), self.assertRaises(StudyError):
                 three(**entry)
+        with self.assertRaisesRegex(StudyError, 'no pass begins with "blurr"; there are: blur x, blur y, shade'):
+            three(passes=["blurr"])
 
     def test_less_than_a_hundredth_is_as_fast(self):
         points = [point("s", "none", 0.4, 5.0), point("s", "a", 0.02, 5.04), point("s", "b", 0.02, 5.06)]

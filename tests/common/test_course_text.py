@@ -73,7 +73,7 @@ class Text(Course):
         self.assertIn("docs/index.md:5: there is no shot 02.cow", index(right.replace("bunny", "cow")))
         self.assertIn("docs/index.md:5: there is no exercise 02.two", index(right.replace("02.one", "02.two")))
         self.assertIn("docs/index.md: no row names the exercise 02.one; link it in the last column of its term", index(right.replace("[02.one]", "[one]")))
-        self.assertIn("not in alphabetical order: 'matt'", index(right.replace("glossy surfaces", "surfaces"), "matt | | [02](02_lambert.md) | | |"))
+        self.assertIn("not in alphabetical order: 'surfaces' stands before 'matt'", index(right.replace("glossy surfaces", "surfaces"), "matt | | [02](02_lambert.md) | | |"))
 
     def test_the_index_has_the_words_of_older_courses(self):
         text = (REAL / "docs/index.md").read_text().casefold()
@@ -195,6 +195,10 @@ class Text(Course):
         self.assertIn("a path of one machine", self.wrong())
         self.remove("docs/02_lambert.md")
         self.assertIn("docs/02_lambert.md: chapter 02_lambert needs it", self.wrong())
+        self.put("shaders/02_lambert/exercise/lost.glsl")
+        self.put("shaders/02_lambert/solution/alone.glsl")
+        self.assertIn("shaders/02_lambert/exercise/lost.glsl: there is no solution of this name", said := self.wrong())
+        self.assertIn("shaders/02_lambert/solution/alone.glsl: there is no exercise of this name", said)
         self.put("tests/02_lambert/shots.json", '{"shots": [{"name": "a", "caption": "", "exercises": ["02.no"]}]}')
         self.assertIn("there is no exercise 02.no", self.wrong())
         self.assertIn("no golden has to reject the picture of an earlier chapter", self.wrong())

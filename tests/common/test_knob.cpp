@@ -130,7 +130,8 @@ TEST_CASE("a module fills its uniform block and no other") {
     Binding unknown = block;
     unknown.layout = 2;
     unknown.members[0].name = "slope";
-    CHECK_THROWS_WITH(outer.sun.block(unknown), "the shader's shadow.slope is no knob of the module sun");
+    CHECK_THROWS_WITH(outer.sun.block(unknown),
+                      "the shader's shadow.slope is no knob of the module sun; the nearest is bias_m");
 }
 
 TEST_CASE("what a pass is given brings its own modules along; a chapter does not") {

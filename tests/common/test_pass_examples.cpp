@@ -1,4 +1,6 @@
 // The passes that docs/framework.md shows.
+#include <limits>
+
 #include "common/app/target.h"
 #include "tests/common/module_fixture.h"
 #include "tests/common/shaders/tint.h"
@@ -27,6 +29,7 @@ struct Tint : Module {
 // [/tint_module]
 
 const Pipeline darken = compute({.shader = "../tests/common/shaders/darken.comp"});
+const Pipeline heights = compute({.shader = "../tests/common/shaders/height.comp"});
 
 }  // namespace
 
@@ -49,4 +52,29 @@ TEST_CASE_METHOD(OnModules, "the passes of framework.md compute what it says", "
     CHECK(draw("multiply", 1.0f) == std::pair(glm::vec4(8, 4, 0, 1), glm::vec4(1, 1, 1, 1)));
     CHECK(draw("multiply", 0.5f).first == glm::vec4(5, 3, 1, 1));
     CHECK(draw("mix", 1.0f).first == glm::vec4(2.5f, 2, 1.5f, 1));
+}
+
+TEST_CASE_METHOD(OnModules, "a pixel's position follows from its depth as framework.md says", "[framework]") {
+    Target result{owner, {.name = "result"}};
+    View view;
+    view.camera = {.position = {0, 5, 0},
+                   .target = {0, 5, -1},
+                   .fov_y_rad = glm::radians(90.0f),
+                   .near_m = 1.0f,
+                   .far_m = std::numeric_limits<float>::infinity()};
+    view.crop.whole = {4, 4};
+    begin({4, 4});
+    frame.raster("depth", {.depth = clear(frame.depth, 0.25f)}, [](Raster&) {});  // 4 m along the view
+    // [position]
+    frame.compute("height", {.reads = {frame.depth}, .writes = {result}}, [&](Compute& pass) {
+        pass.use(heights).set("depth", frame.depth, nearest_clamp).set("rays", view_rays(view));
+        pass.set("into", result).dispatch_threads(frame.size);
+    });
+    // [/position]
+    frame.end();
+    const std::vector<uint64_t> texels = read<uint64_t>(result);
+    const auto height = [&](size_t row) { return glm::unpackHalf4x16(texels[4 * row]).x; };
+    CHECK(height(0) == Approx(8));
+    CHECK(height(1) == Approx(6));
+    CHECK(height(3) == Approx(2));
 }

@@ -100,6 +100,10 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
           says + "nobody defines TINT_METHD; did you mean TINT_METHOD?\n    #if TINT_METHD == TINT_METHOD_ONE");
     for (const char* const test : {"ifdef TINT_METHD", "ifndef TINT_METHD", "if defined(TINT_METHD)"})
         CHECK(in_shader(test) == says + "nobody defines TINT_METHD; did you mean TINT_METHOD?\n    #" + test);
+    for (const char* const test : {"if METHOD == TINT_METHOD_ONE", "if tint_method == TINT_METHOD_ONE"})
+        CHECK(in_shader(test) == fmt::format("{0}nobody defines {1}; did you mean TINT_METHOD?\n    #{2}", says,
+                                             std::string_view(test).substr(3, std::string_view(test).find(" =") - 3),
+                                             test));
     CHECK(in_shader("if TINT_METHOD_TWO") ==
           says +
               "TINT_METHOD_TWO is an option's number; write TINT_METHOD == TINT_METHOD_TWO\n    #if TINT_METHOD_TWO");
@@ -185,6 +189,16 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     refused("pass 'x': 'from' compares depths in the shader, and two is no depth image", [&] {
         frame.compute("x", {.reads = {two}, .writes = {one}},
                       [&](Compute& pass) { pass.use(compares).set("from", two, comparing); });
+    });
+    const std::string filter = ", which has no filter; set it with nearest_clamp";
+    refused("pass 'x': 'from' would be filtered, and depth is D32Sfloat" + filter, [&] {
+        frame.compute("x", {.reads = {frame.depth}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(samples).set("from", frame.depth); });
+    });
+    const Image whole = four("whole", VK_FORMAT_R32_UINT);
+    refused("pass 'x': 'from' would be filtered, and whole is R32Uint" + filter, [&] {
+        frame.compute("x", {.reads = {whole}, .writes = {one}},
+                      [&](Compute& pass) { pass.use(counts).set("from", whole); });
     });
     const auto of = [](const char* binding, const char* in_cpp, const char* in_glsl) {
         return fmt::format("pass 'x': '{}' is {} in C++ and {} in the shader, which would take its bits", binding,
@@ -321,6 +335,8 @@ TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its lin
           "shaders/x.comp: a local size of 64×64×1 is 4096 threads; this device has at most " + most);
     CHECK(said(compute_pipeline("x.comp", "layout(local_size_x = 4) in;\nvoid mein() {}")) ==
           "x.comp:2: no void main()");
+    CHECK(said(shader("x.comp", into, "vec4 light = nothing.x + nothing.yzw; imageStore(into, at, light);")) ==
+          "x.comp:4: 'nothing' : undeclared identifier");
     const std::string stored = "' is never stored to; declare it readonly, or leave it out";
     CHECK(declared("layout(r32f) uniform image2D idle;") == "x.comp:2: image 'idle" + stored);
     CHECK(said(shader("x.comp", into + "layout(r32f) uniform image2D from;",
@@ -340,6 +356,14 @@ TEST_CASE_METHOD(OnDevice, "a shader that is missing is refused at the pipeline'
     refused("no file shaders/common/encode_srg.comp; the nearest in common: encode_srgb.comp and deform.comp", [&] {
         const Pipeline missing = compute({.shader = "common/encode_srg.comp"});
         frame.compute("x", {}, [&](Compute& pass) { pass.use(missing); });
+    });
+    refused("no file shaders/shaders/common/encode_srgb.comp; leave out shaders/", [&] {
+        const Pipeline twice = compute({.shader = "shaders/common/encode_srgb.comp"});
+        frame.compute("x", {}, [&](Compute& pass) { pass.use(twice); });
+    });
+    refused("the pipeline names no shader, a path below shaders/", [&] {
+        const Pipeline nameless = compute({});
+        frame.compute("x", {}, [&](Compute& pass) { pass.use(nameless); });
     });
     refused("no file shaders/20_none/x.frag", [&] {
         const Pipeline missing = graphics({.vertex = test_shader("quad.vert"), .fragment = "20_none/x.frag"});

@@ -194,7 +194,8 @@ TEST_CASE_METHOD(StudyTest, "study: errors of the chapter's own, with the point'
     chapter.rude = true;
     CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("measures 'rmse' as 1"));
     chapter.measures = false;
-    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains("error_metric is 'missing', but no point of a has it"));
+    CHECK_THROWS_WITH(measure(), Catch::Matchers::Contains(
+                                     "error_metric is 'missing', but no point of a has it; points have: flip_mean, "));
 }
 
 TEST_CASE_METHOD(StudyTest, "study: the encoded picture can be what is judged: its steps show, and white is the most") {
@@ -378,6 +379,22 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
     study.erase("truth");
     CHECK_THAT(refusal(), Catch::Matchers::Contains(R"(has no "truth")"));
     CHECK(chapter.light == 0.25f);  // trying values leaves none behind
+}
+
+TEST_CASE("a list of shots is refused at the line of its mistake") {
+    const auto said = [](const char* shot) {
+        try {
+            parse_shots(std::string("{\"shots\": [\n{\"name\": \"a\",\n") + shot + "}]}", "shots.json");
+        } catch (const InputError& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    CHECK(said(R"("set": {"steps": 4}, "rejects": [])").empty());
+    CHECK(said(R"("reject": [])") ==
+          "shots.json:3: key 'reject' is unknown here; known: name, caption, scene, size, time_s, frames, set, "
+          "exercises, "
+          "rejects");
+    CHECK(said(R"("size": [0, 4])") == "shots.json:3: key 'size' is [0,4], expected two numbers, each from 1 to 16384");
+    CHECK(said(R"("set": 4)") == "shots.json:3: key 'set' is 4, expected an object { } of knobs");
 }
 
 TEST_CASE("corpus: every study and every list of shots is read or refused") {

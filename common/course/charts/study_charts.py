@@ -70,6 +70,10 @@ class Chart:
             return points
         if self.study.unit != "ms" or {"over", "passes"} <= set(self.entry):
             raise StudyError('"over" or "passes", one of them, stands for milliseconds')
+        names = {name for p in points for name in p.data["time_ms"].get("per_pass", {})}
+        for start in self.entry.get("passes", []):
+            if not any(name.startswith(start) for name in names):
+                raise StudyError(f'no pass begins with "{start}"; there are: {", ".join(sorted(names))}')
         changed = [copy.copy(p) for p in points]
         for p in changed:
             if "passes" in self.entry:

@@ -20,7 +20,7 @@ from pages.quotes import FENCE, LINK, MARKER, QUOTE, check_quotes, lessons
 from shots.golden import measured_distances
 from test.lesson_commands import wrong_words
 from test.order import check_order
-from tree import ROOT, chapters, exercises, files, lesson_pages, relative, say, shots
+from tree import ROOT, chapters, exercises, files, has_solutions, lesson_pages, relative, say, shots
 
 # An environment variable where code reads it.
 VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']|\b(LIGHTWALK_[A-Z_]+)=")
@@ -211,6 +211,11 @@ def check_chapters() -> list[str]:
         for needed in (f"docs/{chapter}.md", f"tests/{chapter}/shots.json"):
             if not (ROOT / needed).exists():
                 wrong.append(f"{needed}: chapter {chapter} needs it")
+        for kind in ("chapters", "shaders") if has_solutions() else ():
+            exercise, solution = ({path.name for path in Path(ROOT, kind, chapter, below).glob("*.*") if path.suffix != ".old"}
+                                  for below in ("exercise", "solution"))
+            wrong += [f"{kind}/{chapter}/exercise/{name}: there is no solution of this name" for name in sorted(exercise - solution)]
+            wrong += [f"{kind}/{chapter}/solution/{name}: there is no exercise of this name" for name in sorted(solution - exercise)]
         file, found = f"tests/{chapter}/shots.json", shots(chapter)
         names = [shot["name"] for shot in found]
         wrong += [f"{file}: two shots are called {name}" for name in sorted(set(names)) if names.count(name) > 1]
@@ -299,7 +304,8 @@ def check_index() -> list[str]:
         wrong += [f"{page}:{number}: there is no exercise {exercise}" for exercise in sorted(found - known)]
         named |= found
     if terms != sorted(terms):
-        wrong.append(f"{page}: its terms are not in alphabetical order: '{next(b for a, b in zip(terms, terms[1:]) if b < a)}'")
+        before, after = next((a, b) for a, b in zip(terms, terms[1:]) if b < a)
+        wrong.append(f"{page}: its terms are not in alphabetical order: '{before}' stands before '{after}'")
     return wrong + [f"{page}: no row names the exercise {exercise}; link it in the last column of its term" for exercise in sorted(known - named)]
 
 
