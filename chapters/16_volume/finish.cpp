@@ -10,6 +10,7 @@
 #include "common/base/kept.h"
 #include "common/base/patience.h"
 #include "common/base/shared_lock.h"
+#include "common/gpu/glsl.h"
 #include "common/image/image.h"
 #include "common/image/mip_levels.h"
 
@@ -110,7 +111,7 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
 std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
                                          glm::uvec2 size) {
     const std::string key =
-        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);
+        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);  // an answer of a reader's own, too
     return kept_or_made<std::byte>(key, ".occlusion", size_t{size.x} * size.y, [&] {
         ++baked;
         return bake(gpu, file, parts, size);

@@ -77,6 +77,7 @@ struct Finish : Module {
     }
     void prepare(Gpu& gpu, Scene& scene) override;
     std::string load_key() const override { return width.text() + " " + bake_rays.text() + " " + bake_m.text(); }
+    std::vector<std::string> load_exercises() const override { return {"16.bake_ray"}; }
 
     /// For tests: how many maps of occlusion were computed, and not found in the cache.
     int baked = 0;

@@ -1,7 +1,8 @@
-// How much of the light from everywhere reaches a texel's place on the mesh: rays that are as dense as the cosine. The same
-// directions in each texel: neighbours do not differ by chance.
+// How much of the light from everywhere reaches a texel's place on the mesh. The same directions in each texel: neighbours do
+// not differ by chance.
 #include "05_shadow_maps/bvh.glsl"
 #include "05_shadow_maps/sampling.glsl"
+#include "16_volume/bake_ray.glsl"
 
 layout(local_size_x = 64) in;
 layout(scalar) readonly buffer PlaceBuffer { vec4 places[]; };    // metres; w: 0 where no triangle is
@@ -19,13 +20,13 @@ void main() {
     if (places[texel].w > 0.0) {
         basis_of(normal, x, y);
         vec3 from = above(places[texel].xyz, normal);
-        uint seen = 0u;
+        float seen = 0.0;
         for (uint i = 0u; i < part.z; ++i) {
-            vec2 at = on_disc(sobol_point(i, 16u));
-            vec3 direction = at.x * x + at.y * y + sqrt(max(1.0 - dot(at, at), 0.0)) * normal;
-            if (!any_hit(Ray(from, 0.0, direction, reach_m))) ++seen;
+            vec4 ray = bake_ray(sobol_point(i, 16u));
+            vec3 direction = ray.x * x + ray.y * y + ray.z * normal;
+            if (!any_hit(Ray(from, 0.0, direction, reach_m))) seen += ray.w;
         }
-        open = float(seen) / float(part.z);
+        open = seen / float(part.z);
     }
     result[texel] = open;
 }

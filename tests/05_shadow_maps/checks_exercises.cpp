@@ -267,3 +267,78 @@ CHECK_EXERCISE("05.cascade_split", "the weighted mean of two lists: equal steps,
         for (int i = 0; i <= count; ++i) call(near_m, far_m, i, count, static_cast<float>(random.uniform(0, 1)));
     }
 }
+
+namespace {
+
+// The equations of the weights, a column for each corner: (x, y) less place times w add up to (0, 0), the weights to 1.
+glm::dmat3 equations(std::span<const double> in) {
+    glm::dmat3 m;
+    for (size_t i = 0; i < 3; ++i)
+        m[int(i)] = {in[4 * i] - in[12] * in[4 * i + 3], in[4 * i + 1] - in[13] * in[4 * i + 3], 1};
+    return m;
+}
+
+}  // namespace
+
+CHECK_EXERCISE("05.corner_weights", "move the place to the origin: which area do two corners span with it?") {
+    Probe probe{
+        .include = "05_shadow_maps/corner_weights.glsl",
+        .signature = "vec3 corner_weights(vec4 a, vec4 b, vec4 c, vec2 place)",
+        .truth =
+            [](auto in) {
+                const glm::dmat3 m = equations(in);
+                Row row;
+                append(row, glm::determinant(m) == 0 ? glm::dvec3(1, 0, 0) : glm::inverse(m) * glm::dvec3(0, 0, 1));
+                return row;
+            },
+        .bound = {.absolute = 2e-4, .relative = 2e-4},
+        .hint = [](auto in, auto out) -> std::string {
+            if (glm::determinant(equations(in)) == 0) return "no weights do that for this one, or many do";
+            const double sum = out[0] + out[1] + out[2];
+            if (std::fabs(sum - 1) > 1e-3) return fmt::format("the weights add up to {:.4g}", sum);
+            glm::dvec2 flat(0);
+            for (size_t i = 0; i < 3; ++i) flat += out[i] / in[4 * i + 3] * glm::dvec2(in[4 * i], in[4 * i + 1]);
+            if (glm::length(flat - glm::dvec2(in[12], in[13])) < 1e-3)
+                return "these are the weights on the screen, without perspective: a near corner has a larger one";
+            const glm::dvec3 right = glm::inverse(equations(in)) * glm::dvec3(0, 0, 1);
+            if (glm::length(glm::abs(right) / (std::fabs(right.x) + std::fabs(right.y) + std::fabs(right.z)) -
+                            vector3(out)) < 1e-3)
+                return "this place is outside of the triangle, or a corner is behind the camera: areas have signs";
+            return "";
+        }};
+    const auto add = [&](glm::dvec4 a, glm::dvec4 b, glm::dvec4 c, glm::dvec2 place) {
+        Row row;
+        for (const glm::dvec4& corner : {a, b, c}) append(row, corner);
+        append(row, place);
+        for (double& number : row) number = double(float(number));
+        probe.inputs.push_back(row);
+    };
+    add({-1, -1, 0, 1}, {1, -1, 0, 1}, {0, 1, 0, 1}, {0, 0});              // all as far
+    add({-1, -1, 0.5, 1}, {3, -3, 0.25, 3}, {0, 2, 0.5, 2}, {0, 0});       // the lesson's question
+    add({-1, -1, 0.5, 1}, {3, -3, 0.25, 3}, {0, 2, 0.5, 2}, {-0.5, 0.5});  // outside
+    add({-1, -1, 0.5, 1}, {3, -3, 0.25, 3}, {0, 2, 0.5, -2}, {0, -0.75});  // a corner behind the camera
+    add({-1, 0, 0.5, 1}, {2, 0, 0.5, 2}, {0, 0, 0.5, 4}, {0.5, 0});        // seen from its edge
+    add({1.5, 0, 0.5, 1}, {1, 1, 0.5, 2}, {4, -1, 0.5, 4}, {0.5, 0});      // on the horizon of its plane
+    Random random(5);
+    while (probe.inputs.size() < 1500) {
+        // A place that a known mean of the corners has, not far outside of the triangle.
+        glm::dvec4 corners[3], mean(0);
+        glm::dvec3 weights;
+        for (int i = 0; i < 3; ++i) weights[i] = random.uniform(probe.inputs.size() % 3 ? 0.05 : -0.5, 1);
+        weights /= weights.x + weights.y + weights.z;
+        for (int i = 0; i < 3; ++i) {
+            const double w = random.logarithmic(0.1, 30) * (probe.inputs.size() % 4 == 0 && i == 0 ? -1 : 1);
+            corners[i] = {w * random.uniform(-1.5, 1.5), w * random.uniform(-1.5, 1.5), random.uniform(0, 1), w};
+            mean += weights[i] * corners[i];
+        }
+        const glm::dmat3 lines(corners[0].x, corners[0].y, corners[0].w, corners[1].x, corners[1].y, corners[1].w,
+                               corners[2].x, corners[2].y, corners[2].w);
+        const double size = std::fabs(corners[0].w * corners[1].w * corners[2].w);
+        if (std::fabs(glm::determinant(lines)) < 0.3 * size || std::fabs(mean.w) < 0.3) continue;
+        const glm::dvec2 place = glm::dvec2(mean) / mean.w;
+        if (std::max({std::fabs(weights.x), std::fabs(weights.y), std::fabs(weights.z)}) < 3 &&
+            std::max(std::fabs(place.x), std::fabs(place.y)) <= 1)
+            add(corners[0], corners[1], corners[2], place);
+    }
+    check.probe(probe);
+}

@@ -1,6 +1,7 @@
-// Checks of chapter 16's rays: their parts within a ball and a box, against double precision.
+// Checks of chapter 16's rays: their parts within a ball and a box, and those that bake, against double precision.
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "16_volume/truth.h"
 #include "common/check/check.h"
@@ -137,4 +138,56 @@ CHECK_EXERCISE("16.ray_box",
         if (std::abs(range.y - range.x) > 1e-3) probe.inputs.push_back(row);
     }
     check.probe(probe);
+}
+
+CHECK_EXERCISE("16.bake_ray",
+               "points of the square to points of the disc, evenly; then up to the hemisphere above it") {
+    Probe probe{.include = "16_volume/bake_ray.glsl",
+                .signature = "vec4 bake_ray(vec2 even)",
+                .truth =
+                    [](auto in) {
+                        const double r = std::sqrt(in[0]), phi = 2 * glm::pi<double>() * in[1];
+                        return Row{r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - in[0]), 1};
+                    },
+                .bound = {.absolute = 1e-5},
+                .grants =
+                    [](auto, auto out) {
+                        return std::abs(glm::length(vector3(out)) - 1) < 1e-5 && out[2] >= 0 &&
+                               std::abs(out[3] - 1) < 1e-6;
+                    },
+                .hint = [](auto, auto out) -> std::string {
+                    const double length = glm::length(vector3(out));
+                    if (std::abs(length - 1) > 1e-5) return fmt::format("its length is {:.4g}", length);
+                    if (out[2] < 0) return "it leads into the surface";
+                    return "if this ray is the only one and meets nothing, the mean is its w";
+                }};
+    Random random(16);
+    const int side = 64;
+    const double right = random.uniform(0, 1), up = random.uniform(0, 1);
+    for (int i = 0; i < side * side; ++i) probe.inputs.push_back({(i % side + right) / side, (i / side + up) / side});
+    const Table rays = check.probe(probe);
+    const auto share = [&](const std::string& what, double expected, auto&& is_open) {
+        double sum = 0;
+        for (const Row& ray : rays)
+            if (is_open(vector3(ray))) sum += ray[3];
+        sum /= double(rays.size());
+        check.expect(std::abs(sum - expected) < 0.012,
+                     fmt::format("bake_ray: {} let {:.3f} of the light through, and not {:.3f}", what, sum, expected));
+    };
+    for (const int degrees : {20, 45, 70}) {  // within it the integral of cos θ / π is sin²
+        const double sine = std::sin(glm::radians(double(degrees)));
+        share(fmt::format("the directions within {}° of the normal", degrees), sine * sine,
+              [=](glm::dvec3 d) { return 1 - d.z * d.z < sine * sine; });
+    }
+    share("the half of the directions with x > 0", 0.5, [](glm::dvec3 d) { return d.x > 0; });
+    share("the quarter with x > 0 and y < 0", 0.25, [](glm::dvec3 d) { return d.x > 0 && d.y < 0; });
+    // The form factor of a strip is half the difference of the sines.
+    share("a long groove, twice as wide as it is deep,", std::sqrt(0.5),
+          [](glm::dvec3 d) { return std::abs(d.x) < d.z; });
+    for (const double away : {0.25, 1.0})  // in diameters, from the end of a tube along x: the lesson's closed form
+        share(fmt::format("an open end of a tube, {} diameters away,", away),
+              (away * away + 0.5) / std::sqrt(away * away + 1) - away, [=](glm::dvec3 d) {
+                  const double steps = away / d.x;
+                  return d.x > 0 && std::hypot(steps * d.y, steps * d.z - 0.5) < 0.5;
+              });
 }

@@ -45,7 +45,7 @@ from check.verdicts import Verdicts
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
-from tree import (BUILD, ROOT, Failure, Unjudged, UsageError, chapters, exercises, find_chapter, has_solutions, lesson_pages, nearest,
+from tree import (BUILD, ROOT, Failure, Unjudged, UsageError, chapters, exercises, find_chapter, has_solutions, lessons, nearest,
                   relative, say, shots, unjudged)
 
 ALONE = True
@@ -118,9 +118,10 @@ def select(what: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def grades(chapter: str) -> dict[str, str]:
-    """The exercises in the lesson's order, and how hard it calls each: "### 02.phong (medium)"."""
-    text = "\n".join((ROOT / page).read_text(encoding="utf-8") for page in lesson_pages(chapter))
-    return dict(re.findall(r"^### (\d\d\.\w+) \((easy|medium|hard)\)$", text, re.M))
+    """The exercises in the lessons' order, and how hard they call each: "### 02.phong (medium)". One that uses what a later
+    chapter teaches stands on its page."""
+    text = "\n".join((ROOT / page).read_text(encoding="utf-8") for page in lessons())
+    return dict(re.findall(rf"^### ({chapter[:2]}\.\w+) \((easy|medium|hard)\)$", text, re.M))
 
 
 def in_order(chapter: str) -> list[str]:

@@ -18,7 +18,7 @@ from pages.page import TEMPLATES
 from pages.pages_markdown import MOVED, Site, convert
 from pages.reading import minutes
 from pages.shader import whole
-from tree import BUILD, ROOT, Failure, best_first, chapters, lesson_pages, lessons, relative, say, write_atomically
+from tree import BUILD, ROOT, Failure, best_first, chapters, lessons, relative, say, write_atomically
 
 ALONE = True
 HELP = """Writes the lessons as pages: build/docs/index.html.
@@ -241,8 +241,8 @@ def finish(made: Path):
     write_atomically(made / "search" / "search_index.js", f"window.__index = {script(index)};\n")
     write_atomically(made / "assets" / "search.js", SEARCH % script(worker))
     search_later(made)
+    pages = {page.stem: (ROOT / page).read_text(encoding="utf-8") for page in lessons()}
     for chapter in chapters():
-        pages = {page.stem: (ROOT / page).read_text(encoding="utf-8") for page in lesson_pages(chapter)}
         for exercise in in_order(chapter):
             page = next((name for name, text in pages.items() if f"\n### {exercise} (" in text), chapter)
             write_atomically(made / "open" / f"{exercise}.html", TEMPLATES.get_template("docs_open.html").render(

@@ -256,9 +256,8 @@ def check_lesson(chapter: str) -> list[str]:
     pages, wrong = lesson_pages(chapter), []
     if not pages:
         return []
-    name, lines = pages[0], [line for page in pages for line in (ROOT / page).read_text(encoding="utf-8").splitlines()]
-    text = "\n".join(lines)
-    if "## Exercises" in lines:
+    name, text = pages[0], "\n".join((ROOT / page).read_text(encoding="utf-8") for page in lessons())
+    if any("\n## Exercises\n" in (ROOT / page).read_text(encoding="utf-8") for page in pages):
         graded = grades(chapter)
         wrong += [f"{name}: there is no heading '### {exercise} (easy)', or medium, or hard"
                   for exercise in exercises(chapter) if exercise not in graded]
