@@ -111,7 +111,8 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
 std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
                                          glm::uvec2 size) {
     const std::string key =
-        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file);  // an answer of a reader's own, too
+        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file) +
+        flatten_bare("16_volume/bake.comp", {}, "16_volume/bake.comp").text;  // an answer of a reader's own, too
     return kept_or_made<std::byte>(key, ".occlusion", size_t{size.x} * size.y, [&] {
         ++baked;
         return bake(gpu, file, parts, size);
