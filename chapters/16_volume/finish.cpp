@@ -110,8 +110,9 @@ Finish::Maps Finish::make(Gpu& gpu, const std::filesystem::path& file) {
 // From the cache, or baked and put there.
 std::vector<std::byte> Finish::occlusion(Gpu& gpu, const std::filesystem::path& file, const LatheParts& parts,
                                          glm::uvec2 size) {
-    const std::string key = fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) +
-                            read_file(file);  // an answer of a reader's own, too
+    const std::string key =
+        fmt::format("occlusion {} {} {} {} ", size.x, size.y, bake_rays.value, bake_m.value) + read_file(file) +
+        flatten_bare("16_volume/bake.comp", {}, "16_volume/bake.comp").text;  // an answer of a reader's own, too
     return kept_or_made<std::byte>(key, ".occlusion", size_t{size.x} * size.y, [&] {
         ++baked;
         return bake(gpu, file, parts, size);
