@@ -38,11 +38,6 @@ struct Mipmaps : ModelChapter {
                      "measures every method from 64x64 to 8192x8192 texels and writes the result as a study",
                      [](const std::string& file, const Options& o, auto&) { return run_mip_bench(file, o); }}};
     }
-    // The exercise in place of chapter 04's own version, which later chapters have.
-    Macros macros() const override {
-        return Macros(ModelChapter::macros())
-            .replace_file("04_surface_maps/footprint.glsl", "07_mipmaps/anisotropy.glsl");
-    }
     std::string default_scene() const override { return "scenes/tiled_hall.json"; }
     bool animated() const override { return walk_m_s != 0 || ModelChapter::animated(); }
     std::vector<std::string> status() const override {

@@ -298,9 +298,12 @@ class Exporter {
     }
 
     // KHR_materials_transmission: the base colour filters what passes, and over a thickness of 1 the attenuation colour.
-    void add_glass(const MaterialNumbers& m, const glm::vec3& base, json& extensions) {
+    // The metal's share of a material passes nothing.
+    void add_glass(const MaterialNumbers& m, const glm::vec3& base, float metalness, json& extensions) {
+        const float passes = 1.0f - m.opacity, most = 1.0f - metalness;
+        if (passes > most) leave_out(left_out, "transmission of a metal", "material");
         writer.extensions.insert("KHR_materials_transmission");
-        extensions["KHR_materials_transmission"]["transmissionFactor"] = 1.0f - m.opacity;
+        extensions["KHR_materials_transmission"]["transmissionFactor"] = std::min(passes / most, 1.0f);
         if (base == m.transmission) return;
         const glm::vec3 rest = glm::clamp(m.transmission / glm::max(base, 1e-6f), 0.0f, 1.0f);
         if (glm::any(glm::greaterThan(m.transmission, base + 1e-6f)))
@@ -319,11 +322,12 @@ class Exporter {
         };
         own["pbrMetallicRoughness"] = json::object();  // its place: what is inserted later moves it
         json pbr;
-        const bool is_glass = item.transparent && m.transmission.r >= 0.0f;
+        const glm::vec2 numbers = metalness_and_roughness(item);
+        const bool is_tinted = item.transparent && m.transmission.r >= 0.0f, is_glass = is_tinted && numbers.x < 1.0f;
+        if (is_tinted && !is_glass) leave_out(left_out, "transmission of a metal", "material");
         // Glass without a body has the tint as its base colour; another's tint is absorbed on the way through it.
         const glm::vec3 base = is_glass && m.opacity == 0.0f ? m.transmission : m.diffuse;
         pbr["baseColorFactor"] = {base.x, base.y, base.z, is_glass ? 1.0f : m.opacity};
-        const glm::vec2 numbers = metalness_and_roughness(item);
         const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
         if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
         if (!by_orm) set(pbr, "metallicRoughnessTexture", MapSlot::metallic_roughness);
@@ -341,7 +345,7 @@ class Exporter {
         set(own, "emissiveTexture", MapSlot::emissive);
         json extensions = json::object();
         own["emissiveFactor"] = emission(m, extensions);
-        if (is_glass) add_glass(m, base, extensions);
+        if (is_glass) add_glass(m, base, numbers.x, extensions);
         if (m.unlit) {
             extensions["KHR_materials_unlit"] = json::object();
             writer.extensions.insert("KHR_materials_unlit");

@@ -1,6 +1,6 @@
 // A look-up in a surface map, filtered over the pixel's footprint.
 #include "common/structs.h"
-#include "04_surface_maps/footprint.glsl"
+#include "04_surface_maps/anisotropy.glsl"
 
 struct Coordinates {
     vec2 uv, dx, dy;  // and their screen-space derivatives

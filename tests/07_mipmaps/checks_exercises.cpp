@@ -92,51 +92,6 @@ CHECK_EXERCISE("07.box_2x2", "The texel `at` covers 2 at and the next texel in e
     }
 }
 
-CHECK_EXERCISE("07.anisotropy",
-               "As many reads as the footprint is longer than wide, each of the level of its own piece.") {
-    Probe probe{.include = "07_mipmaps/anisotropy.glsl",
-                .signature = "vec4 footprint_reads(vec2 across, vec2 down, float limit)",
-                // Chapter 07's floor, 20 m away; both vectors as the longer one; magnified; no texture coordinates.
-                .inputs = {{10.24, 0, 0, 128, 16},
-                           {0, 128, 10.24, 0, 16},
-                           {10.24, 0, 0, 128, 4},
-                           {0.3, 0, 0, 0.2, 16},
-                           {9.5, 0, 0, 0.25, 16},
-                           {0, 0, 0, 0, 16},
-                           {40, 0, 0, 0, 8},
-                           {3, 4, -2, 1.5, 1}},
-                .truth =
-                    [](std::span<const double> in) {
-                        // EXT_texture_filter_anisotropic: N = min(ceil(Pmax / Pmin), limit), level log2(Pmax / N).
-                        const double across = std::hypot(in[0], in[1]), down = std::hypot(in[2], in[3]);
-                        const double longer = std::max({across, down, 1e-6}), shorter = std::min(across, down);
-                        const double n = std::clamp(std::ceil(longer / std::max(shorter, 1.0)), 1.0, in[4]);
-                        const size_t first = across < down ? 2 : 0;
-                        return Row{in[first], in[first + 1], n, std::log2(longer / n)};
-                    },
-                .bound = {.absolute = 1e-3, .relative = 1e-4}};
-    probe.hint = [](auto in, auto got) -> std::string {
-        const double across = std::hypot(in[0], in[1]), down = std::hypot(in[2], in[3]);
-        if (std::min(across, down) < 1 && got[2] > std::max(std::ceil(std::max(across, down)), 1.0))
-            return "A shorter side below one texel counts as one texel.";
-        const bool whole = std::fabs(got[3] - std::log2(std::max({across, down, 1e-6}))) < 1e-3;
-        return got[2] > 1 && whole
-                   ? "Each read stands for an n-th of the longer side: its level is that of this length."
-                   : "";
-    };
-    Random random;
-    while (probe.inputs.size() < 500) {
-        const glm::dvec2 direction = glm::normalize(glm::dvec2(random.uniform(-1, 1), random.uniform(0.1, 1)));
-        const double longer = random.logarithmic(0.1, 2000), ratio = random.logarithmic(1.01, 40);
-        const double rounded = longer / std::max(longer / ratio, 1.0);
-        if (std::fabs(rounded - std::round(rounded)) < 1e-3) continue;  // rounding decides
-        const glm::dvec2 a = longer * direction, b = longer / ratio * glm::dvec2(-direction.y, direction.x);
-        const glm::dvec2 across = probe.inputs.size() % 2 ? a : b, down = probe.inputs.size() % 2 ? b : a;
-        probe.inputs.push_back({across.x, across.y, down.x, down.y, std::exp2(std::floor(random.uniform(0, 5)))});
-    }
-    check.probe(probe);
-}
-
 CHECK_EXERCISE("07.to_linear", "Codes are not light, vectors or variances: decode them before averaging.") {
     Probe srgb{
         .include = "07_mipmaps/to_linear.glsl",

@@ -32,12 +32,13 @@ SCENE = {"camera": {"position": [1.2, 0.8, 3], "target": [0, 0, 0], "up": [0.2, 
          "lights": [{"type": "directional", "direction": [-0.3, -0.5, -1], "intensity": 0.6}]}
 # Tangents follow from the texture coordinates, as the specification allows.
 EXPECTED = {"MESH_PRIMITIVE_GENERATED_TANGENT_SPACE"}
-# glTF has no specular colour beside the base colour.
+# glTF has no specular colour beside the base colour; tints beside a body are at most its base colour, and
+# no metal transmits; the export names what it leaves out.
 CANNOT_BE_SAID = {"specular_glossiness"}
 CUBE = str(CONFORMANCE / "flat_normals.gltf")
 MATERIALS = [{"diffuse": [0.8, 0.2, 0.1], "roughness": 0.05, "metalness": 1},
              {"diffuse": [0.2, 0.7, 0.1], "roughness": 0.35, "metalness": 0},
-             {"diffuse": [0.2, 0.3, 0.8], "opacity": 0.5, "transmission": [0.9, 0.1, 0.5]}, {"diffuse": [0, 0, 0], "emissive": [3, 1.2, 0]}]
+             {"diffuse": [0.2, 0.3, 0.8], "opacity": 0.5, "transmission": [0.2, 0.1, 0.5], "metalness": 0}, {"diffuse": [0, 0, 0], "emissive": [3, 1.2, 0]}]
 MIXED = {**SCENE, "objects": [
     {"model": CUBE, "position": [i - 1.5, 0.3, 0], "scale": [0.2, 0.3, 0.2], "rotation_deg": [20, 40, 10 * i],
      "material": material} for i, material in enumerate(MATERIALS)] + [

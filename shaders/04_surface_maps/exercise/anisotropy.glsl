@@ -1,4 +1,4 @@
-// Exercise 07.anisotropy: how many reads a long footprint takes, and of which level.
+// Exercise 04.anisotropy: how many reads a long footprint takes, and of which level.
 // Starter: one read, of the level that suits the longer side. That is trilinear filtering.
 
 // [anisotropy]

@@ -1,7 +1,6 @@
-// Reads that an elongated footprint takes; chapter 07 has the exercise.
+// Solution of 04.anisotropy.
 
-// `across`, `down`: a pixel's footprint, in texels. xy: its longer side; z: the number of reads along it; w: the mip level
-// of each.
+// EXT_texture_filter_anisotropic.
 vec4 footprint_reads(vec2 across, vec2 down, float limit) {
     float a = length(across), d = length(down);
     float longer = max(max(a, d), 1e-6), shorter = max(min(a, d), 1.0);
