@@ -45,6 +45,13 @@ class Text(Course):
                                        "Run this\n\n    make\n\nWhat is it?\n\n| a |\n|---|\n\n<details><summary>x</summary>\n\nYes.\n</details>\n")
         self.assertEqual(self.wrong(), "")
 
+    def test_sentences_do_not_go_on_in_a_fold(self):
+        fold = "\n\n<details><summary>The code</summary>\n\nYes.\n</details>\n"
+        self.put("docs/02_lambert.md", "# Two\n\nIt does this:" + fold)
+        self.assertIn("docs/02_lambert.md:3: the sentence goes on in a fold", self.wrong())
+        self.put("docs/02_lambert.md", "# Two\n\nIt does this." + fold)
+        self.assertEqual(self.wrong(), "")
+
     def test_a_page_names_the_next_one_once(self):
         self.put("docs/02_lambert.md", "# Two\n\nNext: [one](01_obj.md).\n\nNext: [one](01_obj.md) again.\n")
         self.assertEqual(self.wrong(), "docs/02_lambert.md:5: a second 'Next:' on this page\n")

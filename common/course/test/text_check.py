@@ -107,15 +107,19 @@ def ends(words: str) -> bool:
 
 
 def check_paragraphs(name: Path) -> list[str]:
-    """A paragraph is whole: it ends with a sentence, or leads to a formula, a table or code."""
+    """A paragraph is whole: it ends with a sentence, or leads to a formula, a table or code that is not folded."""
     wrong, found = [], blocks(name)
     for i, (number, language, lines) in enumerate(found):
         if language != "text" or re.match(r"(    |\s*(#|\||<|!\[|\[!\[))", lines[0]):
             continue
         words = re.sub(r"<!--.*?-->|</details>", "", " ".join(line.strip() for line in lines)).strip()
-        if not words or words.endswith("|") or ends(words):
+        if not words or words.endswith("|"):
             continue
         following = found[i + 1] if i + 1 < len(found) else (0, "text", [""])
+        if words.endswith(":") and following[2][0].lstrip().startswith("<details>"):
+            wrong.append(f"{name}:{number + len(lines) - 1}: the sentence goes on in a fold, which a reader of the main thread does not open")
+        if ends(words):
+            continue
         # A formula ends a sentence that has a verb: five words or a word such as Then.
         sentence = re.split(r"(?<=[.:?!]) ", words)[-1].split()
         whole = len(sentence) > 4 or sentence[-1] in ("Then", "So", "Hence", "is", "are", "by", "so")
