@@ -8,7 +8,6 @@ from drawing import (BLUE, FAINT, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREE
         "Without a barrier the copy overlaps the drawing; with one it waits for the drawing's stage, whose cache is written "
         "back, and the image changes its layout in between")
 def draw_barrier(drawing: Drawing):
-    """A barrier between drawing and copying: the work before it, the caches, the layout, and the work behind it."""
     p = drawing.panel((150, 50), 1)
     for y, waits in ((190, False), (60, True)):
         p.box((0, y), (300, y + 44), BLUE, THIN, fill=PALE_BLUE)
@@ -32,7 +31,6 @@ def draw_barrier(drawing: Drawing):
         "A camera looks through a column of pixels at a near box and a far wall; the image keeps the colour and the depth of "
         "what is nearer in each pixel")
 def draw_depth(drawing: Drawing):
-    """Depth: of all surfaces along the ray of a pixel, the nearest one is kept."""
     p = drawing.panel((70, 60), 100)
     eye = (0, 1.1)
     p.eye(eye, 0, 40)
@@ -70,7 +68,6 @@ def draw_depth(drawing: Drawing):
         "A dispatch of four by three workgroups covers an image; one workgroup of eight by eight invocations, a subgroup of "
         "which runs in step; they write shared memory, wait at a barrier and read it")
 def draw_dispatch(drawing: Drawing):
-    """A dispatch: workgroups of invocations, with shared memory and a barrier."""
     p = drawing.panel()
     left, bottom, cell = 30, 110, 70
     for y in range(3):
@@ -107,7 +104,6 @@ def draw_dispatch(drawing: Drawing):
         "The CPU records commands into a command buffer and submits it to a queue; the GPU executes it. Vertex buffers, "
         "uniforms, textures and render targets lie in the GPU's memory")
 def draw_memory(drawing: Drawing):
-    """The two processors, their memories, and the contents of the GPU's."""
     p = drawing.panel()
 
     def box(x, y, wide, high, text, fill, color=INK, size=SMALL):
@@ -162,7 +158,6 @@ def screen(drawing, left: float, bottom: float, fill, triangle: bool, hidden=())
         "Vertices go through the vertex shader, the rasteriser, the depth test and the fragment shader into the pixels of an "
         "image")
 def draw_pipeline(drawing: Drawing):
-    """A triangle on its way through the GPU: the stages of the graphics pipeline."""
     board = drawing.panel()
     lefts = [20, 245, 470, 695, 915]
     first = drawing.panel((lefts[0], 100), 25)
@@ -210,7 +205,6 @@ def house(p, place):
         "A house in its own space, in the world beside a camera, in the camera's space, in normalised device coordinates, "
         "and in pixels")
 def draw_spaces(drawing: Drawing):
-    """The spaces that a vertex passes through on its way to a pixel."""
     board = drawing.panel()
     lefts = [110, 320, 540, 755, 970]
     names = ["object space", "world space", "view space", "NDC", "screen space"]
@@ -271,7 +265,6 @@ def level(p, at, size: int, side: float):
         "A texture of 8 by 8 texels with coordinates u and v from 0 to 1; a sample between four texel centres; the same "
         "texture in levels of half the size each")
 def draw_texture(drawing: Drawing):
-    """Texture coordinates, the sampler between texels, and mip levels."""
     p = drawing.panel()
     left, bottom, side = 50, 70, 240
     level(p, (left, bottom), TEXELS, side)
@@ -317,7 +310,6 @@ COLORS = ((BLUE, PALE_BLUE), (ORANGE, PALE_ORANGE))
         "Rows of CPU, GPU and screen over time. Frames alternate between two sets of commands, semaphores and fences. The CPU "
         "waits for the fence of two frames ago, the GPU for an acquired image, the screen for a finished one")
 def draw_two_frames(drawing: Drawing):
-    """Two frames in flight: the CPU records a frame while the GPU draws the one before, and the screen shows the one before that."""
     p = drawing.panel((110, 60), 1)
     rows = {"CPU": 210, "GPU": 120, "screen": 30}
     for name, y in rows.items():
@@ -351,7 +343,6 @@ def draw_two_frames(drawing: Drawing):
         "A vector between two points; the dot product as a length along a unit vector; the cross product of two edges, "
         "perpendicular to both")
 def draw_vectors(drawing: Drawing):
-    """The dot product, the cross product, and how much of one vector lies along another."""
     p = drawing.panel((40, 70), 100)
     p.dot((0.2, 0.3), INK, "*p*", offset=(-16, 10))
     p.dot((2.2, 1.5), INK, "*q*", offset=(16, 10))
@@ -395,7 +386,6 @@ HIGH = 44
         "Instance, physical device, device and queue; memory, buffers, images and views; shaders, layout and pipeline; a "
         "pool, its command buffer, and a submission with semaphores and a fence")
 def draw_vulkan_objects(drawing: Drawing):
-    """Vulkan's objects and what each is made from."""
     p = drawing.panel((0, 0), 1)
     for name, (left, bottom, width, color, fill) in BOXES.items():
         p.box((left, bottom), (left + width, bottom + HIGH), color, THIN, fill=fill)

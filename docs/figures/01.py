@@ -9,7 +9,6 @@ RIGHT, UP, ALONG = (0.5, -0.3), (0.0, 0.85), (0.97, 0.12)  # on paper
 @figure("01_camera", 900, 420,
         "A camera at c with its axes r to the right, u up and d along the view, and its frustum, a pyramid without its tip")
 def draw_camera(drawing: Drawing):
-    """The camera's axes in the world: to the right, up, and along the view; and the frustum between the near and the far plane."""
     p = drawing.panel((110, 140), 118)
 
     def at(x, y, s):
@@ -52,7 +51,6 @@ def distance(depth: float, reverse: bool) -> float:
         "Depths that a float can hold, as distances from the camera: with forward depth they crowd at the near plane, with "
         "reverse depth they are spread evenly")
 def draw_depth_floats(drawing: Drawing):
-    """Where the floats of a depth buffer lie along the view, forward and reverse. Drawn with floats of 3 bits behind the point."""
     p = drawing.panel((20, 0), 100)
     p.eye((0.34, 2.05), 0, 46)
     for y, reverse, color, name in ((2.5, False, RED, "0 near, 1 far"), (1.15, True, GREEN, "1 near, 0 far")):
@@ -80,7 +78,6 @@ def corners(p):
         "An arrowhead of four corners: a fan from corner 0 covers the dent; cut off at the ear 1 2 3, which leaves the "
         "triangle 0 1 3, it is covered once")
 def draw_ears(drawing: Drawing):
-    """An arrowhead as a fan, which fills its dent, and cut by ears."""
     left, right = drawing.panel((225, 165), 78), drawing.panel((675, 165), 78)
     left.line([ARROWHEAD[0], ARROWHEAD[2], ARROWHEAD[3]], None, fill=PALE_BLUE)
     left.line([ARROWHEAD[0], ARROWHEAD[1], ARROWHEAD[2]], RED, THIN, closed=True, fill=PALE_RED, dash=True)
@@ -105,7 +102,6 @@ A, B = (1.0, -1.0), (3.0, -1.0)  # a floor from the distance 1 to the distance 3
         "A floor from the distance 1 to 3: the middle between the two ends on the screen is a quarter of the way along the "
         "floor")
 def draw_interpolation(drawing: Drawing):
-    """Equal steps on the screen are unequal steps on a surface that recedes."""
     p = drawing.panel((90, 270), 205)
     p.eye((0.0, 0.0), 0, 40)
     seen = [(SCREEN, SCREEN * y / x) for x, y in (A, B)]
@@ -134,7 +130,6 @@ TREE = 1.42
         "Two similar triangles with their tip at the camera: the screen stands at the distance f, from -1 to 1; a point at "
         "the height y and the distance s is seen at f y / s")
 def draw_similar(drawing: Drawing):
-    """Perspective from similar triangles: a height y at the distance s is seen at the height f y / s, on a screen at the distance f."""
     p = drawing.panel((90, 195), 118)
     p.line([(0, 0), (6.3, 0)], GREY, THIN)
     for side in (-1, 1):
@@ -160,7 +155,6 @@ def draw_similar(drawing: Drawing):
         "Floats, doubles between them and a decimal number just above the midpoint of two floats: rounded to the double at "
         "the midpoint first, it ends at the lower float instead of the upper one")
 def draw_two_roundings(drawing: Drawing):
-    """A decimal number rounded once, and twice: the second rounding has forgotten on which side of the middle it was."""
     p = drawing.panel((90, 110), 1)
     p.line([(-40, 0), (760, 0)], GREY, THIN)
     for x in range(0, 721, 45):
@@ -188,7 +182,6 @@ CORNERS = ["1/1/1", "2/2/1", "3/3/1", "3/3/1", "2/2/1", "4/4/1", "4/4/2", "2/2/2
         "Corners of three faces, each an index triple, and the vertices they become: equal triples share a vertex, triples "
         "that differ in the normal alone do not")
 def draw_weld(drawing: Drawing):
-    """Index triples of an OBJ file become vertices: equal triples are one vertex."""
     p = drawing.panel()
     vertices = list(dict.fromkeys(CORNERS))
     where = {triple: 62 + 118 * i for i, triple in enumerate(vertices)}

@@ -24,7 +24,6 @@ def beam(p, angle: float, area: str):
         "A beam of light across an area A: on a surface that faces it, it lights A; where the normal makes the angle theta "
         "with it, it lights A divided by the cosine")
 def draw_cosine(drawing: Drawing):
-    """The same beam on a surface that faces it and on one that leans away: the cosine."""
     left, right = drawing.panel((190, 100), 118), drawing.panel((705, 100), 118)
     beam(left, 0, "A")
     beam(right, 50, "A / cos θ")
@@ -75,7 +74,6 @@ def half_contour(lobe, light):
         "Left: the two lobes in the plane of normal and light nearly coincide. Right: the directions in which they are at "
         "least half as bright, low above a floor: Phong's are a disc, Blinn's a narrow upright shape")
 def draw_lobes(drawing: Drawing):
-    """Phong's and Blinn's lobes: alike in the plane of the normal and the light, unlike across it."""
     p = drawing.panel((190, 90), 225)
     p.ground(-0.75, 1.05)
     light = direction(180, 90 - THETA)
@@ -104,7 +102,6 @@ def draw_lobes(drawing: Drawing):
         "The normal N, the directions L to the light and V to the camera, the mirror direction R and the half vector H at a "
         "point of a surface")
 def draw_vectors(drawing: Drawing):
-    """The directions at a lit point: normal, light, eye, mirror direction, half vector."""
     p = drawing.panel((430, 60), 300)
     p.ground(-1.35, 1.45)
     p.lamp(polar(1.32, 140))

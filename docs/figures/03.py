@@ -41,7 +41,6 @@ def view(p, title: str, clusters: bool):
         "A tile that sees a post near by and a wall far away, from the side. As one piece it keeps all five lights; cut into "
         "slices of depth it keeps the two that are where surfaces are")
 def draw_cells(drawing: Drawing):
-    """A tile over a depth gap keeps the lights in the gap; clusters cut it into slices."""
     view(drawing.panel((55, 315), 110), "a tile in one piece keeps five lights", False)
     view(drawing.panel((55, 75), 110), "in slices, those with surfaces keep two", True)
 
@@ -60,7 +59,6 @@ def light(angle: float, softness: float) -> float:
         "Left: a lamp, its axis, the inner and the outer half angle, and a point at the angle gamma between them. Right: how "
         "much light passes, by the angle, with softness 0 and 1")
 def draw_cone(drawing: Drawing):
-    """A spot light's cone: the inner and the outer half angle, and how light falls between them."""
     height = 1.25
     p = drawing.panel((215, 60 + 210 * height), 210)
     p.line([(0, 0), (-height * tan(radians(OUTER)), -height), (height * tan(radians(OUTER)), -height)], None, fill=PALE_ORANGE)
@@ -98,7 +96,6 @@ HALF = 24  # of the cone, in degrees; its axis points to the right
         "A cone and the middles of three balls: one within the cone, distance 0; one beside it, distance l sin a to the "
         "cone's side; one more than 90 degrees from the side, distance l to the apex")
 def draw_cone_ball(drawing: Drawing):
-    """How far a point is from a cone: three places around the apex."""
     p = drawing.panel((330, 192), 230)
     p.line([(0, 0), polar(1.86, HALF), polar(1.86, -HALF)], None, fill=PALE_ORANGE)
     for side in (HALF, -HALF):
@@ -140,7 +137,6 @@ def square(p, x: float, cells: int, side: float):
         "Left: what crosses one square at the distance d crosses four squares at 2 d. Right: the factors that lead light to 0 "
         "at its range; the window leaves it alone near the lamp, the fade does not")
 def draw_falloff(drawing: Drawing):
-    """Why light falls with the square of the distance, and the two factors that end it."""
     p = drawing.panel((60, 210), 150)
     p.line([(0, 0), (1 - 0.105, -0.45), (1 - 0.105, 0.15), (1 + 0.105, 0.45)], None, fill=PALE_ORANGE)
     for sign in (1, -1):

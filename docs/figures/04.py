@@ -14,7 +14,6 @@ ELLIPSOID_ALPHA, SLANT = 0.45, 58  # of the ball's height; of the camera, in deg
         "Left: a half ball and the same with its heights multiplied by alpha; a normal of the flattened one leans less. "
         "Right: the part of the flattened ball that a slanted camera sees")
 def draw_ellipsoid(drawing: Drawing):
-    """GGX as the normals of a flattened ball: heights times alpha, slopes times alpha."""
     p, q = drawing.panel((230, 40), 175), drawing.panel((670, 40), 175)
     p.curve(lambda a: polar(1, a), 0, 180, FAINT)
     for panel in (p, q):
@@ -57,7 +56,6 @@ def table_at(column: float, row: float) -> list[float]:
         "Left: the lobe of a rough surface points towards the mirrored direction, and a lamp covers part of it. Right: a "
         "linear map turns the lobe into the cosine lobe, and the lamp into another lamp")
 def draw_lamps(drawing: Drawing):
-    """A lamp with a size and the lobe of a rough surface, before and after the linear map that makes the lobe a cosine."""
     n_dot_v = cos(radians(VIEW))
     m11, m13, m31, m33, a, b = table_at(1 - sqrt(1 - n_dot_v), ROUGHNESS)
     alpha = ROUGHNESS * ROUGHNESS
@@ -125,7 +123,6 @@ def kept(view: float, alpha: float, steps: int = 220) -> float:
         "The density of microfacets over the angle to the normal, relative to its peak: GGX has a narrower peak and a longer "
         "tail than Blinn and Phong's lobe of the matching exponent")
 def draw_lobes(drawing: Drawing):
-    """GGX beside Blinn and Phong's lobe of the exponent that is matched to it, and the share of white light that GGX keeps."""
     p = drawing.panel((110, 70), 1)
     wide, high = 720, 240
     for degrees in range(0, 61, 15):
@@ -152,7 +149,6 @@ FACET = (0.0, 0.27)
         "Microfacets: the mirror whose normal is the half vector sends the light to the camera; neighbours hide other mirrors "
         "from the light or from the camera")
 def draw_microfacets(drawing: Drawing):
-    """A rough surface as mirrors: one that faces the half vector, one hidden from the camera, one hidden from the light."""
     p = drawing.panel((450, 60), 155)
     p.line([*PROFILE, (2.7, -0.25), (-2.7, -0.25)], None, fill=SURFACE)
     p.line(PROFILE, INK)
@@ -182,7 +178,6 @@ def mean(angles):
         "Four texels with nearly equal normals have a mean of length 1; four texels whose normals scatter have a mean that is "
         "clearly shorter than the unit circle")
 def draw_mip_normals(drawing: Drawing):
-    """The mean of normals: where they differ it is shorter than 1, and its length says by how much."""
     for i, (name, angles) in enumerate(CASES):
         p = drawing.panel((450 * i, 0), 1)
         p.text((225, 372), name)
@@ -251,7 +246,6 @@ def hits(p, found: float):
         "A ray enters a height field. Offset uses the depth at the entry; steep takes the first of five layers that is below; "
         "occlusion intersects that step with a straight line; relief halves it")
 def draw_ray(drawing: Drawing):
-    """A ray against a height field: the hits of offset, steep, occlusion and relief, and the true one."""
     p = field(drawing, (30, 475), "offset: one read")
     d = depth_at(ENTRY)
     p.line([(ENTRY, 0), surface(ENTRY)], RED, THIN, dash=True)
@@ -302,7 +296,6 @@ def world(uv):
         "Left: a triangle on a texture, with axes u and v. Right: the same triangle in the world with its edges e1 and e2, "
         "the tangent T along which u grows, the bitangent B along which v grows, and the normal N")
 def draw_tangent_frame(drawing: Drawing):
-    """A triangle in texture space and in the world: tangent and bitangent are the images of u and v."""
     p = drawing.panel((70, 55), 265)
     p.box((0, 0), (1, 1), GREY, THIN, fill="#ffffff")
     p.line([A, B, C], INK, closed=True, fill=PALE_BLUE)

@@ -18,7 +18,6 @@ def height(x: float) -> float:
         "centre: half of the surface under it is lower and appears to be in shadow, by up to half of the diagonal times the "
         "tangent")
 def draw_bias(drawing: Drawing):
-    """Self-shadowing: a texel holds one depth for its whole area, and the surface falls away under it. Cut along a diagonal."""
     p = drawing.panel((60, 258), 135)
     p.line([(0, height(0)), (TEXELS, height(TEXELS)), (TEXELS, -1.45), (0, -1.45)], None, fill=PALE_GREY)
     for i in range(TEXELS):
@@ -50,7 +49,6 @@ NEAR, FAR, LIGHT_SLOPE = 1.1, 2.4, 0.55  # of the slice; half its width over the
         "Left: a slice of the camera's view from above, the ball around it, and the box of parallel rays around the ball. "
         "Right: the box may start only on a grid of texels that is fixed in the world")
 def draw_fit(drawing: Drawing):
-    """A slice of the camera's view in its ball, the light's box around the ball, and the box moved by whole texels."""
     p = drawing.panel((70, 205), 108)
     p.eye((0, 0), 0, 36)
     corners = [(NEAR, LIGHT_SLOPE * NEAR), (FAR, LIGHT_SLOPE * FAR), (FAR, -LIGHT_SLOPE * FAR), (NEAR, -LIGHT_SLOPE * NEAR)]
@@ -92,7 +90,6 @@ HALF = 0.5              # of the light's size
 @figure("05_penumbra", 900, 470,
         "A light of size s, an edge at distance b from it and the ground at distance r: the penumbra is s (r - b) / b wide")
 def draw_penumbra(drawing: Drawing):
-    """Width of a penumbra: similar triangles between a light, an edge and the ground."""
     p = drawing.panel((430, 60), 125)
     p.ground(-2.6, 2.6)
     p.line([(-HALF, LAMP), (HALF, LAMP)], LIGHT, 7)

@@ -8,7 +8,6 @@ from drawing import (BLUE, EYE, GREEN, GREY, INK, LIGHT, ORANGE, PALE_BLUE, PALE
         "Rays from a camera outside and one inside a light's sphere: the back face is behind the surface where the surface "
         "may be lit, and in front of it where it is not")
 def draw_light_volume(drawing: Drawing):
-    """A light's volume: its back faces, where they are behind the surface."""
     p = drawing.panel((440, 70), 100)
     p.circle((0, 1.1), 1.5, LIGHT, dash=True, fill=PALE_ORANGE)
     p.ground(-3.9, 4.2)
@@ -31,7 +30,6 @@ def draw_light_volume(drawing: Drawing):
 @figure("06_octahedron", 900, 430,
         "A direction is scaled onto an octahedron; its lower half is folded outwards, so that both halves fill a square")
 def draw_octahedron(drawing: Drawing):
-    """The octahedral map: the sphere, the octahedron, and the square it is folded into."""
     p = drawing.panel((210, 225), 130)
     p.circle((0, 0), 1.0, GREY, THIN, dash=True)
     p.line([(0, 1), (1, 0), (0, -1), (-1, 0)], INK, closed=True)
@@ -61,7 +59,6 @@ def draw_octahedron(drawing: Drawing):
         "Surfaces are written into a G-buffer with depth; lights read it and write radiance; emission is added; the forward "
         "path does all at once")
 def draw_passes(drawing: Drawing):
-    """The passes of a frame, and the images between them."""
     p = drawing.panel((0, 0), 1)
 
     def box(x, y, wide, text, fill, color):

@@ -7,7 +7,6 @@ from drawing import BLUE, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREEN, PALE_
         "Each workgroup reads a tile of 64 by 64 texels and makes six levels of it; each counts when it has finished, and the "
         "one that finds all others counted makes the last six levels")
 def draw_tiles(drawing: Drawing):
-    """The single pass: tiles of 64x64 texels, each workgroup's output, and the last workgroup's."""
     p = drawing.panel((40, 90), 40)
     for x in range(4):
         for y in range(4):
@@ -52,7 +51,6 @@ def row(p, y: float, shares: list[tuple[float, float]]):
         "Seven texels become three. Two by two leaves the seventh out and shifts the rest; three taps weigh each texel by how "
         "much of it lies under the new one")
 def draw_weights(drawing: Drawing):
-    """Seven texels become three: the weights of 2x2 means, and of three taps."""
     p = drawing.panel((70, 60), 74)
     row(p, 3.75, [(0, 2), (2, 4), (4, 6)])
     p.text((7.2, 5.4), "2×2: nobody\ntakes texel 6", RED, SMALL, anchor="start")

@@ -8,7 +8,6 @@ from drawing import (BLUE, FAINT, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREE
         "A line of texels. A workgroup's own texels lie in the middle, and as many as the radius on each side are its apron. "
         "Each thread reads some of them once; after the barrier it sums a stretch around its own")
 def draw_apron(drawing: Drawing):
-    """The texels that a workgroup of a line blur keeps in shared memory: its own, and an apron on each side."""
     p = drawing.panel((50, 130), 40)
     for i in range(20):
         own = 5 <= i < 15
@@ -47,7 +46,6 @@ def around(d: float) -> list[tuple[float, float]]:
         "filter on the way down: the middle and four corners of the new texel. Right, on the way up: eight points on a "
         "diamond around the new texel")
 def draw_kernels(drawing: Drawing):
-    """Where Kawase's filter and the dual filter read, and with which weights."""
     p = drawing.panel((160, 215), 34)
     grid(p, 7)
     p.box((-0.5, -0.5), (0.5, 0.5), INK, THIN, fill=PALE_BLUE)
@@ -84,7 +82,6 @@ def knee(luminance: float, threshold: float, w: float) -> float:
         "What passes a threshold t: a hard one lets all pass from one luminance on, with a step; a soft one begins at t - w "
         "with a parabola and goes on as a straight line from t + w")
 def draw_knee(drawing: Drawing):
-    """How much of a luminance passes a hard and a soft threshold."""
     p = drawing.panel((70, 70), 140)
     q = drawing.panel((500, 70), 140)
     for panel in (p, q):
@@ -110,7 +107,6 @@ def draw_knee(drawing: Drawing):
         "small Gaussian. Right, tents of four reads bring it up again; for a sum of Gaussians each level's own light is added "
         "on the way")
 def draw_pyramid(drawing: Drawing):
-    """A pyramid: halved on the way down, blurred once where it is smallest, brought up by tents."""
     p = drawing.panel((30, 4), 30)
     widths, tops = (8, 4, 2, 1), (10.6, 6.4, 3.6, 1.8)
     for i, (width, top) in enumerate(zip(widths, tops)):

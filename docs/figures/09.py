@@ -40,7 +40,6 @@ def code(light: float) -> float:
         "What is shown of grey light from 6 stops below middle grey to 8 above: clamp ends at 3.3 stops with a corner, "
         "neutral bends just before, Hill's curve is S-shaped, AgX and Reinhard bend long before")
 def draw_curves(drawing: Drawing):
-    """Tone curves over stops: displayed codes of grey light, at equal middle grey."""
     p = drawing.panel((430, 70), 52)
     tall = 6.2
     p.arrow((-7, 0), (8.4, 0), INK)
@@ -71,7 +70,6 @@ CODES = ("grain", "dither")
         "Effects in their order: three that look at other pixels, a pass each; then, all in one pass, exposure and white "
         "balance on light, the tone curve, nine on what a screen shows, grain and dither on codes")
 def draw_stack(drawing: Drawing):
-    """The order of the effects, and which of them share a pass."""
     p = drawing.panel((20, 40), 86)
 
     def box(x, y, words, fill, wide=1.36, high=0.62):
@@ -109,7 +107,6 @@ def image_of(distance: float) -> float:
         "A lens focused at f: light of a point at f meets in one point of the sensor. Light of a point at z, farther away, "
         "meets in front of the sensor and spreads again to a disc there")
 def draw_thin_lens(drawing: Drawing):
-    """A thin lens focused at one distance, and the disc that a farther point becomes on the sensor."""
     p = drawing.panel((560, 200), 105)
     sensor, near = image_of(FOCUS), image_of(FAR)
     p.line([(-5.2, 0), (2.4, 0)], GREY, THIN, dash=True)

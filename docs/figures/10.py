@@ -10,7 +10,6 @@ from drawing import (BLUE, FAINT, GREEN, GREY, INK, LIGHT, PALE_BLUE, PALE_GREEN
         "The density of fog falls by a factor of e with each scale height. A path that climbs leaves it, a level one stays, "
         "and one that sinks gets into ever more")
 def draw_fog(drawing: Drawing):
-    """Fog that thins with height: three paths of one length through it."""
     p = drawing.panel((60, 50), 130)
     p.arrow((0, 0), (0, 2.3), INK, "height", offset=(40, -4))
     p.arrow((0, 0), (2.2, 0), INK)
@@ -46,7 +45,6 @@ def arc(radius, first, last, steps=60):
         "An eye looks along a path through the air of a planet; at places on it sunlight, having come through the air, is "
         "scattered towards the eye")
 def draw_path(drawing: Drawing):
-    """Where a pixel's light comes from: the ground's, dimmed, and at each place on the path some of the sun's, turned."""
     p = drawing.panel((450, -1010), 300)
     p.line(arc(TOP, -20, 20) + arc(GROUND, 20, -20), None, fill=PALE_BLUE, closed=True)
     p.line(arc(GROUND, -20, 20) + [on(3.7, 20), on(3.7, -20)], None, fill=PALE_GREY, closed=True)
@@ -95,7 +93,6 @@ def g_of(mean):
         "Polar diagrams of phase functions: Rayleigh's, forward and back alike; Henyey and Greenstein's and Cornette and "
         "Shanks' with a mean cosine of 0.6, mostly forward. Drawn is the root of each")
 def draw_phase(drawing: Drawing):
-    """Which way light goes that is scattered: Rayleigh's function, and two for dust with the same mean cosine."""
     g = g_of(MEAN)
     for origin, lobes, words in (((200, 175), ((rayleigh, BLUE),), "molecules: Rayleigh"),
                                  ((560, 175), ((lambda c: henyey_greenstein(c, MEAN), RED),
@@ -116,7 +113,6 @@ def draw_phase(drawing: Drawing):
         "The table of transmittance is read by that of multiple scattering, and both by those of the sky and of the volume "
         "before the eye, which the last pass reads")
 def draw_tables(drawing: Drawing):
-    """Four tables: the inputs of each, and the changes that rebuild it."""
     p = drawing.panel((0, 0), 1)
 
     def box(x, y, title, words, fill):

@@ -18,7 +18,6 @@ def distance(balls: list, x: float) -> float:
         "A cone from the eye around the rays of a tile of pixels. Spheres along its axis are empty; the pre-pass stops where "
         "they no longer hold the cone, and each pixel's ray begins there")
 def draw_cone(drawing: Drawing):
-    """The pre-pass: a cone around the rays of a tile, as far as it is empty, and from there each ray by itself."""
     p = drawing.panel((80, 200), 95)
     t = 0.9
     spheres = []
@@ -61,7 +60,6 @@ def heights(x: float, erosion: float, octaves: int = 7) -> float:
         "Two mountain lines over each other: a plain sum of octaves is rough everywhere, the eroded one is rough on its "
         "heights and in its valleys and smooth on its slopes")
 def draw_erosion(drawing: Drawing):
-    """A sum of octaves, and the same with each octave weighted by how steep those before it are, along a line."""
     for row, (erosion, color, name) in enumerate(((0.0, RED, "fBm: rough everywhere"), (1.0, BLUE, "eroded: steep places are smooth"))):
         p = drawing.panel((40, 250 - 165 * row), 56)
         p.line([(0, -1.1), (14.6, -1.1)], FAINT, THIN)
@@ -76,7 +74,6 @@ MARCHED = [((2.6, 1.25), 0.75), ((7.0, -0.35), 0.75)]
         "Above, a ray is marched by steps as long as the distance to the nearest ball: the spheres around its points touch. "
         "Below, each step is 1.4 times as long; where two spheres leave a gap between them the ray goes back")
 def draw_march(drawing: Drawing):
-    """A ray marched by distances, and by steps 1.4 times as long, with a way back."""
     for row, relaxation in enumerate((1.0, 1.4)):
         p = drawing.panel((60, 490 - 330 * row), 100)
         for center, radius in MARCHED:
@@ -107,7 +104,6 @@ def draw_march(drawing: Drawing):
         "Left: a grid of square rings, each of cells twice as large as the one within. Right: where two rings meet the inner "
         "one has a vertex more, which opens a crack; moved onto its neighbour it closes it")
 def draw_rings(drawing: Drawing):
-    """Rings of a grid around the eye, and the seam where two of them meet."""
     p = drawing.panel((220, 250), 22)
     for ring, cell in ((2, 4), (1, 2), (0, 1)):
         half = 2 * cell

@@ -11,7 +11,6 @@ from drawing import (BLUE, FAINT, GREEN, INK, ORANGE, PALE_BLUE, PALE_GREEN, PAL
         "level 1, and so on to level 5. A wait precedes each dispatch but the first. All levels are added, each with its "
         "weights for red, green and blue")
 def draw_chain(drawing: Drawing):
-    """Each Gaussian is made from the one before it, along u and then along v."""
     p = drawing.panel((40, 8), 40)
     boxes = ((0, "irradiance", PALE_GREY), (5.2, "level 0", PALE_GREEN), (10.4, "level 1", PALE_GREEN), (15.6, "level 5", PALE_GREEN))
     for x, name, fill in boxes:
@@ -46,7 +45,6 @@ def edge(x: float, color: str) -> float:
         "Light begins at 0 mm. Blue and green rise within half a millimetre; red begins 3 mm within the shadow and is full 3 "
         "mm within the light")
 def draw_edge(drawing: Drawing):
-    """An edge of light on skin: the spread of red, green and blue into the shadow."""
     p = drawing.panel((440, 60), 96)
     p.arrow((-4.2, 0), (4.2, 0), INK, "mm", offset=(24, 0))
     for x in range(-4, 5, 2):
@@ -66,7 +64,6 @@ def draw_edge(drawing: Drawing):
         "Light meets skin. Three percent of it is reflected by the oil on the surface. The rest goes in, is scattered many "
         "times, and leaves at a distance r: blue and green near where they entered, red farther")
 def draw_path(drawing: Drawing):
-    """Light in skin: some is reflected by the oil, the rest goes in, is scattered, and leaves somewhere else."""
     p = drawing.panel((60, 60), 78)
     p.box((0, -0.1), (10, 1.9), INK, THIN, fill=PALE_ORANGE)
     p.line([(0, 1.9), (10, 1.9)], INK, 4)
@@ -90,7 +87,6 @@ def draw_path(drawing: Drawing):
         "surface: the same texel is a third of a millimetre along u and one millimetre along v, and there the Gaussian is "
         "round")
 def draw_stretch(drawing: Drawing):
-    """A texel of the map is not square on the head, and not everywhere as wide."""
     p = drawing.panel((50, 60), 34)
     for i in range(9):
         p.line([(i, 0), (i, 7)], INK, THIN)

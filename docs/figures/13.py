@@ -18,7 +18,6 @@ def passes():
         "A line of eleven pixels. First each knows one step to the right, but for the last. In each pass it adds what the "
         "pixel at the end of its stretch knows, so that stretches double: two, four, eight, and all ten")
 def draw_doubling(drawing: Drawing):
-    """Line lengths by recursive doubling: each pass adds the distance stored at the end of the stretch."""
     p = drawing.panel((210, 30), 58)
     rows = list(passes())
     heights = (4.8, 3.3, 1.8, 0.3)
@@ -37,7 +36,6 @@ def draw_doubling(drawing: Drawing):
         "where the line ends: no telling. Both, and the line seems to go on: two things touch with their corners, and the "
         "outlines part")
 def draw_ends(drawing: Drawing):
-    """Crossing edges at the end of a line, and the side to which the outline then turns."""
     fills = {"0": PALE_GREY, "1": PALE_BLUE, "2": PALE_ORANGE}
     # Colours of above left, above right, below left, below right.
     squares = (("above: turns up", "0", "1", "1", "1", 1), ("below: turns down", "0", "0", "1", "0", -1),
@@ -74,7 +72,6 @@ LENGTH = 8  # of the line in the middle, pixels
         "down at its right. The outline goes from half a pixel above the line at one end to half a pixel below at the other, "
         "and through the line in its middle. Triangles lie between the two")
 def draw_outline(drawing: Drawing):
-    """An edge on whole pixels, the outline that it stands for, and the area between the two."""
     p = drawing.panel((60, 110), 64)
     for x in range(-1, 12):
         for y in (-1, 0):

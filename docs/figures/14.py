@@ -10,7 +10,6 @@ from drawing import (BLUE, EYE, FAINT, GREEN, GREY, INK, MIRROR, NORMAL, PALE_GR
         "A room from above, with a probe in its middle and a mirror to the left. The reflected ray meets the right wall; from "
         "the probe the same place lies in another direction than the ray's")
 def draw_box(drawing: Drawing):
-    """A probe's cube is looked up along the way from its own middle to the wall, not along the reflected ray."""
     p = drawing.panel((450, 205), 165)
     p.box((-2, -1.1), (2, 1.1), INK, 4, fill=PALE_GREY)
     place, hit = (-1.2, -0.6), (2.0, 0.75)
@@ -43,7 +42,6 @@ def measured(t: float) -> float:
         "The measured level of a drum, grey, and the smoothed level, blue, which reaches each beat within hundredths of a "
         "second and falls to 37 percent in 150 milliseconds")
 def draw_levels(drawing: Drawing):
-    """The level of a band: it rises fast with a beat and falls slowly after it."""
     p = drawing.panel((60, 60), 740)
     high = 0.26
     p.arrow((0, 0), (1.2, 0), GREY, "*t*", width=2)
@@ -81,7 +79,6 @@ def reflected(angle: float) -> float:
         "The lobe of a rough reflection: its peak and its middle lie between the mirror direction and the normal, along the "
         "dominant direction")
 def draw_lobe(drawing: Drawing):
-    """A rough reflection leans from the mirror direction towards the normal."""
     p = drawing.panel((430, 50), 290)
     p.ground(-1.3, 1.3)
     angles = [-89 + i for i in range(179)]

@@ -10,7 +10,6 @@ from drawing import (BLUE, FAINT, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREE
         "A transform of eight amplitudes in three steps. In each step four pairs become their sum and their difference, and "
         "the difference is turned")
 def draw_butterfly(drawing: Drawing):
-    """Butterflies of a transform of eight values: three steps of four pairs, each a sum and a turned difference."""
     p = drawing.panel((150, 60), 1)
     columns, row = [0, 200, 400, 600], 40
     size = 8
@@ -44,7 +43,6 @@ def height(x: float) -> float:
         "A height field drawn with short cells near the camera and cells twice and four times as long farther away; in front "
         "of each border every second vertex moves onto its neighbour")
 def draw_chunks(drawing: Drawing):
-    """Chunks of the ground in one dimension: triangles of three levels under a camera, and the vertices that move."""
     p = drawing.panel((60, 190), 92)
     p.line([(i * 0.02, height(i * 0.02)) for i in range(421)], GREY, THIN)
     for first, last, cell, color in ((0.0, 2.0, 0.25, GREEN), (2.0, 4.0, 0.5, BLUE), (4.0, 8.0, 1.0, ORANGE)):
@@ -64,7 +62,6 @@ def draw_chunks(drawing: Drawing):
         "A camera above a lake: one ray meets a mountain, one is mirrored by the water and partly goes down to the bed, one "
         "passes two panes of glass")
 def draw_frame(drawing: Drawing):
-    """One frame's three problems: ground at every distance, reflection and refraction in water, glass before both."""
     p = drawing.panel((0, 90), 50)
     bed = [(0, 0.7), (2, 0.6), (4.5, -0.6), (8, -0.9), (11, -0.3), (12.6, 0.9), (13.8, 2.6), (15, 3.4), (16.2, 5.2), (17.2, 6.1), (18.2, 5.3),
            (19, 4.9), (20, 4.6), (20, -1.8), (0, -1.8)]
@@ -108,7 +105,6 @@ def moved(x: float, steepness: float) -> tuple[float, float]:
         "A sine wave, dashed, and a Gerstner wave of the same amplitude: water at rest on a line moves on circles, forward on "
         "the crest and back in the trough; crests become sharp and troughs broad")
 def draw_gerstner(drawing: Drawing):
-    """A Gerstner wave: water moves in circles, and gathers below the crests."""
     p = drawing.panel((60, 175), 80)
     first, last = 0.0, 11.0
     p.line([moved(first + 0.05 * i, 1.0) for i in range(int((last - first) / 0.05) + 1)] + [(last, -1.3), (first, -1.3)], None,
@@ -136,7 +132,6 @@ SHEETS = [(2.4, 0.5, ORANGE, PALE_ORANGE), (5.0, 0.3, GREEN, PALE_GREEN), (7.6, 
         "A ray passes three panes; the transmittance falls at each pane from 1 to 0.5, 0.35 and 0.14; the share of each pane "
         "in the pixel is its opacity times the transmittance before it")
 def draw_layers(drawing: Drawing):
-    """Layers of glass along a ray: each one's transmittance, and the light that reaches the camera."""
     p = drawing.panel((60, 265), 80)
     p.eye((0.2, 0.7), 0, 40)
     p.line([(0.5, 0.7), (10.6, 0.7)], GREY, THIN)
@@ -168,7 +163,6 @@ def draw_layers(drawing: Drawing):
         "A camera above a lake sees a tower in the water; the ray to the mirrored tower is the mirrored camera's ray to the "
         "tower itself; the bed of the lake below the surface is clipped")
 def draw_mirror(drawing: Drawing):
-    """The camera below the water, with the water as near plane."""
     p = drawing.panel((80, 210), 80)
     p.line([(0, 0), (10.6, 0), (10.6, -0.9), (8.6, -1.2), (2.0, -1.3), (0, -0.9)], None, fill=PALE_BLUE)
     p.line([(0, -0.9), (2.0, -1.3), (8.6, -1.2), (10.6, -0.9), (10.6, -2.4), (0, -2.4)], None, fill=PALE_GREY)
@@ -239,7 +233,6 @@ def true(z0: float) -> float:
         "Six layers in two groups along a ray; the true transmittance falls in six steps, that of four moments in a smooth "
         "curve with two falls")
 def draw_moments(drawing: Drawing):
-    """The transmittance along a ray that four moments describe, beside the true one."""
     p = drawing.panel((500, 70), 420)
     high = 0.55
     p.arrow((-1.05, 0), (1.08, 0), GREY, "*z*", width=2)
@@ -262,7 +255,6 @@ HEIGHTS = [0.3, 0.5, 0.4, 0.7, 0.9, 0.6, 0.5, 0.8, 1.2, 1.6, 1.9, 1.5, 1.1, 0.9,
         "A ray comes down over a height field. Where it stays above the greatest height of four or two cells it passes them "
         "in one step; near the ground it looks at single cells")
 def draw_pyramid(drawing: Drawing):
-    """A ray over a pyramid of greatest heights: blocks that it passes above are skipped whole."""
     p = drawing.panel((60, 30), 48)
     for size, color in ((4, PALE_GREY), (2, GREY)):
         for first in range(0, 16, size):

@@ -11,7 +11,6 @@ RADIUS, HEIGHT, CENTER = 1.5, 0.7, 5.4
         "A ray enters a ball, passes its centre at a distance, and leaves it; half a chord lies to either side of the nearest "
         "place. Samples stand in the middles of equal steps; a wall ends the ray")
 def draw_ray(drawing: Drawing):
-    """A ray through a ball: where it enters and leaves, the nearest place to the centre, and samples in the middles of steps."""
     p = drawing.panel((70, 250), 95)
     half = sqrt(RADIUS * RADIUS - HEIGHT * HEIGHT)
     enters, leaves = CENTER - half, CENTER + half

@@ -11,7 +11,6 @@ RADIUS, NORMAL, SUN_ANGLE, CAMERA = 1.6, 70, 125, 25
         "A place of a ball with its normal, the directions to the sun and to the camera, and the phase angle between those "
         "two; the terminator and the limb")
 def draw_angles(drawing: Drawing):
-    """The angles of reflection on a ball: normal, sun, camera, and the phase angle between the last two."""
     p = drawing.panel((390, 200), 100)
     p.circle((0, 0), RADIUS, GREY, THIN, fill=PALE_GREY)
     at = polar(RADIUS, NORMAL)
@@ -57,6 +56,5 @@ def half(p, squeeze: float, title: str) -> None:
         "A flattened planet with its rings from the side, and both stretched along the axis: the planet is a ball, the ray is "
         "steeper, and the shadow ends at the same place of the rings")
 def draw_stretch(drawing: Drawing):
-    """Saturn and its rings from the side, with the shadow on them; and the same stretched along the axis, where the planet is a ball."""
     half(drawing.panel((290, 210), 92), 1 - FLATTENING, "as it is")
     half(drawing.panel((770, 210), 92), 1.0, "stretched by 1 / (1 − f)")

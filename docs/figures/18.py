@@ -7,7 +7,6 @@ from drawing import BLUE, GREEN, GREY, INK, ORANGE, PALE_ORANGE, RED, SMALL, THI
         "The eye's ray through the mouse passes an axis of the gizmo; the closest points of both lines are joined by a line "
         "that is perpendicular to both")
 def draw_axis(drawing: Drawing):
-    """The mouse's ray and an axis of the gizmo, the closest points of both, and the angle between them."""
     p = drawing.panel((80, 80), 100)
     p.eye((0.1, 2.2), -20)
     pivot, tip = (1.6, 0.2), (6.6, 1.2)
@@ -33,7 +32,6 @@ CHOSEN = {"vase", "flower"}
         "A tree: scene, table with leg and vase, a flower below the vase, lamps. Vase and flower are selected: the vase moves "
         "to the lamps, the flower goes with it; the flower cannot become the vase's parent")
 def draw_tree(drawing: Drawing):
-    """A selection in a tree: moved entries, entries moved along, and refused parents."""
     p = drawing.panel((170, 60), 100)
     for upper, lower in LINKS:
         p.line([NODES[upper], NODES[lower]], GREY, THIN)

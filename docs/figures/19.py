@@ -27,7 +27,6 @@ def curve(power: float) -> list:
         "Two Catmull-Rom curves between two near keys: the uniform one swings out beyond both, the centripetal one stays near "
         "the line")
 def draw_knots(drawing: Drawing):
-    """Four keys, two of them close together, and the uniform and the centripetal curve through them."""
     for left, power, color, name in ((215, 0.0, ORANGE, "uniform: knots 0, 1, 2, 3"), (645, 0.5, BLUE, "centripetal: knots √distance apart")):
         p = drawing.panel((left, 215), 80)
         p.line(KEYS, GREY, THIN, dash=True)
@@ -56,7 +55,6 @@ def knot_at(time: float, smooth: bool) -> tuple[float, float]:
 @figure("19_timing", 860, 300,
         "Two plots over time: the knot with a corner at each key and without; its slope, a staircase and a line without a jump")
 def draw_timing(drawing: Drawing):
-    """The parameter of a path over time, and its slope, which scales the speed."""
     for left, which, scale, name in ((40, 0, 0.55, "knot t"), (480, 1, 1.1, "its slope, which scales the speed")):
         p = drawing.panel((left, 50), 82)
         p.arrow((0, 0), (4.25, 0), GREY)
