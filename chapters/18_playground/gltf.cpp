@@ -322,17 +322,23 @@ class Exporter {
         };
         own["pbrMetallicRoughness"] = json::object();  // its place: what is inserted later moves it
         json pbr;
+        // Numbers of the object replace those of its orm map, which glTF multiplies: both do without the texture.
         const glm::vec2 numbers = metalness_and_roughness(item);
-        const bool is_tinted = item.transparent && m.transmission.r >= 0.0f, is_glass = is_tinted && numbers.x < 1.0f;
+        const bool by_orm = bool(item.loaded_maps[MapSlot::orm]), is_plain = item.metalness >= 0 && item.roughness >= 0;
+        if (!by_orm || !is_plain)
+            set(pbr, "metallicRoughnessTexture", by_orm ? MapSlot::orm : MapSlot::metallic_roughness);
+        if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
+        if (by_orm && !is_plain && (item.metalness > 0 || item.roughness >= 0))
+            leave_out(left_out, "one number in place of a map", "material");
+        const bool has_texture = pbr.contains("metallicRoughnessTexture");
+        pbr["metallicFactor"] = by_orm && item.metalness < 0 ? 1.0f : numbers.x;
+        pbr["roughnessFactor"] = by_orm && item.roughness < 0 ? 1.0f : numbers.y;
+        const float metalness = has_texture ? 0.0f : numbers.x;  // where a texture says what is metal, glass is not
+        const bool is_tinted = item.transparent && m.transmission.r >= 0.0f, is_glass = is_tinted && metalness < 1.0f;
         if (is_tinted && !is_glass) leave_out(left_out, "transmission of a metal", "material");
         // Glass without a body has the tint as its base colour; another's tint is absorbed on the way through it.
         const glm::vec3 base = is_glass && m.opacity == 0.0f ? m.transmission : m.diffuse;
         pbr["baseColorFactor"] = {base.x, base.y, base.z, is_glass ? 1.0f : m.opacity};
-        const bool by_orm = set(pbr, "metallicRoughnessTexture", MapSlot::orm);
-        if (by_orm) set(own, "occlusionTexture", MapSlot::orm);
-        if (!by_orm) set(pbr, "metallicRoughnessTexture", MapSlot::metallic_roughness);
-        pbr["metallicFactor"] = by_orm ? 1.0f : numbers.x;
-        pbr["roughnessFactor"] = by_orm ? 1.0f : numbers.y;
         const auto color = use_of(item, object, MapSlot::diffuse), opacity = use_of(item, object, MapSlot::opacity);
         if (opacity)
             pbr["baseColorTexture"] = textures_.texture(color, *opacity);
@@ -345,7 +351,7 @@ class Exporter {
         set(own, "emissiveTexture", MapSlot::emissive);
         json extensions = json::object();
         own["emissiveFactor"] = emission(m, extensions);
-        if (is_glass) add_glass(m, base, numbers.x, extensions);
+        if (is_glass) add_glass(m, base, metalness, extensions);
         if (m.unlit) {
             extensions["KHR_materials_unlit"] = json::object();
             writer.extensions.insert("KHR_materials_unlit");

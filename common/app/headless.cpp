@@ -12,6 +12,7 @@
 #include "common/base/files.h"
 #include "common/base/patience.h"
 #include "common/base/statistics.h"
+#include "common/base/text.h"
 #include "common/gpu/capture.h"
 
 namespace lightwalk {
@@ -19,13 +20,30 @@ namespace {
 
 using nlohmann::json;
 
-void report_non_finite(Gpu& gpu, const Image& linear, const std::string& why) {
+void report_non_finite(const ImageRgb& linear, const std::string& why) {
     size_t nan = 0, infinite = 0;
-    for (const glm::vec3& pixel : read_linear(gpu, linear).pixels)
+    for (const glm::vec3& pixel : linear.pixels)
         for (int i = 0; i < 3; ++i) std::isnan(pixel[i]) ? ++nan : infinite += std::isinf(pixel[i]);
     if (nan || infinite)
         throw Failure("the HDR target holds {} NaN and {} infinite values{}{}", nan, infinite, why.empty() ? "" : ": ",
                       why);
+}
+
+// A picture of nothing is rarely meant.
+void warn_of_black(const Options& options, const Image8& picture, const ImageRgb& linear, const Frame& frame) {
+    if (options.pictures || !options.look.empty()) return;
+    for (const glm::u8vec4& pixel : picture.pixels)
+        if (pixel.r || pixel.g || pixel.b) return;
+    float most = 0;
+    for (const glm::vec3& pixel : linear.pixels) most = std::max({most, pixel.r, pixel.g, pixel.b});
+    if (most > 0)
+        return warn("{} is entirely black, and its linear light reaches {:.2g}: look at the exposure and the last pass",
+                    options.screenshot, most);
+    std::string passes, last;
+    for (const auto& [pass, view] : frame.outputs)
+        if (pass != std::exchange(last, pass)) passes += (passes.empty() ? "" : ", ") + pass;
+    warn("{} is entirely black: look at the camera, at the lights and at what each pass wrote, --look PASS: {}",
+         options.screenshot, passes);
 }
 
 json timings_json(const Gpu& gpu, const Options& options, const Chapter& chapter,
@@ -138,8 +156,13 @@ int run_headless(const Options& options, Chapter& chapter, std::unique_ptr<Gpu>&
     frame.finish();
     look.check(frame);
     // Checked first, so that an invalid picture does not overwrite a valid file.
-    report_non_finite(gpu, frame.linear(), chapter.why_not_finite());
-    if (!options.screenshot.empty()) write_png(options.screenshot, read_picture(gpu, look.picture(frame, looked_at)));
+    const ImageRgb linear = read_linear(gpu, frame.linear());
+    report_non_finite(linear, chapter.why_not_finite());
+    if (!options.screenshot.empty()) {
+        const Image8 picture = read_picture(gpu, look.picture(frame, looked_at));
+        write_png(options.screenshot, picture);
+        warn_of_black(options, picture, linear, frame);
+    }
     if (!options.timings.empty()) {
         json timings = timings_json(gpu, options, chapter, first_times, times, recording_ms);
         if (!gpu.device.software_paths) recording_ms = recording_in_a_row(chapter, frame, options);

@@ -10,7 +10,7 @@ HELP = """Writes a new chapter that builds, draws and is tested: replace its exa
 
   ./course new 20_caustics     chapters/20_caustics, shaders/20_caustics, tests/20_caustics, docs/20_caustics.md
 
-The name is the chapter's number, two digits after the last chapter's, and a title of lower-case letters, digits and _.
+The name is the chapter's number, the one after the last chapter's, and a title of lower-case letters, digits and _.
 Nothing is written if a chapter has that number or that title."""
 
 NAME = re.compile(r"([0-9]{2})_([a-z][a-z0-9]*(?:_[a-z0-9]+)*)")
@@ -342,6 +342,9 @@ def refusal(name: str) -> str:
             return f"there is a chapter {other} already; the last chapter is {last}"
     if match[1] < last[:2]:
         return f"chapter {match[1]} would come before the last one, {last}, and may use only earlier chapters"
+    following = f"{int(last[:2]) + 1:02}_{match[2]}"
+    if name != following:
+        return f"chapter {match[1]} would leave a gap after the last one, {last}; the next is {following}"
     taken = [path for path in written(name) if (ROOT / path).exists()]
     return f"{taken[0]} exists already; nothing was written" if taken else ""
 

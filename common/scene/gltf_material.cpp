@@ -77,13 +77,17 @@ class GltfMaterials {
     // KHR_materials_transmission as a thin sheet: of the share `through` that passes into it, the base colour passes on, and
     // of KHR_materials_volume, for a straight path, the attenuation colour to the power of thickness / distance.
     void read_glass(const json& from, const json& glass, Material& m) {
-        const float through = value_or(glass, "transmissionFactor", 0.0f) * (1 - m.metalness);
+        // Where a texture says what is metal, nothing there is: metals transmit no light.
+        const float metalness = m.metallic_roughness_map ? 0.0f : m.metalness;
+        const float through = value_or(glass, "transmissionFactor", 0.0f) * (1 - metalness);
         if (value_or(glass, "transmissionFactor", 0.0f) > 0) m.illumination = 4;  // MTL's number of glass
         if (glass.contains("transmissionTexture"))
             leave_out(model_, "KHR_materials_transmission's texture", "material");
         if (!(through > 0)) return;
         if (m.alpha_cutoff > 0) return leave_out(model_, "KHR_materials_transmission beside holes", "material");
         if (m.diffuse_map) leave_out(model_, "KHR_materials_transmission's tint by a base colour texture", "material");
+        if (m.metallic_roughness_map && m.metalness > 0)
+            leave_out(model_, "KHR_materials_transmission's metal by a texture", "material");
         glm::vec3 tint = m.diffuse;
         if (const json* volume = extension(from, "KHR_materials_volume")) {
             const float thickness = value_or(*volume, "thicknessFactor", 0.0f);

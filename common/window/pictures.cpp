@@ -85,9 +85,10 @@ std::string load_key(const Options& options, const Chapter& chapter) {
 
 void Pictures::draw_file(const Words& words) {
     std::unique_ptr<Chapter> chapter;
-    const auto options = read(words, chapter);
+    auto options = read(words, chapter);
     if (!options || options->screenshot.empty() || options->automatic)
         throw InputError("a picture of a list has a --screenshot, and no --method auto");
+    options->pictures = true;
     const std::string key = load_key(*options, *chapter);
     if (key == before_key_) chapter->scene = std::move(before_);
     before_key_.clear();

@@ -143,6 +143,35 @@ TEST_CASE("glass is exported as thin transmission, and its tint beside a body as
     CHECK(glm::length(back.materials[1].transmission - glm::vec3(0.25f, 0.1f, 0)) < 1e-6f);
 }
 
+// glTF 2.0, 3.9.2: metalness and roughness are the texture's channels times the factors. The object's numbers replace the map's.
+TEST_CASE("a map of occlusion, roughness and metalness is exported with its factors, glass beside it as glass") {
+    const TestFolder folder;
+    write_png(folder.path / "orm.png", Image8(4, 4, {255, 128, 0, 255}));
+    const std::string map = R"("maps": {"orm": ")" + (folder.path / "orm.png").string() + "\"}";
+    const std::string cube = R"({"model": "models/cube.obj", "material": {)";
+    write_file(folder.path / "scene.json",
+               R"({"objects": [)" + cube +
+                   R"("opacity": 0.25, "diffuse": [0.5, 0.25, 1], "transmission": [0.5, 0.25, 1], )" + map + "}}," +
+                   cube + map + "}}," + cube + R"("metalness": 0.5, "roughness": 0.25, )" + map + "}}," + cube +
+                   R"("metalness": 0, )" + map + "}}]}");
+    Playground chapter;
+    chapter.name = "18_playground";
+    load_scene(chapter, check_device(), folder.path / "scene.json");
+    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
+    const Model back = import_model(folder.path / "out.gltf");
+    const auto numbers = [&](size_t i) {
+        const Material& m = back.materials.at(i);
+        CHECK(m.occlusion_map);
+        return std::tuple(m.metalness, m.roughness, bool(m.metallic_roughness_map));
+    };
+    CHECK(numbers(0) == std::tuple(1.0f, 1.0f, true));
+    CHECK(back.materials[0].opacity == 0.25f);
+    CHECK(glm::length(back.materials[0].transmission - glm::vec3(0.5f, 0.25f, 1)) < 1e-6f);
+    CHECK(numbers(1) == std::tuple(1.0f, 1.0f, true));
+    CHECK(numbers(2) == std::tuple(0.5f, 0.25f, false));
+    CHECK(numbers(3) == std::tuple(0.0f, 1.0f, true));
+}
+
 // B. Karis, "Specular BRDF reference", 2013: an exponent is 2 / alpha² - 2, alpha the square of roughness.
 TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
     const TestFolder folder;

@@ -196,6 +196,17 @@ class Refused(BadInput):
             model = self.write("a.obj", f"mtllib {name}\n{TRIANGLE}vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n")
             self.fine(CHAPTERS["02"], "--scene", model, said=rf"warning: [^\n]*{says}[^\n]*\n")
 
+    def test_a_black_picture_is_told(self):
+        dark = {"objects": [CUBE], "lights": [], "ambient": [0, 0, 0], "background": [0, 0, 0]}
+        told = rf"warning: {re.escape(str(self.picture))} is entirely black"
+        self.fine(CHAPTERS["02"], "--scene", self.file("dark.json", dark),
+                  said=told + ": look at the camera, at the lights and at what each pass wrote, --look PASS: shade, shade depth, encode_srgb\n")
+        faint = dark | {"ambient": [1e-5, 1e-5, 1e-5]}
+        self.fine(CHAPTERS["02"], "--scene", self.file("faint.json", faint),
+                  said=told + r", and its linear light reaches \d[^\s]*: look at the exposure and the last pass\n")
+        self.fine(CHAPTERS["02"], "--scene", self.file("lit.json", dark | {"background": [0, 0, 1]}))
+        self.fine(CHAPTERS["02"], "--scene", self.file("dark.json", dark), "--look", "shade")
+
     @unittest.skipIf("sanitizer" in str(BUILD), "a sanitizer takes more addresses than any limit would leave")
     def test_little_memory(self):
         """For any driver, running out of memory is reported, and no file is blamed."""

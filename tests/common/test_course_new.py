@@ -25,7 +25,8 @@ class Refusals(Course):
                            ("03_", "is not a chapter's name"), ("03_a/b", "is not a chapter's name"),
                            ("../03_a", "is not a chapter's name"), ("02_caustics", "there is a chapter 02_lambert already"),
                            ("03_lambert", "there is a chapter 02_lambert already"),
-                           ("00_caustics", "chapter 00 would come before the last one, 02_lambert")):
+                           ("00_caustics", "chapter 00 would come before the last one, 02_lambert"),
+                           ("05_caustics", "chapter 05 would leave a gap after the last one, 02_lambert; the next is 03_caustics")):
             with self.subTest(name=name):
                 self.assertRegex(self.course("new", name, code=2), rf"\Acourse: [^\n]*{said}[^\n]*\n\Z")
         self.assertRegex(self.course("new", code=2), r"\Acourse: [^\n]*NN_name[^\n]*\n\Z")

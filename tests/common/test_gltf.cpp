@@ -249,6 +249,12 @@ TEST_CASE("glTF: thin transmission is a share of light by channel") {
     model = glass("[1, 1, 1, 1]", "1", "}");
     CHECK((model.materials[0].opacity == 1 && model.materials[0].transmission.r < 0 && !model.materials[0].blend));
     CHECK(near(glass("[1, 1, 1, 1]", "0.5", "}").materials[0], 0.625f, glm::vec3(1)));
+    // The factor of a texture is no metalness; where it says metal, nothing transmits.
+    model = Gltf().read(R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}}, "extensions":
+                        {"KHR_materials_transmission": {"transmissionFactor": 0.75}})",
+                        R"("nodes": [{"mesh": 0}], "textures": [{"source": 0}], "images": [{"uri": "orm.png"}])");
+    CHECK((near(model.materials[0], 0.25f, glm::vec3(1)) && model.materials[0].metalness == 1));
+    CHECK(left_out_text(model) == "KHR_materials_transmission's metal by a texture (1 material)");
     model = glass("[1, 0.5, 1, 1]", "0", R"(, "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 4,
                                            "attenuationColor": [0.25, 1, 0]}})");
     CHECK(near(model.materials[0], 0.25f, {0.5f, 0.5f, 0}));
