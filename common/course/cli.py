@@ -15,13 +15,8 @@ import sys
 from pathlib import Path
 
 from build.build import alone
-from commands import COMMANDS, MOVED, names, selected
+from commands import COMMANDS, MOVED, Parser, names, selected
 from tree import BUILD, CLOSED, ROOT, Failure, Unjudged, UsageError, copy_words, keep_environment, nearest, warn
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        raise UsageError(f"{message}; see ./course {self.command} --help")
 
 
 def main(words: list[str]) -> int:
@@ -38,7 +33,7 @@ def main(words: list[str]) -> int:
         return module.run_words(words[1:])
     parser = Parser(prog=f"./course {command}", formatter_class=argparse.RawDescriptionHelpFormatter,
                     description=module.HELP, allow_abbrev=False)
-    parser.command = key
+    parser.see = f"; see ./course {key} --help"
     module.add_arguments(parser)
     arguments, rest = parser.parse_known_args(words[1:])
     if rest and not getattr(module, "PASSES_OPTIONS", False):

@@ -1,5 +1,9 @@
 """The commands of ./course and the module of each; of a command with an option behind it, the module that the option selects."""
 
+import argparse
+
+from tree import UsageError
+
 # The help of all of them is in the shell script, which must print it without Python.
 COMMANDS = {
     "run": "run",
@@ -54,3 +58,10 @@ def selected(command: str, words: list[str]) -> str:
     """The key of COMMANDS that the words behind a command select."""
     keys = (f"{command} {word.partition('=')[0]}" for word in words)
     return next((key for key in keys if key in COMMANDS), command)
+
+
+class Parser(argparse.ArgumentParser):
+    see = ""  # behind each message: where help is
+
+    def error(self, message):
+        raise UsageError(message + self.see)

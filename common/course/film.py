@@ -191,11 +191,7 @@ def table(systems: list[dict]) -> str:
     lines = ["| scene | " + " | ".join(f"{head}: played | cut | processor | GPU sum | MLAA" for head in heads) + " |",
              "|---|" + "---:|" * (5 * len(systems))]
     for scene in systems[0]["scenes"]:
-        cells = []
-        for one in systems:
-            same = next((other for other in one["scenes"] if other["name"] == scene["name"]), None)
-            cells += cells_of(one, same)
-        lines.append(f"| {scene['name']} | " + " | ".join(cells) + " |")
+        lines.append(f"| {scene['name']} | " + " | ".join(cell for one in systems for cell in cells_of(one, scene["name"])) + " |")
     return "\n".join(lines)
 
 

@@ -1,6 +1,5 @@
 """The gallery: draws the best picture of each chapter while the programs are being built, then all others if asked."""
 
-import argparse
 import hashlib
 import json
 import os
@@ -12,6 +11,7 @@ from pathlib import Path
 
 from build.build import alone, build
 from build.programs import Programs
+from commands import Parser
 from many import shards, slurm
 from progress import Progress
 from shots.rendering import Drawing
@@ -23,13 +23,9 @@ WORKERS = 2  # beside the compiler
 REFRESH_S = 1.0  # between two versions of the page, at least
 
 
-class GalleryWords(argparse.ArgumentParser):
-    def error(self, message):
-        raise UsageError(f"{message}; see ./course run --help")
-
-
 def gallery_in_shards(words: list[str]) -> int:
-    parser = GalleryWords(add_help=False, allow_abbrev=False)
+    parser = Parser(add_help=False, allow_abbrev=False)
+    parser.see = "; see ./course run --help"
     shards.add_arguments(parser)
     slurm.add_arguments(parser)
     parser.add_argument("--out", type=Path)

@@ -133,13 +133,6 @@ class Film(unittest.TestCase):
             program.terminate()
         self.assertEqual(sorted(one.name for one in self.folder.iterdir()), ["a.part.raw", "a.raw", "theirs"])
 
-    def test_shards_are_all_frames_once(self):
-        for frames, count in ((6360, 16), (7, 3), (3, 5)):
-            cuts = [film.cut(frames, i, count) for i in range(1, count + 1)]
-            self.assertEqual([first for first, _ in cuts[1:]], [end for _, end in cuts[:-1]])
-            self.assertEqual((cuts[0][0], cuts[-1][1]), (0, frames))
-            self.assertLessEqual(max(end - first for first, end in cuts) - min(end - first for first, end in cuts), 1)
-
     def part(self, parts: Path, number: int, of: int = 3, **head):
         """A shard that holds its number as its film."""
         piece = self.folder / f"{number}.raw"
@@ -148,17 +141,10 @@ class Film(unittest.TestCase):
         shards.write(shards.file_of(parts, "film", shard), "film", shard, {"ending": ".raw", "music": None, **head},
                      {str(number): [number - 1, number]}, {"part.raw": piece})
 
-    def test_parts_are_merged_unless_one_is_missing_or_another_film_s(self):
+    def test_parts_are_merged_into_a_film_of_their_kind(self):
         parts, out = self.folder / "a.parts", self.folder / "a.raw"
-        self.part(parts, 1)
-        self.part(parts, 3)
-        with self.assertRaisesRegex(Failure, "of 3 shards one is missing: 2; .* --shard 2/3 makes it"):
-            film.merge(out, shards.merge([parts], "film"))
-        self.assertFalse(out.exists())
-        self.part(parts, 2, options=["--fps", "12"])
-        with self.assertRaisesRegex(UsageError, "differ in options"):
-            film.merge(out, shards.merge([parts], "film"))
-        self.part(parts, 2)
+        for number in (3, 1, 2):
+            self.part(parts, number)
         film.merge(out, shards.merge([parts], "film"))
         self.assertEqual(out.read_bytes(), bytes([1, 2, 3]))
         with self.assertRaisesRegex(UsageError, "the parts are .raw files"):

@@ -46,12 +46,8 @@ class Drawer(Drawing):
         return picture, f"exit code {code}: {wrong or said}" if code or said else ""
 
 
-class Live(Drawing):
+class Live(Drawer):
     """One program of a chapter that goes on: what it draws may depend on what it has drawn before."""
-
-    def __init__(self, chapter: str, folder: Path):
-        super().__init__(chapter)
-        self.folder, self.count = Path(folder), 0
 
     def draw(self, words: list, size: tuple, **request) -> tuple[Path, str]:
         """The picture of a request, which changes what `words` have loaded, and the error: empty if there is none."""

@@ -93,16 +93,6 @@ class Advice(unittest.TestCase):
     def question(self, **entry):
         return advice.Question("02_lambert_phong", {"id": "02.x", "question": "Which?", **entry}, (small(),))
 
-    def test_a_row_names_the_choice_what_is_dominated_and_where_it_fails(self):
-        table = advice.table(self.question(not_for=[{"method": "a", "where": "thin things", "test": "[02.seam]"}]))
-        self.assertEqual(table[2], "| s | `a`, taps 16: 12 ms, 0.02 | `slow` |")
-        self.assertEqual(table[-1], "- Not `a` for thin things (`[02.seam]`).")
-
-    def test_where_none_is_enough_a_cheaper_one_is_named_too(self):
-        table = advice.table(self.question(enough={"flip_mean": 0.01}, limit="a hundredth"))
-        self.assertEqual(table[2], "| s | *none is enough;* `a`, taps 16: 12 ms, 0.02; in half the time: `a`, taps 4, 6 ms, 0.2 | `slow` |")
-        self.assertIn("Enough: a hundredth.", table[-1])
-
     def test_blocks_are_filled_and_checked(self):
         with mock.patch.object(advice, "questions", return_value={"02.x": self.question()}):
             lines = ["before", "<!-- verdict: 02.x -->", "<!-- /verdict -->", "after"]

@@ -3,16 +3,13 @@
 
 import json
 import shutil
-import sys
 import unittest
 from unittest import mock
 
-from small_course import LESSON, Course
+from small_course import Course
 
 from check import check
-from test.check_unsolved import with_bodies
 from shots.rendering import Crashed
-from charts.study_file import Study, markdown_table
 
 
 class StillOpen(unittest.TestCase):
@@ -100,48 +97,6 @@ class Exercises(Course):
         self.assertIn("out of 2", self.run_program([folder / "course", "test"]).splitlines()[-1])
         self.course("handout", str(folder), code=2)
 
-    def test_a_check_must_refuse_the_starter_and_take_the_solution(self):
-        self.course("run", "01")
-        check = [sys.executable, self.root / "common/course", "test.check_unsolved", "01_obj"]
-        self.run_program(check)
-        self.put("chapters/01_obj/exercise/one.cpp", "right")
-        self.assertIn("01.one: the starter passes", self.run_program(check, code=1))
-        self.put("chapters/01_obj/solution/one.cpp", "wrong")
-        self.assertIn("01.one: the reference does not pass", self.run_program(check, code=1))
-
-    def test_the_checks_of_the_reference_are_in_the_report(self):
-        self.course("run", "01")
-        check = [sys.executable, self.root / "common/course", "test.results", "check", "01_obj"]
-        self.run_program(check)
-        result = json.loads((self.root / "build/results/check.01.json").read_text())
-        self.assertEqual((result["kind"], result["test"], len(result["rows"])), ("probe", "check.01", 1))
-        self.put("chapters/01_obj/solution/one.cpp", "wrong")
-        self.assertIn("01.one: one(0) gave 1, expected 0", self.run_program(check, code=1))
-
-    def test_a_chart_is_that_of_its_study(self):
-        self.course("run", "01")
-        charts = [sys.executable, self.root / "common/course", "test.results", "charts"]
-        point = {"scene": "a", "method": "b", "error": {"ulp": 1}, "mb_per_s": {"median": 2, "q1": 1, "q3": 3}}
-        study = {"chapter": "01_obj", "title": "t", "subject": "loader", "device": "d", "driver": "CPU", "stage": "s",
-                 "command": "c", "error_metric": "ulp", "time_unit": "MB/s", "points": [point]}
-        self.put("docs/studies/01_obj.cpu1.json", json.dumps(study))
-        printed = self.run_program(charts, code=1)
-        self.assertIn("docs/studies/01_obj.cpu1.md is not the table", printed)
-        self.assertNotIn("there is no docs/studies", printed)  # no lesson shows the chart
-        self.put("docs/studies/01_obj.cpu1.md", markdown_table(Study(study)))
-        self.run_program(charts)
-        two = study | {"charts": [{"name": "main"}, {"name": "again", "title": "Once more"}]}
-        self.put("docs/studies/01_obj.cpu1.json", json.dumps(two))
-        self.run_program(charts)
-        self.put("docs/01_obj.md", LESSON + "![t](studies/01_obj.cpu1.again.png)\n")
-        self.assertIn("there is no docs/studies/01_obj.cpu1.again.png", self.run_program(charts, code=1))
-        self.put("docs/studies/01_obj.cpu1.again.png", "")
-        self.run_program(charts)
-        found = json.loads((self.root / "build/results/chart.01_obj.cpu1.again.json").read_text())
-        self.assertEqual((found["title"], found["ok"], found["table"]), ("Once more", True, None))
-        self.put("docs/studies/01_obj.cpu1.json", "{}")
-        self.assertIn('has no "chapter"', self.run_program(charts, code=1))
-
     def test_a_driver_that_crashes_is_no_mistake_of_the_students(self):
         def checked(exercise: str, chapter: str) -> dict:
             result = {"ok": True, "passed": 7, "failed": 0, "first_failure": None}
@@ -155,9 +110,3 @@ class Exercises(Course):
         self.assertRegex(glsl["note"], "judged by its numbers alone: .* relief, with which the driver crashed")
         cpp = checked("04.tangent_frame", "04_surface_maps")  # C++ of a student's crashes by itself
         self.assertEqual((cpp["ok"], cpp["first_failure"]), (False, "04_surface_maps ended with -11"))
-
-    def test_functions_without_bodies(self):
-        text = ("// f(x) {\nfloat f(vec3 a,\n        float b) {\n    if (b > 0.0) { return 1.0; }\n    return b;\n}\n"
-                "void g() { h(); }\n")
-        self.assertEqual(with_bodies(text, " return ZERO; "), "// f(x) {\nfloat f(vec3 a,\n        float b) "
-                         "{ return float(0); }\nvoid g() {}\n")

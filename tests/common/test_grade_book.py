@@ -133,8 +133,9 @@ class Marks(Files):
         self.assertEqual(kept(wrong), (right, []))
         self.assertEqual(kept(result("02.phong", False, "failed", "no disk"))[0]["state"], "failed")
         self.assertEqual(kept(wrong, regraded=["02.phong"]), (wrong, ["02.phong: ann: right before, wrong now"]))
-        self.assertEqual(kept(right), (wrong, []))
-        self.assertEqual(kept(right, {"ann": {"02.phong": b"y"}}), (right, []))
+        self.assertEqual(kept(right, regraded=["02.lambert"]), (wrong, []))
+        self.assertEqual(kept(right, regraded=["02.phong"]), (right, ["02.phong: ann: wrong before, right now"]))
+        self.assertEqual(kept(wrong, {"ann": {"02.phong": b"y"}}), (wrong, []))
 
     def test_marks_that_are_damaged_are_not_replaced(self):
         answer, file = {"answer": "a" * 64, "result": result("02.phong")}, self.folder / "marks.json"
@@ -356,15 +357,6 @@ class Grades(Files):
             self.assertEqual(rows_of(self.written("canvas", book))[2][5:], ["1", ""])
             self.assertEqual(rows_of(self.written("moodle", book))[1][2:5], ["1", "-", "-"])
             self.assertEqual(rows_of(self.written("csv", book))[1][3:7], [word, "3", "1", word])
-
-    def test_a_regrade_goes_both_ways(self):
-        file, data = self.folder / "marks.json", {"ann": {"02.phong": b"x"}}
-        for ok, before in ((True, None), (False, "right"), (True, "wrong")):
-            said = marks.keep(file, [one("ann", result("02.phong", ok))], data, {"02.phong"})
-            self.assertEqual(said, [f"02.phong: ann: {before} before, {'right' if ok else 'wrong'} now"] if before else [])
-        other = [one("ann", result("02.phong", False))]
-        self.assertEqual(marks.keep(file, other, data, {"02.lambert"}), [])
-        self.assertTrue(other[0]["results"][0]["ok"])
 
 
 class Pages(Files):

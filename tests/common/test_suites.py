@@ -59,9 +59,6 @@ class Suites(unittest.TestCase):
         for more in ("common/app/knob.h", "common/course/new.py", "shaders/common/srgb.glsl", "tests/common/test_flip.cpp", "tests/build.cmake"):
             self.assertFalse(is_of_chapters([*chapter, more]), more)
 
-    def test_what_changed_is_asked_of_git(self):
-        self.assertIsNone(suites.changed_since("no such commit"))
-
     def test_a_change_begins_where_the_branch_left_the_main_one(self):
         def base(head: str, **merge_bases: str) -> str:
             def git(*words):
@@ -85,6 +82,3 @@ class Suites(unittest.TestCase):
             self.assertEqual(suites.times(Path(file.name), with_reasons=False), said)
             self.assertEqual(suites.times(Path(file.name), with_reasons=True),
                              [*said, "above 60 s without a reason in tests/suites.txt: text.grade_book"])
-
-    def test_a_long_test_has_a_reason(self):
-        self.assertEqual(suites.long_without_reason({"shots.05": 70, "text.grade_book": 61, "text.grade": 60}), ["text.grade_book"])

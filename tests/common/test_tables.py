@@ -44,24 +44,6 @@ class Tables(unittest.TestCase):
         (self.root / "lesson.md").write_text(text)
         return tables.check_figures(Path("lesson.md"))
 
-    def test_rows_are_written_from_the_study_and_nothing_else_is(self):
-        _, filled = tables.check_tables(Path("lesson.md"), LESSON)
-        self.assertEqual(filled[-2:], ["| eight | 1810 | 1.2% | kept |", "| both | 1810 / 40.0 | 1.2 / 0.6% | kept |"])
-        self.assertEqual(filled[:6], LESSON[:6])
-        self.assertEqual(tables.check_tables(Path("lesson.md"), filled), ([], filled))
-        typed = [line.replace("40.0", "41.0") for line in filled]
-        self.assertIn("lesson.md:1: studies.json has both", tables.check_tables(Path("lesson.md"), typed)[0][0])
-
-    def test_a_cell_may_have_words_of_the_study(self):
-        (self.root / "studies.json").write_text(json.dumps({"points": [{"scene": "c", "choice": "fast, 8 steps", "error": {"flip_mean": 0.2}}]}))
-        lines = ["<!-- table: studies.json#cell={choice} ({flip_mean:.1f})", "scene=c", "all -->", "| | c |", "|---|---|", "| a | 1 |"]
-        self.assertEqual(tables.check_tables(Path("lesson.md"), lines)[1][-1], "| a | fast, 8 steps (0.2) |")
-
-    def test_a_method_s_name_may_have_a_comma(self):
-        study = {"points": [{"method": one, "time_ms": {"median": i}} for i, one in enumerate(("1", "2", "1,2"))]}
-        self.assertEqual([point["method"] for point in tables.points(study, {"method": "1,2"})], ["1,2"])
-        self.assertEqual([point["method"] for point in tables.points(study, {"method": "2,1"})], ["2", "1"])
-
     def test_what_selects_no_point_or_several_is_said(self):
         for cell, words in (("method=none", "0 points are"), ("scene=a, b", "2 points are"), ("value=no", "a point has no 'no'"),
                             ("steps", "'steps' selects nothing")):
@@ -72,11 +54,6 @@ class Tables(unittest.TestCase):
         self.assertIn("no table follows", tables.check_tables(Path("lesson.md"), LESSON[:4])[0][0])
         self.assertIn("2 rows are selected, the table has 1", tables.check_tables(Path("lesson.md"), LESSON[:-1])[0][0])
 
-    def test_numbers_are_rounded_by_a_rule(self):
-        for number, form, text in ((1807.6, "", "1810"), (0.012345, "", "0.0123"), (40.04, "", "40.0"), (0.5, "", "0.500"),
-                                   (9.999, ".2s", "10"), (524288, ",d", "524,288"), (0.0551, ".1%", "5.5%")):
-            self.assertEqual(tables.shown(number, form), text)
-
     def test_a_number_in_running_text_is_its_source_s(self):
         source = "<!-- figure: studies.json#scene=a, b; method=slow; steps=8; value=%s -->"
         self.assertEqual(self.wrong_of(f"It is 0.012{source % 'flip_mean'} or **1.2%**{source % 'flip_mean'}."), [])
@@ -85,16 +62,6 @@ class Tables(unittest.TestCase):
         self.assertIn("the text says 0.013", self.wrong_of(f"It is 0.013{source % 'flip_mean'}.")[0])
         self.assertIn("follow no number", self.wrong_of(f"It is {source % 'flip_mean'}.")[0])
 
-    def test_a_path_may_be_a_mean_over_a_list_or_a_sum_of_passes(self):
-        (self.root / "film.json").write_text(json.dumps({"scenes": [
-            {"name": "a", "ms": 1, "passes": [{"name": "p q", "ms": 2}, {"name": "r", "ms": 3}]}, {"name": "b", "ms": 4}]}))
-        self.assertEqual(self.wrong_of("On average 2.5 ms<!-- figure: film.json#value=/scenes/*/ms -->."), [])
-        self.assertEqual(self.wrong_of("It is 5 ms<!-- figure: film.json#value=/scenes/a/passes/p q+r/ms -->."), [])
-        self.assertIn("film.json 5", self.wrong_of("It is 6 ms<!-- figure: film.json#value=/scenes/a/passes/p q+r/ms -->.")[0])
-        self.assertIn("there is no", self.wrong_of("It is 5<!-- figure: film.json#value=/scenes/b/passes/p q+r/ms -->.")[0])
-        both = "<!-- figure: studies.json#scene=a, b; steps=8; value=ms.%s -->"
-        self.assertEqual(self.wrong_of(f"5 ms{both % 'one+two'}, 5 ms{both % '*'}, 3 ms{both % 'tw*'}"), [])
-
     def test_a_constant_is_the_code_s(self):
         (self.root / "player.cpp").write_text("constexpr double fade_s = 0.005;\n")
         source = "<!-- figure: player.cpp#%s -->"
@@ -102,14 +69,6 @@ class Tables(unittest.TestCase):
         self.assertIn("the text says 6ms", self.wrong_of(f"6 ms{source % 'fade_s = {}; scale=1000'}.")[0].replace(" ms", "ms"))
         self.assertIn("player.cpp has no such line", self.wrong_of(f"5 ms{source % 'fade_ms = {}'}.")[0])
         self.assertIn("none.cpp has no such line", self.wrong_of("5 ms<!-- figure: none.cpp#fade_s = {} -->.")[0])
-
-    def test_a_page_shows_no_sources(self):
-        text = "\n".join(LESSON) + "\nBy 0.003<!-- figure: studies.json#value=/truth/doubling -->.\n"
-        self.assertNotIn("<!--", tables.without_sources(text))
-        self.assertTrue(tables.without_sources(text).startswith("| | time |"))
-        noted = tables.without_sources(text, lambda files: "old" if files == ["studies.json"] else "")
-        self.assertTrue(noted.startswith("old\n\n| | time |"))
-        self.assertNotIn("<!--", noted)
 
 
 # What prints a table, named somewhere in its section: a test, a test's program or a figure's script.
@@ -171,17 +130,6 @@ class Lessons(unittest.TestCase):
         self.assertGreater(sum(len(lesson_tests.named_in(text)) for text in texts), 100)
         self.assertEqual([line for text in texts for line in lesson_tests.check_named(text)], [])
         self.assertTrue(lesson_tests.SENTENCE.search('the shadow is gone (`"peter-panning: a bias*"`).'))
-
-    def test_names_are_matched_as_catch2_does(self):
-        with mock.patch.object(lesson_tests, "cases", lambda _: [("one, two", "[a][b]"), ("Three of four", "")]):
-            for spec, found in (("one*", 1), ("*FOUR", 1), ("*of*", 1), ("three", 0), ("[a]", 1), ("[a][c]", 0)):
-                self.assertEqual(len(lesson_tests.matched("", spec)), found, spec)
-
-    def test_a_printed_number_is_found_by_its_line(self):
-        output = "sigma 8 pingpong         flicker: brightness 0.0002, all pixels 0.0004\n"
-        self.assertEqual(tables.printed(output, "sigma 8 pingpong flicker: brightness {}"), 0.0002)
-        self.assertEqual(tables.printed(output, "all pixels {}"), 0.0004)
-        self.assertIsNone(tables.printed(output, "sigma 3 pingpong flicker: brightness {}"))
 
 
 class Measured(unittest.TestCase):

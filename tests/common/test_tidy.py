@@ -62,11 +62,3 @@ class Tidy(unittest.TestCase):
         there = {path for folder in ("common", "chapters") for path in (ROOT / folder).rglob("*.cpp")}
         self.assertEqual([path for path in sorted(there - read) if not {"exercise", "solution"} & set(path.parts)], [])
         self.assertEqual(complaints(entries), [])
-
-    def test_a_fault_in_a_file_of_a_unity_is_found(self):
-        with tempfile.TemporaryDirectory() as folder:
-            wrong, unity = Path(folder, "wrong.cpp"), Path(folder, "unity_0_cxx.cxx")
-            wrong.write_text("int wrong(int i) { if (i > 0) return 1; else return 1; }\n")
-            unity.write_text(f'#include "{wrong}"\n')
-            entry = {"directory": folder, "file": str(unity), "arguments": ["c++", "-c", str(unity)]}
-            self.assertRegex("".join(complaints([entry])), r"wrong\.cpp:1:\d+: error: .*bugprone-branch-clone")

@@ -8,7 +8,6 @@ import unittest
 from chart_fixture import point, study
 from charts.study_charts import charts_of
 from charts.verdict import AS_FAST, Verdict, names_of, verdict_of
-from test import redrawn
 from tree import ROOT
 
 
@@ -104,23 +103,3 @@ class Verdicts(unittest.TestCase):
     def test_a_knob_alone_is_named_by_its_value(self):
         points = study(points=[point("s", "rays", 1, 1, {"water.reflection": r}) for r in ("cube", "planar")]).points
         self.assertEqual(list(names_of(points).values()), ["cube", "planar"])
-
-
-class Redrawn(unittest.TestCase):
-    def test_a_printed_digit_that_changed_is_named(self):
-        old = study().data
-        new = json.loads(json.dumps(old))
-        new["points"][0]["error"] |= {"flip_mean": 0.0500001, "host_ms": 3}  # no printed digit; no error
-        self.assertEqual(redrawn.compared("x", old, new, ["bunny"]), [])
-        new["points"][1]["error"]["flip_mean"] = 0.0212
-        del new["points"][2]
-        self.assertEqual(redrawn.compared("x", old, new, ["bunny"]),
-                         ['x: bunny, phong, {"samples": 1, "bias": 2}: flip_mean is 0.02, the program gives 0.0212',
-                          'x: bunny, phong, {"samples": 4, "bias": 2}: the study no longer has this row'])
-        self.assertEqual(redrawn.compared("x", old, new, []), [])
-
-    def test_a_tenth_is_always_the_same_one(self):
-        labels = [f"{n} lights" for n in range(1000)]
-        tenth = [label for label in labels if redrawn.chosen("03_attenuation", label, True)]
-        self.assertTrue(70 < len(tenth) < 130, len(tenth))
-        self.assertTrue(all(redrawn.chosen("03_attenuation", label, False) for label in labels))

@@ -11,6 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from shots.rendering import text
 from tree import BUILD, PYTHON, ROOT, Failure, chapters, write_atomically
 
 
@@ -45,11 +46,6 @@ def command_of(study: dict, point: dict) -> tuple[str, ...]:
     """The same as words of a command line; none where the point has no scene."""
     request = request_of(study, point)
     return ("--scene", request[0], *(word for knob in request[1].items() for word in ("--set", "=".join(knob)))) if request else ()
-
-
-def text(value) -> str:
-    """A knob's value as --set takes it."""
-    return "on" if value is True else "off" if value is False else value if isinstance(value, str) else json.dumps(value)
 
 
 def points_of(chart, numbers: dict[int, int]) -> list[dict]:

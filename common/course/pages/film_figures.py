@@ -1,7 +1,8 @@
 """A scene's figures in chapter 19's --benchmark, as text for tables."""
 
 
-def cells_of(system: dict, scene: dict | None) -> list[str]:
+def cells_of(system: dict, name: str) -> list[str]:
+    scene = next((one for one in system["scenes"] if one["name"] == name), None)
     if scene is None:
         return [""] * 5
     off, on = scene["gpu_sum"]["none"], scene["gpu_sum"]["mlaa"]

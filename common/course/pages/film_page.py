@@ -31,17 +31,12 @@ BEST, ENOUGH, SET = "#b9c2cc", "#2f78b7", "#e08a2e"
 
 
 def page(systems: list[dict]) -> str:
-    rows = [{"name": scene["name"], "cells": [cell for one in systems for cell in cells(one, scene["name"])]}
+    rows = [{"name": scene["name"], "cells": [cell for one in systems for cell in cells_of(one, scene["name"])]}
             for scene in systems[0]["scenes"]]
     charts = [{"title": title, "svg": bars(of)} for title, of in
               (("Graphics processors", [one for one in systems if not one["software"]]),
                ("Software renderers", [one for one in systems if one["software"]])) if of]
     return filled("film.html", systems=systems, rows=rows, charts=charts)
-
-
-def cells(system: dict, name: str) -> list[str]:
-    scene = next((one for one in system["scenes"] if one["name"] == name), None)
-    return cells_of(system, scene)
 
 
 def bars(systems: list[dict]) -> str:

@@ -12,10 +12,11 @@ import shutil
 from pathlib import Path
 
 from charts.drawn import study_of
-from charts.points import can_draw, command_of, places_of, text
+from charts.points import can_draw, command_of, places_of
 from pages import knob_links
 from pages.drawn_pictures import SAMPLED_ONCE, Picture, draw, fine, put, shot_of, size_of
 from shots.golden import golden_path
+from shots.rendering import text
 from tree import ROOT, Failure, chapter_program, warn
 
 MOST_STATES = 8

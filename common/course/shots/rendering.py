@@ -147,4 +147,4 @@ def last_words(*said: str) -> str:
 
 def text(value) -> str:
     """A knob's value as --set takes it."""
-    return value if isinstance(value, str) else json.dumps(value)
+    return "on" if value is True else "off" if value is False else value if isinstance(value, str) else json.dumps(value)

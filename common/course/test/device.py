@@ -13,10 +13,10 @@ from progress import Progress
 from shots.draw_shots import right_picture
 from shots.golden import distance_of, exceeded, golden_path, hardware_limits, limits_of, unfit
 from shots.rendering import last_words, render_many, run_program
-from test.check_unsolved import passed
+from test.results import check_rows
 from test.shots import compared, picture_entry
-from tree import (BUILD, Failure, UsageError, chapter_program, exercises, find_shots, git, has_solutions, is_edited, relative,
-                  say, write_atomically)
+from tree import (BUILD, Failure, UsageError, chapter_program, exercises, find_shots, git, has_solutions, relative, say,
+                  write_atomically)
 
 ALONE = True
 HELP = """Draws all shots on one device, compares each with its golden, and runs all checks there: each reference must pass its
@@ -140,23 +140,20 @@ def common_step(expected: Path, actual: Path) -> int:
     return 0
 
 
-def check_results(device: dict, checked: list[str]) -> dict:
+def check_results(device: dict, named: list[str]) -> dict:
     """How many exercises have a reference that passes and a starter that fails on the device, and what is wrong elsewhere."""
-    faults = {exercise: [] for chapter in checked for exercise in exercises(chapter)}
+    known, wrong = {exercise for chapter in named for exercise in exercises(chapter)}, {}
     with Progress("checking") as progress:
-        for number, chapter in enumerate(checked):
-            progress.show(number, len(checked), chapter)
-            for use, right, words in (("solution", True, "the reference does not pass"), ("exercise", False, "the starter passes")):
-                try:
-                    verdicts, wrong = passed(chapter, use, LIGHTWALK_DEVICE=device["name"]), words
-                except Failure as error:
-                    verdicts, wrong = {}, str(error)
-                for exercise, path in exercises(chapter).items():
-                    edited = use == "exercise" and is_edited(path)  # no starter: somebody works on it
-                    if verdicts.get(exercise, not right) != right and not edited:
-                        faults[exercise].append(wrong)
-    wrong = [f"{exercise}: {', '.join(said)}" for exercise, said in faults.items() if said]
-    return {"right": len(faults) - len(wrong), "of": len(faults), "wrong": wrong}
+        for number, chapter in enumerate(named):
+            progress.show(number, len(named), chapter)
+            try:
+                rows = check_rows(chapter, LIGHTWALK_DEVICE=device["name"])
+            except Failure as error:
+                rows = [{"case": exercise, "ok": False, "text": str(error)} for exercise in exercises(chapter)]
+            for row in rows:
+                if not row["ok"]:
+                    wrong.setdefault(row["case"], []).append(row["text"])
+    return {"right": len(known - set(wrong)), "of": len(known), "wrong": [f"{case}: {', '.join(said)}" for case, said in wrong.items()]}
 
 
 def origin() -> dict:

@@ -5,7 +5,6 @@ A chapter's program reads each of its own, and draws those that set something, s
 is parsed without any program (text_check).
 """
 
-import argparse
 import importlib
 import itertools
 import re
@@ -14,7 +13,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from commands import COMMANDS, names, selected
+from commands import COMMANDS, Parser, names, selected
 from pages.quotes import lessons
 from shots.rendering import last_words, render_many, run_program
 from tree import ROOT, UsageError, chapter_program, chapters, exercises, shots
@@ -115,11 +114,6 @@ def wrong_words(page: Path, text: str) -> list[str]:
             except (UsageError, ValueError) as error:
                 wrong.append(f"{page}:{line}: {match[0].strip()}: {error}")
     return wrong
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        raise UsageError(message)
 
 
 def refuse(command: str, module, words: list[str], examples: set[str] = frozenset()):

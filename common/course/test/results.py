@@ -1,6 +1,6 @@
 """Tests whose results are tables of the report: build/results/KIND.NN.json, as report.py describes them.
 
-    test.results check NN_name        the chapter's checks on the reference: all must be right
+    test.results check NN_name        the chapter's checks: the reference passes, and the starter does not
     test.results stability NN_name    the cases of tests/NN_name/test_stability.cpp
     test.results charts               the studies in docs/studies: each can be read, and its chart and table are there
 
@@ -8,13 +8,14 @@ A failure is exit code 1 and a line that says why.
 """
 
 import json
+import re
 import sys
 
 from charts.study_charts import chart_paths, charts_of
 from charts.study_file import StudyError, load, markdown_table
 from shots.rendering import run_program
 from charts.drawn import shown_by_lessons
-from tree import BUILD, ROOT, Failure, exercises, relative, say, warn, write_atomically
+from tree import BUILD, ROOT, Failure, exercises, is_edited, relative, say, warn, write_atomically
 
 # Table titles that replace report.py's default for their kind.
 TITLES = {"study": "The study, run quickly", "need": "The need rule on other scenes"}
@@ -32,19 +33,30 @@ def table(kind: str, chapter: str, name: str, again: str, rows: list[dict]) -> l
     return [f"{row['case']}: {row.get('text') or 'not ok'}" for row in rows if not row["ok"]]
 
 
-def check(chapter: str) -> list[str]:
-    done = run_program([BUILD / "tests" / f"check_{chapter}", "--use", "solution"])
-    found = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
-    rows = [{"case": result["exercise"], "inputs": f"{result['passed'] + result['failed']} checks",
-             "ok": result["ok"] is True,
+def check_rows(chapter: str, **environment) -> list[dict]:
+    """A row for each exercise of which the reference was checked, and for each fault beside. Raises Failure where the checks
+    say nothing."""
+    program, found = BUILD / "tests" / f"check_{chapter}", {}
+    for use in ("exercise", "solution"):
+        done = run_program([program, "--use", use], **environment)
+        found[use] = {line["exercise"]: line for line in map(json.loads, re.findall(r"^\{.*", done.stdout, re.M))}
+        if not found[use]:
+            raise Failure(f"{program.name} ended with {done.returncode}: {done.stderr.strip()[-500:]}")
+    rows = [{"case": exercise, "inputs": f"{result['passed'] + result['failed']} checks", "ok": result["ok"] is True,
              "text": result.get("first_failure") or f"{result['passed']} passed, {result['failed']} failed"}
-            for result in found]
-    rows += [{"case": exercise, "inputs": "no check", "ok": False, "text": "nothing checks it"}
-             for exercise in exercises(chapter) if exercise not in {result["exercise"] for result in found}]
+            for exercise, result in found["solution"].items()]
     if done.returncode and all(row["ok"] for row in rows):
-        rows.append({"case": f"check_{chapter}", "ok": False,
-                     "text": f"ended with {done.returncode}: {done.stderr.strip()[-500:]}"})
-    return table("probe", chapter, "check", f"build/tests/check_{chapter} --use solution", rows)
+        rows.append({"case": program.name, "ok": False, "text": f"ended with {done.returncode}: {done.stderr.strip()[-500:]}"})
+    for exercise, path in exercises(chapter).items():
+        if exercise not in found["solution"]:
+            rows.append({"case": exercise, "inputs": "no check", "ok": False, "text": "nothing checks it"})
+        if found["exercise"].get(exercise, {}).get("ok") and not is_edited(path):  # else somebody works on it
+            rows.append({"case": exercise, "inputs": "the starter", "ok": False, "text": "the starter passes"})
+    return rows
+
+
+def check(chapter: str) -> list[str]:
+    return table("probe", chapter, "check", f"build/tests/check_{chapter} --use solution", check_rows(chapter))
 
 
 def stability(chapter: str) -> list[str]:

@@ -1,5 +1,6 @@
 """Builds the tests' programs, runs them, writes the report."""
 
+import json
 import os
 import re
 import shutil
@@ -11,13 +12,11 @@ from pathlib import Path
 from build.build import build
 from many import shards
 from pages.report import write_report
-from test import test_shards
 from test.container import test_on
 from test.needs import NOTHING, build_for, selected
 from test.reached import is_of_chapters, reached
 from test.suites import EVERY_COMMIT, branch_base, changed_since, concerned, times
-from test.test_shards import closing_line
-from tree import BUILD, Failure, UsageError, chapters, relative, say
+from tree import BUILD, ROOT, Failure, UsageError, chapters, relative, say, write_atomically
 
 ALONE = True
 HELP = """Builds what the tests need, runs them and writes build/report/index.html.
@@ -68,7 +67,7 @@ def add_arguments(parser):
 def run(arguments, rest) -> int:
     shards.check_arguments(arguments)
     if arguments.merge:
-        return test_shards.merge(arguments.merge)
+        return merge_shards(arguments.merge)
     # The word behind an option of ctest's is that option's: Python's releases disagree on that.
     pattern = rest[0] if rest and not rest[0].startswith("-") else None
     if pattern:
@@ -93,12 +92,12 @@ def run(arguments, rest) -> int:
         selection = EVERY_COMMIT if given is None else of_changes(given, reduced=arguments.changed is not None)
 
     preset, junit = ("sanitizer", results / "sanitizer.xml") if arguments.sanitize else ("default", results / "tests.xml")
-    folder, options = build_for(selection, lambda *asked: test_shards.words(*asked, arguments.shard), preset, also=["every_shader"] if arguments.all else [])
+    folder, options = build_for(selection, lambda *asked: shard_words(*asked, arguments.shard), preset, also=["every_shader"] if arguments.all else [])
     total, failed = run_ctest(folder, junit, options)
     for line in times(junit, with_reasons=not arguments.sanitize) if total else []:
         say(line)
     if file:
-        return test_shards.write(file, arguments.shard, results, total, failed, rest)
+        return write_shard(file, arguments.shard, results, total, failed, rest)
     report = BUILD / "report" / "index.html"
     write_report(results, report)
     if not total:
@@ -148,3 +147,59 @@ def run_ctest(folder: Path, junit: Path, selection: list[str]) -> tuple[int, int
     if code and not failed:
         raise Failure(f"{' '.join(command)} ended with {code} although no test failed")
     return total, failed
+
+
+def shard_words(folder: Path, selection: list[str], shard: shards.Shard | None) -> list[str]:
+    """ctest's options for a shard's tests of a selection; nothing without a shard."""
+    if not shard:
+        return []
+    count = len(selected(folder, selection))
+    if not count:
+        raise UsageError(f"no test matches {' '.join(selection)}; ctest --test-dir build -N lists them")
+    # Every Nth of the selected tests; a start behind the last one would run them all.
+    return ["-I", f"{shard.number},,{shard.of}"] if shard.number <= count else ["-E", "."]
+
+
+def write_shard(file: Path, shard: shards.Shard, results: Path, total: int, failed: int, selection: list[str]) -> int:
+    """Packs the results of a shard's tests with the pictures they name. The exit code."""
+    entries, pictures = {}, {}
+    for path in sorted(results.iterdir()):
+        if path.suffix == ".json":
+            entries[path.name] = json.loads(path.read_text(encoding="utf-8"))
+            for one in entries[path.name].get("pictures") or []:
+                for name in filter(None, (one.get("actual"), one.get("heatmap"))):
+                    pictures[name] = ROOT / name
+        elif path.suffix == ".xml":
+            entries[f"{path.stem}.{shard.number}-of-{shard.of}.xml"] = path.read_text(encoding="utf-8")
+    head = {"selection": selection, "course": shards.course_version(), "counts": [total, failed]}
+    shards.write(file, "test", shard, head, entries, {name: path for name, path in pictures.items() if path.exists()})
+    say(f"\n{relative(file)}: {total} tests of shard {shard}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def merge_shards(paths: list[Path]) -> int:
+    made = shards.merge(paths, "test", per_shard=("counts",))
+    results = BUILD / "results"
+    shutil.rmtree(results, ignore_errors=True)
+    for name, entry in made.entries.items():
+        if Path(name).name != name:
+            raise UsageError(f"{made.came_from[name]}: '{name}' is no result")
+        write_atomically(results / name, entry if isinstance(entry, str) else json.dumps(entry, indent=1) + "\n")
+        for one in (entry.get("pictures") or []) if isinstance(entry, dict) else []:
+            for picture in filter(None, (one.get("actual"), one.get("heatmap"))):
+                parts = Path(picture).parts
+                if parts[0] == "build" and ".." not in parts and made.has_file(name, picture):
+                    write_atomically(ROOT / picture, made.file(name, picture))
+    report = BUILD / "report" / "index.html"
+    write_report(results, report)
+    total, failed = (sum(counts) for counts in zip(*made.head["counts"]))
+    say(f"report: {relative(report)}")
+    say(closing_line(total, failed))
+    return 1 if failed else 0
+
+
+def closing_line(total: int, failed: int) -> str:
+    """ctest's closing line over all runs, for a CI to read."""
+    percent = round(100 * (total - failed) / max(total, 1))
+    return f"{min(percent, 99) if failed else 100}% tests passed, {failed} tests failed out of {total}"
