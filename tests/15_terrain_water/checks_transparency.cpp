@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <map>
 
 #include "15_terrain_water/exercises.h"
 #include "15_terrain_water/transparency_truth.h"
@@ -87,6 +88,92 @@ CHECK_EXERCISE("15.tint_through", "Multiply three shares: passed, 1 - alpha, and
         Row row;
         for (int k = 0; k < 7; ++k) row.push_back(random.uniform(0, 1));
         probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
+
+namespace {
+
+// Absorbance at up to three depths, the first of which is the surface's.
+struct Absorbed {
+    double depth, share;
+};
+
+// Four means over it, of which a share of 1e-5 is that of two peaks and an even rest, where there are fewer than three depths.
+Row means_of(const std::vector<Absorbed>& all) {
+    const double even[] = {0, 0.375, 0, 0.375};
+    Row means;
+    for (int k = 1; k <= 4; ++k) {
+        double mean = 0;
+        for (const Absorbed& a : all) mean += a.share * std::pow(a.depth, k);
+        means.push_back(static_cast<float>(all.size() < 3 ? glm::mix(mean, even[k - 1], 1e-5) : mean));
+    }
+    return means;
+}
+
+}  // namespace
+
+CHECK_EXERCISE(
+    "15.moment_transmittance",
+    "the matrix of the lesson gives the other two depths; then three equations, for the means of 1, z and z², "
+    "give what lies at each") {
+    std::map<Row, std::vector<Absorbed>> layers;  // by the arguments that they give
+    const auto transmittance = [&](std::span<const double> in, double at_itself, bool behind = false) {
+        double before = 0;
+        for (const Absorbed& a : layers.at(Row(in.begin(), in.end())))
+            before += a.share * (a.depth == in[5] ? at_itself : (a.depth < in[5]) != behind ? 1.0 : 0.0);
+        return std::exp(-in[4] * before);
+    };
+    Probe probe{.include = "15_terrain_water/moment_transmittance.glsl",
+                .signature = "float moment_transmittance(vec4 b, float all, float z, float overestimation)",
+                .inputs = {},
+                .truth = [&](auto in) { return Row{transmittance(in, in[6])}; },
+                .bound = {.absolute = 2e-3},
+                .hint = [&](auto in, auto out) -> std::string {
+                    const auto is = [&](double other) { return std::abs(out[0] - other) <= 2e-3; };
+                    const size_t depths = layers.at(Row(in.begin(), in.end())).size();
+                    const double right = transmittance(in, in[6]);
+                    if (is(transmittance(in, 1)) || is(transmittance(in, 0)))
+                        return "of what lies at z itself, the fraction `overestimation` is in front of it";
+                    if (is(transmittance(in, in[6], true))) return "a smaller depth is nearer";
+                    if (is(-std::log(right))) return "that is the absorbance; its transmittance is asked for";
+                    if (is(std::pow(right, 1 / in[4]))) return "b holds means: the absorbance is `all` times as much";
+                    if (depths < 3)
+                        return fmt::format("this pixel has {} layer{}: its equations are almost singular", depths,
+                                           depths == 1 ? "" : "s");
+                    return "";
+                }};
+    const auto add = [&](const std::vector<Absorbed>& where, double all, double overestimation) {
+        Row row = means_of(where);
+        row.insert(row.end(), {all, where[0].depth, overestimation});
+        layers[row] = where;
+        probe.inputs.push_back(row);
+    };
+    add({{0, 0.5}, {-0.5, 0.25}, {0.5, 0.25}}, 1, 0.25);
+    add({{-0.5, 0.25}, {0, 0.25}, {0.5, 0.5}}, 2, 0);
+    add({{0.5, 0.25}, {-0.25, 0.5}, {0, 0.25}}, 2, 1);
+    add({{0.25, 1}}, 1, 0.25);
+    add({{0.5, 0.5}, {-0.5, 0.5}}, 2, 0.25);
+    add({{-0.5, 0.5}, {0.5, 0.5}}, 2, 0.25);
+    // Eighths and sixteenths: their means are exact in a float.
+    Random random(67);
+    const auto whole = [&](int lower, int upper) { return std::floor(random.uniform(lower, upper + 0.999)); };
+    while (probe.inputs.size() < 300) {
+        const double fill[] = {whole(2, 12), whole(2, 12)};
+        if (fill[0] + fill[1] > 14) continue;
+        std::vector<Absorbed> where{{whole(-8, 8) / 8, fill[0] / 16},
+                                    {whole(-8, 8) / 8, fill[1] / 16},
+                                    {whole(-8, 8) / 8, (16 - fill[0] - fill[1]) / 16}};
+        const int count = probe.inputs.size() % 10 == 0 ? 1 : probe.inputs.size() % 5 == 0 ? 2 : 3;
+        bool apart = true;
+        for (int i = 0; i < count; ++i)
+            for (int j = 0; j < i; ++j) apart &= std::abs(where[size_t(i)].depth - where[size_t(j)].depth) > 0.24;
+        if (!apart) continue;
+        if (count < 3)
+            where = count == 1
+                        ? std::vector<Absorbed>{{where[0].depth, 1}}
+                        : std::vector<Absorbed>{{where[0].depth, fill[0] / 16}, {where[1].depth, 1 - fill[0] / 16}};
+        add(where, random.uniform(0.1, 4), whole(0, 4) / 4);
     }
     check.probe(probe);
 }

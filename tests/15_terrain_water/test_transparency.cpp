@@ -85,6 +85,32 @@ TEST_CASE("layers that lie close together, or are thin: a weight tells nothing, 
     CHECK(dense[7].most > 0.3);  // six moments, where one layer hides nearly all
 }
 
+TEST_CASE("four moments bound the transmittance before each layer from both sides", "[15.moment_bounds]") {
+    Random random(15);  // the same layers as in the table
+    const double fractions[] = {0, 0.25, 0.5, 1};
+    Errors errors[4];
+    for (int trial = 0; trial < 4000; ++trial) {
+        std::vector<Layer> all = layers(random, 8, 1, 50, 0.5, 0.5);
+        const glm::dvec3 background(random.uniform(0, 1)), right = truth::in_order(all, background);
+        for (size_t i = 0; i < 4; ++i)
+            errors[i].add(truth::by_moments(all, background, 0.1, 200, false, 5e-7, fractions[i]), right);
+        // Depths at even steps of their own, without a bias: no distribution with these moments leaves the bounds.
+        glm::dvec4 means(0);
+        for (int k = 0; k < 4; ++k)
+            for (const Layer& l : all) means[k] += std::pow(l.z_m / 25 - 1, k + 1) / 8;
+        std::sort(all.begin(), all.end(), [](const Layer& a, const Layer& b) { return a.z_m < b.z_m; });
+        for (size_t i = 0; i < all.size(); ++i) {
+            const double z = all[i].z_m / 25 - 1, absorbance = 8 * std::log(2), passed = std::pow(0.5, double(i));
+            CHECK(truth::moment_transmittance(means, absorbance, z, 0, 0) > passed * 0.999999);
+            CHECK(truth::moment_transmittance(means, absorbance, z, 0, 1) < passed * 0.500001);  // the layer's own, too
+        }
+    }
+    for (size_t i = 0; i < 4; ++i)
+        fmt::print("fraction {}: {:.3f}, at most {:.2f}\n", fractions[i], errors[i].mean, errors[i].most);
+    CHECK(errors[2].mean < errors[1].mean);
+    CHECK(errors[1].mean < std::min(errors[0].mean, errors[3].mean));
+}
+
 TEST_CASE_METHOD(OnTransparency, "every method on the device is what its formula says in double precision",
                  "[15.formulas]") {
     Random random(3);
