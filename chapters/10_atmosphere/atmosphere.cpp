@@ -90,13 +90,9 @@ void Atmosphere::make_images(Device& device) {
         const uint32_t slices = depth > 0 ? scaled(depth) : 0;
         if (image.ensure(
                 device,
-                {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true})) {
-            lasting_made_.forget();
+                {.name = path() + name, .size = {scaled(size.x), scaled(size.y)}, .depth = slices, .kept = true}))
             sky_made_.forget();
-        }
     };
-    table(transmittance_, " transmittance", {256, 64}, 0);
-    table(multiple_, " multiple scattering", {32, 32}, 0);
     table(sky_, " sky", {192, 108}, 0);
     table(light_, " light", {32, 32}, 32);
     table(through_, " through", {32, 32}, 32);
@@ -106,17 +102,9 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     // 1. Tables of the air alone: remade after a change of its knobs.
     const bool often = orders.is("multiple");  // else nothing reads the second table
     const Air now = air();
-    if (!lasting_made_.is_current(now, phase.text(), often, Exercises::epoch()) || refresh.is("always")) {
+    if (lasting_.record(frame, *this, now, often, table_scale, refresh.is("always"))) {
         ++tables_made;
-        frame.compute("transmittance table", {.writes = {transmittance_}, .with = {*this}}, [&](Compute& pass) {
-            pass.use(make_transmittance_).set("result", transmittance_).dispatch_threads(transmittance_.desc.size);
-        });
-        if (often)
-            frame.compute("multiple scattering table",
-                          {.reads = {transmittance_}, .writes = {multiple_}, .with = {*this}}, [&](Compute& pass) {
-                              pass.use(make_multiple_).set("air_transmittance", transmittance_, linear_clamp);
-                              pass.set("result", multiple_).dispatch(glm::uvec3(multiple_.desc.size, 1));
-                          });
+        sky_made_.forget();
     }
     if (reach_m <= 0.0f) return;  // nothing of the rest is read from space
 
@@ -126,26 +114,23 @@ void Atmosphere::record_tables(Frame& frame, const View& view, float reach_m) {
     const glm::vec2 eye(height, glm::dot(up, to_sun()));
     if (!sky_made_.is_current(now, phase.text(), often, eye, Exercises::epoch()) || refresh.is("always")) {
         ++skies_made;
-        frame.compute("sky table", {.reads = {transmittance_, multiple_}, .writes = {sky_}, .with = {*this}},
+        frame.compute("sky table",
+                      {.reads = {lasting_.transmittance(), lasting_.multiple()}, .writes = {sky_}, .with = {*this}},
                       [&](Compute& pass) {
                           pass.use(make_sky_).set("result", sky_).set("eye", eye);
-                          set_lasting(pass);
+                          lasting_.set(pass);
                           pass.dispatch_threads(sky_.desc.size);
                       });
     }
-    frame.compute("aerial volume",
-                  {.reads = {transmittance_, multiple_}, .writes = {light_, through_}, .with = {*this}},
-                  [&](Compute& pass) {
-                      pass.use(make_aerial_).set("result", light_).set("transmitted", through_);
-                      set_lasting(pass);
-                      pass.set("rays", view_rays(view)).set("reach", glm::vec3(view.size, reach_m));
-                      pass.dispatch_threads(light_.desc.size);
-                  });
-}
-
-void Atmosphere::set_lasting(Compute& pass) const {
-    pass.set("air_transmittance", transmittance_, linear_clamp);
-    pass.set_if_present("air_multiple", multiple_, linear_clamp);  // not wanted for single scattering
+    frame.compute(
+        "aerial volume",
+        {.reads = {lasting_.transmittance(), lasting_.multiple()}, .writes = {light_, through_}, .with = {*this}},
+        [&](Compute& pass) {
+            pass.use(make_aerial_).set("result", light_).set("transmitted", through_);
+            lasting_.set(pass);
+            pass.set("rays", view_rays(view)).set("reach", glm::vec3(view.size, reach_m));
+            pass.dispatch_threads(light_.desc.size);
+        });
 }
 
 // The work of the two methods with too many iterations, cut into parts.
@@ -178,8 +163,8 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
     if (tables) {
         make_images(frame.gpu.device);
         record_tables(frame, view, reach_m);
-        for (const Image* table : {&transmittance_, &multiple_, &sky_, &light_, &through_})
-            access.reads.push_back(*table);
+        access.reads.insert(access.reads.end(),
+                            {lasting_.transmittance(), lasting_.multiple(), sky_, light_, through_});
     }
     if (truth) {
         doubt_.ensure(frame.gpu.device, {.name = path() + " standard error", .size = view.size});
@@ -203,7 +188,7 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
             if (in_parts)
                 pass.set("part", part).set("light_so_far", light_so_far_).set("through_so_far", through_so_far_);
             if (tables) {
-                set_lasting(pass);
+                lasting_.set(pass);
                 pass.set("air_sky", sky_, linear_clamp).set("air_light", light_, linear_clamp);
                 pass.set("air_through", through_, linear_clamp).set("reach_m", reach_m);
             }
@@ -219,8 +204,8 @@ void Atmosphere::draw(Frame& frame, const View& view, Canvas& canvas) {
 const Image* Atmosphere::table(std::string_view name) const {
     if (method.is("truth")) return name == "doubt" ? &doubt_ : nullptr;
     if (!method.is("tables")) return nullptr;
-    return name == "transmittance" ? &transmittance_
-           : name == "multiple"    ? &multiple_
+    return name == "transmittance" ? &lasting_.transmittance()
+           : name == "multiple"    ? &lasting_.multiple()
            : name == "sky"         ? &sky_
                                    : nullptr;
 }

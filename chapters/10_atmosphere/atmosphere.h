@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "10_atmosphere/air_data.h"
+#include "10_atmosphere/air_tables.h"
 #include "10_atmosphere/path_part.h"
 #include "10_atmosphere/skylight.h"
 #include "common/app/drawing.h"
@@ -149,7 +149,6 @@ struct Atmosphere : Drawing {
     Scene* scene_ = nullptr;
     void make_images(Device& device);
     void record_tables(Frame& frame, const View& view, float reach_m);
-    void set_lasting(Compute& pass) const;
     std::vector<PathPart> parts() const;
     float height_of(glm::vec3 position) const;
     float mie_g() const;
@@ -161,11 +160,9 @@ struct Atmosphere : Drawing {
     SkylightTable sky_table_;
     Fingerprint sun_made_;
     glm::vec3 sunlight_{0.0f};
-    Image light_so_far_, through_so_far_, doubt_, transmittance_, multiple_, sky_, light_, through_;
-    Fingerprint lasting_made_;
+    Image light_so_far_, through_so_far_, doubt_, sky_, light_, through_;
+    AirTables lasting_;
     Fingerprint sky_made_;
-    Pipeline make_transmittance_ = compute({.shader = "10_atmosphere/make_transmittance.comp"});
-    Pipeline make_multiple_ = compute({.shader = "10_atmosphere/make_multiple.comp"});
     Pipeline make_sky_ = compute({.shader = "10_atmosphere/make_sky.comp"});
     Pipeline make_aerial_ = compute({.shader = "10_atmosphere/make_aerial.comp"});
     Pipeline none_ = compute({.shader = "10_atmosphere/look_none.comp"});

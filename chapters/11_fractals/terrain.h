@@ -75,6 +75,14 @@ struct Terrain : Drawing {
         *this, "shortest_px", 1.0f, {0.1f, 16.0f}, "Length of the shortest wave (octaves footprint)", "px"};
     Knob<float> ambient{*this, "ambient", 0.35f, {0.0f, 1.0f}, "Fraction of the sky seen from a vertical wall"};
     Knob<float> ambient_power{*this, "ambient_power", 2.0f, {0.0f, 16.0f}, "Exponent k of the light of the sky, ny^k"};
+    Knob<float> ambient_noise{
+        *this, "ambient_noise", 0.0f, {0.0f, 1.0f}, "Noise in the light of the sky, relative to that light"};
+    Knob<float> back_light{
+        *this,
+        "back_light",
+        0.0f,
+        {0.0f, 4.0f},
+        "Second light from the sky 30 degrees high opposite the sun, relative to a whole sky as bright as there"};
     Knob<float> snow_line_m{
         *this, "snow_line_m", 250.0f, {-1e4f, 1e4f}, "Snow line: height where snow begins on level ground", "m"};
     Knob<int> shadow_steps{*this, "shadow_steps", 64, {1, 1024}, "Number of steps of the marched shadow"};

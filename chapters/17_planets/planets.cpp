@@ -197,37 +197,45 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
     const bool mapped = found != maps_.end();
     const BodyMaps none, &of = mapped ? found->second : none;
     const BodyKind kind = traits(one.body).kind;
+    const bool earth = mapped && kind == BodyKind::earth, tables = earth && air.method.is("tables");
     const Drawn& drawn = kind == BodyKind::star              ? star_
                          : !mapped || kind == BodyKind::rock ? rock_
-                         : kind == BodyKind::earth           ? earth_
+                         : earth                             ? (tables ? earth_tables_ : earth_)
                          : kind == BodyKind::flowing         ? flowing_
                          : kind == BodyKind::ringed          ? ringed_
                                                              : clouded_;
     const bool is_small = around.diameter_px < small_px;
     const Pipeline &pipeline = is_small ? drawn.small : drawn.large, &other = is_small ? drawn.large : drawn.small;
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
-    const bool sky = &drawn == &earth_;
-    if (sky && sky_table_.follow(air_here)) frame.upload("skylight", skylight_, sky_table_.entries());
+    if (earth && sky_table_.follow(air_here)) frame.upload("skylight", skylight_, sky_table_.entries());
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
-    frame.compute(body_names()[static_cast<size_t>(one.body)],
-                  {.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}}, [&](Compute& pass) {
-                      if (WarmUp::is_recording()) pass.use(other);  // it may come nearer, or go
-                      pass.use(pipeline).set("result", hdr).set("depth", depth, nearest_clamp).set("body", now);
-                      pass.set_if_present("air", air_here);
-                      if (sky) pass.set_if_present("skylight", skylight_);
-                      const Sampler around_it{.wrap = Wrap::repeat};
-                      const auto set_if_present = [&](const char* name, const std::shared_ptr<Image>& image,
-                                                      const std::shared_ptr<Image>& otherwise) {
-                          pass.set_if_present(name, image ? *image : *otherwise, around_it);
-                      };
-                      set_if_present("body_map", of.color, white_);
-                      set_if_present("normal_map", of.normals, flat_);
-                      set_if_present("night_map", of.night, white_);
-                      set_if_present("water_map", of.water, white_);
-                      set_if_present("cloud_map", of.clouds, white_);
-                      if (of.rings) pass.set_if_present("ring_tables", *of.rings, linear_clamp);
-                      pass.dispatch_threads(glm::uvec2(around.end - around.first));
-                  });
+    ComputeAccess access{.reads = {hdr, depth}, .writes = {hdr}, .with = {*this}};
+    if (tables) {
+        air_tables_.record(frame, *this, air_here, air.orders.is("multiple"));
+        access.reads.insert(access.reads.end(), {air_tables_.transmittance(), air_tables_.multiple()});
+    }
+    frame.compute(body_names()[static_cast<size_t>(one.body)], access, [&](Compute& pass) {
+        if (WarmUp::is_recording()) pass.use(other);  // it may come nearer, or go
+        pass.use(pipeline).set("result", hdr).set("depth", depth, nearest_clamp).set("body", now);
+        pass.set_if_present("air", air_here);
+        if (earth) {
+            pass.set_if_present("skylight", skylight_);
+            pass.set_if_present("seed", frame.seed * 4096u + static_cast<unsigned>(frame.samples.index));
+        }
+        if (tables) air_tables_.set(pass);
+        const Sampler around_it{.wrap = Wrap::repeat};
+        const auto set_if_present = [&](const char* name, const std::shared_ptr<Image>& image,
+                                        const std::shared_ptr<Image>& otherwise) {
+            pass.set_if_present(name, image ? *image : *otherwise, around_it);
+        };
+        set_if_present("body_map", of.color, white_);
+        set_if_present("normal_map", of.normals, flat_);
+        set_if_present("night_map", of.night, white_);
+        set_if_present("water_map", of.water, white_);
+        set_if_present("cloud_map", of.clouds, white_);
+        if (of.rings) pass.set_if_present("ring_tables", *of.rings, linear_clamp);
+        pass.dispatch_threads(glm::uvec2(around.end - around.first));
+    });
 }
 
 }  // namespace lightwalk

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "10_atmosphere/air_tables.h"
 #include "10_atmosphere/skylight.h"
 #include "17_planets/maps.h"
 #include "common/app/drawing.h"
@@ -9,14 +10,27 @@
 
 namespace lightwalk {
 
-/// Phase function for drawings through chapter 10's air.
+/// Air around bodies, for shaders of chapter 10.
 struct BodyAir : Module {
     BodyAir(Module& owner, std::string name) : Module(owner, std::move(name), "atmosphere") {}
+    Choice method{*this,
+                  "method",
+                  {"closed", "tables", "truth"},
+                  "closed",
+                  "Light of the Earth's air: sunlight by a formula; chapter 10's tables of sunlight and of multiple "
+                  "scattering; the reference, with 32 times as many samples and random walks"};
+    Choice orders{*this,
+                  "orders",
+                  {"single", "multiple"},
+                  "multiple",
+                  "Orders of scattering in the Earth's air: light scattered once, or any number of times, which the "
+                  "method closed imitates by a fade to grey towards the night"};
     Choice phase{*this,
                  "phase",
                  {"isotropic", "henyey_greenstein", "cornette_shanks"},
                  "cornette_shanks",
                  "Phase function of dust: isotropic, Henyey-Greenstein, or Cornette-Shanks"};
+    Knob<int> paths{*this, "paths", 4, {1, 16}, "Number of random walks per pixel of the Earth's air (method truth)"};
 };
 
 /// Draws over the background (the stars), where no depth was drawn. Scenes place the camera in metres from the centre
@@ -136,6 +150,7 @@ struct Planets : Drawing {
     std::shared_ptr<Image> white_, flat_;
     Buffer skylight_;
     SkylightTable sky_table_;
+    AirTables air_tables_;  ///< of the Earth
     /// A body's resources are the same at any size in the picture.
     struct Drawn {
         Pipeline large, small;
@@ -147,6 +162,8 @@ struct Planets : Drawing {
     Drawn rock_ = drawn_with({});
     Drawn clouded_ = drawn_with({{"BODY_AIR", "1"}});
     Drawn earth_ = drawn_with({{"BODY_AIR", "1"}, {"BODY_EARTH", "1"}});
+    Drawn earth_tables_ = drawn_with(Macros{{"BODY_AIR", "1"}, {"BODY_EARTH", "1"}}.replace_file(
+        "10_atmosphere/sun_closed.glsl", "10_atmosphere/sun_table.glsl"));
     Drawn flowing_ = drawn_with({{"BODY_FLOW", "1"}});
     Drawn ringed_ = drawn_with({{"BODY_RINGS", "1"}});
     Drawn star_ = drawn_with({{"BODY_STAR", "1"}});

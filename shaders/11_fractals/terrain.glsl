@@ -6,6 +6,7 @@
 
 layout(scalar) uniform TerrainBlock {
     float wave_m, height_m, erosion, gain, most_octaves, difference_m, shortest_px, snow_line_m, ambient, ambient_power;
+    float ambient_noise, back_light;
     int shadow_steps;
 } terrain;
 layout(scalar) uniform TerrainNowBlock { TerrainNow terrain_now; };

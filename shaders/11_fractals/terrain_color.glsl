@@ -66,6 +66,13 @@ float edge_noise(vec2 place, float octaves) {
     return sum;
 }
 
+// Irradiance by a second light, 30 degrees high opposite the sun, of the sky's colour there.
+vec3 back_light(vec3 normal) {
+    vec2 away = -terrain_now.to_sun.xz;
+    vec3 to_light = normalize(vec3(away.x, max(0.577 * length(away), 1e-3), away.y));
+    return terrain.back_light * 3.14159265 * sky_light(to_light, terrain_now.to_sun) * max(dot(normal, to_light), 0.0);
+}
+
 // Towards the eye, linear, from a place of the ground. `across` and `down`: how the place changes from this pixel to the
 // next ones.
 vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
@@ -76,7 +83,8 @@ vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
 #elif TERRAIN_SHOW == TERRAIN_SHOW_OCTAVES
     return vec3(octaves / terrain.most_octaves);
 #endif
-    float rough = clamp(edge_noise(position.xz, octaves) + (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
+    float noise = edge_noise(position.xz, octaves);
+    float rough = clamp(noise + (position.y - terrain.snow_line_m) / (0.5 * terrain.height_m), -1.0, 1.0);
     vec2 begins = terrain_mix_look.snow_begins, ends = terrain_mix_look.snow_ends;
     float snow = terrain_mix(normal.y, rough, begins, ends, 1.0);
 
@@ -91,5 +99,7 @@ vec3 terrain_color(vec3 position, vec3 across, vec3 down) {
     vec3 sun = sun_light(terrain_now.to_sun) * max(dot(normal, terrain_now.to_sun), 0.0) * sun_visible(position);
     vec3 sky = 3.14159265 * sky_light(normalize(vec3(normal.x, 1.5, normal.z)), terrain_now.to_sun);
     float open = pow(max(normal.y, 0.0), terrain.ambient_power) * (1.0 - terrain.ambient) + terrain.ambient;
+    if (terrain.ambient_noise > 0.0) open *= max(1.0 + terrain.ambient_noise * noise, 0.0);
+    if (terrain.back_light > 0.0) sun += back_light(normal);
     return min(albedo / 3.14159265 * (sun + open * sky), LARGEST_HALF);
 }

@@ -3,6 +3,7 @@
 #include "17_planets/air_shell.glsl"
 #include "17_planets/body_inputs.glsl"
 #include "17_planets/clouds.glsl"
+#include "17_planets/earth_air.glsl"
 #include "17_planets/ellipsoid_shadow.glsl"
 #include "17_planets/ground.glsl"
 #include "17_planets/map_lookup.glsl"
@@ -60,10 +61,9 @@ vec4 seen_body(vec3 direction, float pixel_rad) {
 #ifdef BODY_EARTH
     vec4 cloud = seen_clouds(ray.round_eye, ray.round_direction, end, to_sun, pixel_rad);
     light = cloud + (1.0 - cloud.a) * light;
-#endif
+    Along air_there = earth_air(ray.round_eye, ray.round_direction, to_sun, end, dot(normalize(ray.nearest_at), to_sun));
+#else
     Along air_there = air_before(ray.round_eye, ray.round_direction, to_sun, end, planets.air_steps);
-#ifdef BODY_EARTH
-    air_there.light = with_more_orders(air_there.light, dot(normalize(ray.nearest_at), to_sun));
 #endif
     light = vec4(light.rgb * air_there.transmittance + air_there.light,
                  1.0 - (1.0 - light.a) * dot(air_there.transmittance, vec3(1.0 / 3.0)));

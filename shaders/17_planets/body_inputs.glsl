@@ -6,6 +6,8 @@ layout(scalar) uniform PlanetsBlock {
     int air_steps, walks;
     float relief, clouds, night, waves;
 } planets;
+layout(scalar) uniform AtmosphereBlock { int paths; } atmosphere;
+layout(scalar) uniform SeedBlock { uint seed; };
 
 // Half the angle of the sun's disc for shadows of bodies: of a hard edge next to nothing.
 float shadow_sun_rad() {

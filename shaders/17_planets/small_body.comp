@@ -1,5 +1,6 @@
 // A body of a few pixels or less: the light of 64 points of its disc, each spread over the pixels around it by a tent
 // filter with a constant sum of 1. So the sum over the picture does not depend on its position.
+#define BODY_SMALL  // 64 rays a pixel: too many for random walks
 #include "17_planets/body.glsl"
 #include "common/light.glsl"
 

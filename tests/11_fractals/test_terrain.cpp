@@ -205,3 +205,55 @@ TEST_CASE_METHOD(OnTerrain, "the smoother ground's light, against a ray to the s
         CHECK(off_none > 0);
     }
 }
+
+TEST_CASE_METHOD(OnTerrain,
+                 "the light of the sky is bluer on slopes that face away from the sun; a back light adds to them",
+                 "[figures][11.back_light]") {
+    terrain.fog.method.set("none");
+    terrain.shadow.set("none");
+    camera.target = {0, -100, -1000};
+    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.9, 0.24, -0.25));  // as in the scene of the shot `peak`
+    scene.file.lights[0].direction = glm::vec3(-to_sun);
+    Probe probe{.include = "10_atmosphere/preetham.glsl",
+                .signature = "vec3 preetham_sky(vec3 direction, vec3 to_sun, float turbidity)"};
+    for (const double side : {-1.0, 1.0}) {  // slopes of 45 degrees, away from the sun and towards it
+        const glm::dvec3 level = glm::normalize(glm::dvec3(to_sun.x, 0, to_sun.z)),
+                         n = side * level + glm::dvec3(0, 1, 0);
+        const glm::dvec3 seen = glm::normalize(glm::dvec3(n.x, 1.5 * std::sqrt(2.0), n.z));  // as terrain_color() asks
+        probe.inputs.push_back({seen.x, seen.y, seen.z, to_sun.x, to_sun.y, to_sun.z, 2.4});
+    }
+    const Table sky = run_probe(gpu, probe, 3);
+    const double away = sky[0][2] / sky[0][0], towards = sky[1][2] / sky[1][0];
+    fmt::print("sky, blue over red on a slope of 45 degrees away from the sun: {:.1f}\n", away);
+    fmt::print("sky, blue over red on a slope of 45 degrees towards the sun: {:.1f}\n", towards);
+    CHECK(away > 1.2 * towards);
+
+    const auto picture = [&](const char* shown, float back_light, float noise) {
+        terrain.show.set(shown);
+        terrain.back_light.value = back_light;
+        terrain.ambient_noise.value = noise;
+        draw();
+        return read_linear(gpu, frame.hdr);
+    };
+    const ImageRgb plain = picture("picture", 0, 0), lit = picture("picture", 1, 0),
+                   noisy = picture("picture", 0, 0.5f);
+    const ImageRgb normals = picture("normals", 0, 0);
+    const double flat = std::hypot(to_sun.x, to_sun.z), tangent = std::tan(glm::radians(30.0));
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(-to_sun.x, tangent * flat, -to_sun.z));
+    glm::dvec3 sum(0), gained(0), moved(0), changed(0);
+    for (size_t i = 0; i < plain.pixels.size(); ++i) {
+        const glm::dvec3 before(plain.pixels[i]), more = glm::dvec3(lit.pixels[i]) - before;
+        const double facing = glm::dot(2.0 * glm::dvec3(normals.pixels[i]) - 1.0, to_light);
+        if (facing < -0.01) CHECK(more == glm::dvec3(0));
+        if (facing > 0.05) CHECK(more.b > 0);
+        sum += before;
+        gained += more;
+        changed += glm::dvec3(noisy.pixels[i]) - before;
+        moved += glm::abs(glm::dvec3(noisy.pixels[i]) - before);
+    }
+    CHECK(gained.b / sum.b > 1.5 * gained.r / sum.r);
+    fmt::print("ambient noise of 0.5 changes a pixel by {:.3f} and the mean by {:.3f}\n", moved.g / sum.g,
+               changed.g / sum.g);
+    CHECK(moved.g > 0.01 * sum.g);
+    CHECK(std::fabs(changed.g) < 0.5 * moved.g);
+}

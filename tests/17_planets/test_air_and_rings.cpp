@@ -1,4 +1,8 @@
 // The surroundings of a body: its air from within, clouds from below, the soft shadow of rings.
+#include <fmt/core.h>
+
+#include <array>
+
 #include "planets_fixture.h"
 #include "with_air.h"
 
@@ -59,6 +63,78 @@ TEST_CASE_METHOD(DeviceTest,
             CHECK((left > 0.1 && left < 1));
             CHECK(left > (found[i - 1][0] - found[i - 1][1]) / was + 0.02);
         }
+    }
+}
+
+// Random walks are the mean of 16 pictures with a seed each: 256 walks a pixel.
+TEST_CASE_METHOD(OnPlanets,
+                 "the Earth's air by tables: nearer to random walks than single scattering and a fade, in colour too",
+                 "[figures][17.air_tables]") {
+    size = {40, 24};
+    camera.fov_y_rad = 0.12f;
+    planets.air.paths.value = 16;
+    const auto light = [&](const char* method, const char* orders, int steps) {
+        planets.air.method.set(method);
+        planets.air.orders.set(orders);
+        planets.air_steps.value = steps;
+        return picture();
+    };
+    const auto error = [](const ImageRgb& found, const ImageRgb& right) {
+        double off = 0, all = 0;
+        for (size_t i = 0; i < right.pixels.size(); ++i) {
+            const glm::dvec3 b(right.pixels[i]), d = glm::dvec3(found.pixels[i]) - b;
+            off += glm::dot(d, d);
+            all += glm::dot(b, b);
+        }
+        return std::sqrt(off / all);
+    };
+    const auto mean = [](const ImageRgb& of) {
+        glm::dvec3 sum(0);
+        for (const glm::vec3& pixel : of.pixels) sum += glm::dvec3(pixel) / double(of.pixels.size());
+        return sum;
+    };
+    const double away = 1.25, tangent_deg = glm::degrees(std::acos(1 / away));
+    for (const double sun_deg : {60.0, 10.0}) {  // elevation of the sun at the limb in the picture's middle
+        look_at("earth", away, 90 - sun_deg + tangent_deg);
+        const double a = glm::radians(90 - sun_deg), r = traits(BodyId::earth).radius_m;
+        camera.target = glm::vec3(r * glm::dvec3(std::sin(a), 0, std::cos(a)));
+        std::vector<ImageRgb> walks;
+        for (unsigned i = 0; i < 16; ++i) {
+            frame.seed = i;
+            walks.push_back(light("truth", "multiple", 10));
+        }
+        ImageRgb right = walks[0], half = walks[0];
+        for (size_t p = 0; p < right.pixels.size(); ++p)
+            for (size_t i = 1; i < walks.size(); ++i) {
+                right.pixels[p] += (walks[i].pixels[p] - right.pixels[p]) / float(i + 1);
+                if (i == walks.size() / 2 - 1) half.pixels[p] = right.pixels[p];
+            }
+        const double doubt = error(half, right);
+        const ImageRgb once = light("closed", "single", 40), faded = light("closed", "multiple", 40);
+        const ImageRgb tables = light("tables", "multiple", 40);
+        const glm::dvec3 seen = mean(right), by_fade = mean(faded) / seen - 1.0, by_tables = mean(tables) / seen - 1.0;
+        const std::string at = fmt::format("air, sun {:.0f} degrees high at the limb", sun_deg);
+        fmt::print("{}: single scattering off by {:.3f}\n", at, error(once, right));
+        fmt::print("{}: a fade off by {:.3f}\n", at, error(faded, right));
+        fmt::print("{}: tables off by {:.3f}\n", at, error(tables, right));
+        fmt::print("{}: half of the walks off by {:.3f}\n", at, doubt);
+        for (int c = 0; c < 3; ++c)
+            fmt::print("{}: {} light of a fade {:+.2f}, of tables {:+.3f}\n", at, std::array{"red", "green", "blue"}[c],
+                       by_fade[c], by_tables[c]);
+        CHECK(error(tables, right) < 1.5 * doubt);  // all that these walks can tell
+        CHECK(error(tables, right) < 0.5 * error(faded, right));
+        for (int c = 0; c < 3; ++c) CHECK(std::fabs(by_tables[c]) < 0.055);  // chapter 10's bound, [10.tables]
+        double last = 1;
+        for (const int steps : {3, 6, 12}) {
+            const double now = error(light("tables", "multiple", steps), tables);
+            fmt::print("{}: tables in {} samples differ from 40 by {:.3f}\n", at, steps, now);
+            CHECK(now < 0.75 * last);
+            last = now;
+        }
+        // Light scattered once: the methods differ by the errors of the formula and of the tables.
+        const ImageRgb exact = light("truth", "single", 10);
+        CHECK(error(once, exact) < 0.01);
+        CHECK(error(light("tables", "single", 40), exact) < 0.02);
     }
 }
 

@@ -36,6 +36,39 @@ TEST_CASE("half phase: Lambert's ball is 3.5 times as bright as the Moon, Hapke'
     CHECK(truth::phase_curve(truth::hapke, half) == Approx(moon(90)).epsilon(0.15));
 }
 
+TEST_CASE("at matched exposure Lommel and Seeliger's law has the shape of Hapke's disc, Lambert's has not",
+          "[figures][17.matched_exposure]") {
+    const auto seeliger = [](double c, double mu, double) { return truth::lommel_seeliger(c, mu); };
+    const auto minnaert = [](double c, double mu, double) { return truth::minnaert(std::max(c, 0.0), mu, 0.7); };
+    const auto wrapped = [](double c, double, double) { return truth::wrapped_terminator(c, 0.2, 1.4); };
+    // Over the pixels of the disc, after the factor that brings a law nearest to Hapke's.
+    const auto off = [](const auto& law, double phase_deg) {
+        constexpr int across = 400;
+        const double phase = glm::radians(phase_deg);
+        double both = 0, own = 0, right = 0;
+        for (int j = 0; j < across; ++j)
+            for (int i = 0; i < across; ++i) {
+                const double x = 2 * (i + 0.5) / across - 1, y = 2 * (j + 0.5) / across - 1;
+                if (x * x + y * y >= 1) continue;
+                const double mu = std::sqrt(1 - x * x - y * y), c = std::sin(phase) * x + std::cos(phase) * mu;
+                const double a = law(c, mu, std::cos(phase)), b = truth::hapke(c, mu, std::cos(phase));
+                both += a * b;
+                own += a * a;
+                right += b * b;
+            }
+        return std::sqrt(std::max(1 - both * both / (own * right), 0.0));
+    };
+    for (const double deg : {0.0, 56.0, 90.0}) {
+        fmt::print("matched exposure at {:.0f} degrees: Lommel and Seeliger {:.2f}\n", deg, off(seeliger, deg));
+        fmt::print("matched exposure at {:.0f} degrees: Minnaert {:.2f}\n", deg, off(minnaert, deg));
+        fmt::print("matched exposure at {:.0f} degrees: wrapped {:.2f}\n", deg, off(wrapped, deg));
+        fmt::print("matched exposure at {:.0f} degrees: Lambert {:.2f}\n", deg, off(lambert, deg));
+        CHECK(off(seeliger, deg) < 0.1);
+        CHECK(off(minnaert, deg) < off(lambert, deg));
+        CHECK(off(lambert, deg) > 2 * off(seeliger, deg));
+    }
+}
+
 TEST_CASE("a wrap of 0.3 with an exponent of 0.47 lights 17 degrees too far and sends 1.77 times Lambert's light",
           "[17.wrap]") {
     double wrapped = 0, right = 0;

@@ -33,8 +33,14 @@ TEST_CASE("parallax in pixels: none of the Earth's mountains in its portrait, do
     // A summit of 8.8 km is moved by its height times the tangent of the angle at which it is seen: here 45 degrees.
     const double summit_m = 8849, portrait_m = 6378137 * 4.9 * 2 * std::tan(glm::radians(13.0)) / 540;
     const double low_m = 400e3 * std::sqrt(2.0) * 2 * std::tan(glm::radians(13.0)) / 540;
+    // Of the colour maps, from which heights would have to be guessed: 2,048 texels around a planet.
+    const double earth_texel_m = 2 * glm::pi<double>() * 6378137 / 2048,
+                 mars_texel_m = 2 * glm::pi<double>() * 3396190 / 2048;
     fmt::print("parallax of a summit: {:.2f} pixels in the portrait, {:.0f} from 400 km\n", summit_m / portrait_m,
                summit_m / low_m);
+    fmt::print("from 400 km a texel of the Earth's map: {:.0f} pixels\n", earth_texel_m / low_m);
+    fmt::print("from 400 km a texel of Mars' map: {:.0f} pixels\n", mars_texel_m / low_m);
+    CHECK(earth_texel_m / low_m > 2 * summit_m / low_m);
     CHECK(summit_m / portrait_m < 0.5);
     CHECK(summit_m / low_m > 10);
 }
