@@ -17,6 +17,7 @@
 #include "common/base/files.h"
 #include "common/base/guarded.h"
 #include "common/base/text.h"
+#include "common/study/cheapest.h"
 
 namespace lightwalk {
 
@@ -208,47 +209,38 @@ void LoaderSubject::measure(const json& study, json& result) {
 // Every .obj file of the scene, each once: its loaders' times add up, of their errors the largest counts.
 json LoaderSubject::choose(double budget) {
     const auto start = std::chrono::steady_clock::now();
-    struct Candidate {
-        double ulps = 0, ms = 0;
-        bool reads = true;
-    };
-    std::map<Loader, Candidate> candidates;
+    std::map<Loader, Measured> candidates;
     std::set<std::filesystem::path> files;
     for (const SceneObject& object : scene.objects) {
         if (!is_obj(object.model) || !files.insert(object.model).second) continue;
         size_t bytes = 0;
         for (const LoaderFigures& f : measure_loaders(find_asset(object.model), rounds_to_choose, bytes)) {
-            Candidate& c = candidates[f.loader];
-            c.reads = c.reads && f.error.empty();
-            if (!f.error.empty()) continue;
-            c.ulps = std::max(c.ulps, static_cast<double>(f.largest_ulps));
-            c.ms += f.quantile(0.5);
+            Measured& c = candidates[f.loader];
+            c.error = std::max(c.error, f.error.empty() ? static_cast<double>(f.largest_ulps) : INFINITY);
+            c.time_ms += f.error.empty() ? f.quantile(0.5) : 0;
         }
     }
     json all = json::array();
-    const json *fastest = nullptr, *most_accurate = nullptr;
-    for (const auto& [which, c] : candidates)
+    std::vector<Measured> measured;
+    for (auto& [which, c] : candidates) {
+        c.enough = c.error <= budget;
+        const json error = std::isfinite(c.error) ? json(c.error) : json();
+        measured.push_back(c);
         all.push_back({{"method", loader_name(which)},
                        {"knobs", json::object()},
-                       {"error", c.reads ? json(c.ulps) : json()},
-                       {"error_upper", c.reads ? json(c.ulps) : json()},
-                       {"time_ms", c.ms},
-                       {"enough", c.reads && c.ulps <= budget}});
-    for (const json& c : all) {
-        if (c["enough"] == true && (!fastest || c["time_ms"] < fastest->at("time_ms"))) fastest = &c;
-        if (!c["error"].is_null() && (!most_accurate || c["error"] < most_accurate->at("error"))) most_accurate = &c;
+                       {"error", error},
+                       {"error_upper", error},
+                       {"time_ms", c.time_ms},
+                       {"enough", c.enough}});
     }
-    const json* const best = fastest ? fastest : most_accurate;
-    if (best) loader.set(best->at("method").get<std::string>());
     // A scene without an .obj file is read alike by all: the loader stays.
-    const json as_it_is = {{"method", loader.text()}, {"knobs", json::object()}};
+    json choice = {{"method", loader.text()}, {"knobs", json::object()}};
+    if (!all.empty()) choice = all[cheapest(measured)];
+    loader.set(choice["method"].get<std::string>());
+    const bool any = std::ranges::any_of(measured, [](const Measured& c) { return c.enough; });
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    return {{"budget", budget},
-            {"error_metric", "ulp"},
-            {"crops", 0},
-            {"candidates", all},
-            {"choice", best ? *best : as_it_is},
-            {"none_would_do", !fastest && !all.empty()},
+    return {{"budget", budget},           {"error_metric", "ulp"}, {"crops", 0},
+            {"candidates", all},          {"choice", choice},      {"none_would_do", !any && !all.empty()},
             {"choosing_ms", took.count()}};
 }
 
@@ -265,7 +257,7 @@ uint64_t hash_floats(const float* values, size_t count, uint64_t seed) {
 
 }  // namespace
 
-std::string describe_mesh(const std::filesystem::path& path, Loader loader) {
+void dump_mesh(const std::filesystem::path& path, Loader loader) {
     const Model model = load_model(path, loader);
     Json out = {{"file", path.string()}, {"loader", is_obj(path) ? loader_name(loader) : "assimp"}};
     uint64_t checksum = hash_bytes({});
@@ -295,11 +287,7 @@ std::string describe_mesh(const std::filesystem::path& path, Loader loader) {
     out["materials"] = Json::array();
     for (const Material& m : model.materials) out["materials"].push_back(m.name);
     out["positions_fnv1a64"] = fmt::format("{:016x}", checksum);
-    return out.dump(2, ' ', false, Json::error_handler_t::replace);
-}
-
-void dump_mesh(const std::filesystem::path& path, Loader loader) {
-    std::printf("%s\n", describe_mesh(path, loader).c_str());
+    std::printf("%s\n", out.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 }  // namespace lightwalk

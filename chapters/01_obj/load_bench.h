@@ -37,7 +37,4 @@ int run_load_bench(const std::filesystem::path& path, int runs);
 /// vertices, mesh after mesh). Equal positions give equal checksums.
 void dump_mesh(const std::filesystem::path& path, Loader loader);
 
-/// The text of dump_mesh.
-std::string describe_mesh(const std::filesystem::path& path, Loader loader);
-
 }  // namespace lightwalk

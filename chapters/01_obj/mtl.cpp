@@ -8,6 +8,7 @@
 #include "01_obj/fast_parse.h"
 #include "01_obj/lines.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/base/text.h"
 #include "common/scene/asset_path.h"
 #include "common/scene/model_bytes.h"
@@ -15,13 +16,6 @@
 namespace lightwalk {
 namespace {
 namespace fs = std::filesystem;
-
-std::string lower(std::string_view word) {
-    std::string out(word);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return out;
-}
 
 float take_float(std::string_view& rest, std::string_view what) {
     const std::string_view word = next_word(rest);
@@ -128,7 +122,7 @@ struct Reader {
     Said said{};
 
     void statement(std::string_view rest) {
-        const std::string written(next_word(rest)), keyword = lower(written);
+        const std::string written(next_word(rest)), keyword = lowercase(written);
         if (keyword == "newmtl") {
             if (trim(rest).empty()) throw InputError("newmtl without a name");
             finish();

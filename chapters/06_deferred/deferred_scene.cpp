@@ -126,7 +126,7 @@ bool DeferredScene::write_emission(Frame& frame, Canvas& canvas, const SurfacePi
 }
 
 bool DeferredScene::emits() {
-    if (!emission_sought_.is_current(scene().epoch)) emits_ = !emitting(scene(), scene().opaque_batches()).empty();
+    if (!emission_sought_.is_current(scene().epoch)) emits_ = !emitting(scene(), scene().opaque().batches()).empty();
     return emits_;
 }
 

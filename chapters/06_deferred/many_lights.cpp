@@ -181,7 +181,7 @@ bool Screens::is_screen(const DrawItem& item) const {
 }
 
 std::vector<Batch> Screens::batches(const Scene& scene) const {
-    if (screens_.empty()) return scene.opaque_batches();
+    if (screens_.empty()) return scene.opaque().batches();
     std::vector<Batch> all = scene.opaque().where([&](const DrawItem& item) { return !is_screen(item); }).batches();
     for (uint32_t i = 0; i < scene.items.size(); ++i)
         if (is_screen(scene.items[i]) && !scene.items[i].transparent) all.emplace_back(scene, i, 1u);

@@ -7,7 +7,7 @@
 #include "18_playground/gltf.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
-#include "common/scene/file_view.h"
+#include "common/scene/bare.h"
 
 namespace lightwalk {
 

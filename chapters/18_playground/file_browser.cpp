@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -12,25 +11,13 @@
 #include "18_playground/widgets.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/base/own_files.h"
 #include "common/scene/import.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
 namespace {
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
-bool has_words(const std::string& name, const std::string& filter) {
-    std::istringstream words(lower(filter));
-    const std::string own = lower(name);
-    for (std::string word; words >> word;)
-        if (own.find(word) == own.npos) return false;
-    return true;
-}
 
 fs::path recent_list() {
     const fs::path folder = state_folder();
@@ -43,7 +30,9 @@ const char* image_folder(const std::string& what) {
 
 }  // namespace
 
-bool can_be_opened(const fs::path& file) { return is_model_file(file) || lower(file.extension().string()) == ".json"; }
+bool can_be_opened(const fs::path& file) {
+    return is_model_file(file) || lowercase(file.extension().string()) == ".json";
+}
 
 Listing list_folder(const fs::path& folder, const std::string& filter) {
     Listing listing{folder, {}, ""};
@@ -57,12 +46,12 @@ Listing list_folder(const fs::path& folder, const std::string& filter) {
             (!entry->is_regular_file(one) || !(can_be_opened(name) || is_image(name) || is_height_map_file(name)) ||
              !has_words(name.string(), filter)))
             continue;
-        listing.files.push_back({entry->path(), is_folder, lower(name.extension().string()) == ".json",
+        listing.files.push_back({entry->path(), is_folder, lowercase(name.extension().string()) == ".json",
                                  is_folder ? 0 : entry->file_size(one)});
     }
     if (error) listing.error = folder.string() + ": " + error.message();
-    std::sort(listing.files.begin(), listing.files.end(), [](const Listing::File& a, const Listing::File& b) {
-        return a.is_folder != b.is_folder ? a.is_folder : lower(a.path.filename()) < lower(b.path.filename());
+    std::ranges::sort(listing.files, {}, [](const Listing::File& file) {
+        return std::pair(!file.is_folder, lowercase(file.path.filename().string()));
     });
     return listing;
 }
@@ -240,7 +229,7 @@ void FileBrowser::draw(float scale) {
         if (take_image)
             take_image(*take);
         else if (chosen)
-            chosen(*take, adds_ && lower(take->extension().string()) != ".json");
+            chosen(*take, adds_ && lowercase(take->extension().string()) != ".json");
     }
 }
 

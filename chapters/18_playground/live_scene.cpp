@@ -40,9 +40,7 @@ std::optional<LiveScene::Edits> LiveScene::edits_of(const Document& document, co
             if (place == places_.end()) return {};
             const SceneObject& shown = scene.file.objects[place->second];
             if (!same_but_placed_and_painted(*object, shown) || entry->hidden != shown.hidden) return {};
-            if (placement_of(*object) != placement_of(shown))
-                edits.moves.push_back({place->second, object->position, object->rotation_deg, object->scale});
-            if (object->material != shown.material) edits.paints.push_back({place->second, object->material});
+            edits.objects.push_back({place->second, object});
         } else if (entry->light()) {
             if (entry->hidden == light_places_.contains(id)) return {};
             if (!entry->hidden) edits.lights.push_back(id);
@@ -101,9 +99,8 @@ bool LiveScene::update(Gpu& gpu, Document& document, Scene& scene, const ModelLo
     } catch (const InputError& e) { note(e); }
 
     const auto edits = changes.structure || !same_kinds ? std::nullopt : edits_of(document, scene, changes.entries);
-    if (edits && scene.paint(edits->paints)) {
+    if (edits && scene.edit(edits->objects)) {
         for (const EntryId id : edits->lights) scene.file.lights[light_places_.at(id)] = light_of(document.at(id));
-        scene.move(edits->moves);
         return false;
     }
     Exported all = exported(document);

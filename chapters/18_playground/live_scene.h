@@ -35,8 +35,7 @@ class LiveScene {
                    const ModelLoader& loader, const std::function<void(const InputError&)>& note) const;
     /// Edits that need no other lists.
     struct Edits {
-        std::vector<Scene::Move> moves;
-        std::vector<Scene::Paint> paints;
+        std::vector<Scene::Edit> objects;
         std::vector<EntryId> lights;
     };
     std::optional<Edits> edits_of(const Document& document, const Scene& scene,

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
 #include "15_terrain_water/height_map.h"
@@ -11,6 +10,7 @@
 #include "common/app/render.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 
 namespace lightwalk {
 namespace fs = std::filesystem;
@@ -18,29 +18,6 @@ namespace {
 
 constexpr double slice_ms = 4.0;
 constexpr uintmax_t largest_file = uintmax_t{64} << 20;  // beyond it a thumbnail would take longer than a look
-
-// Cut to the shape of a thumbnail; every pixel is the mean of at most 4 × 4 of the image's.
-Image8 small(const ImageRgb& image, glm::uvec2 size) {
-    const glm::vec2 whole(image.width, image.height), wanted(size);
-    const float step = std::min(whole.x / wanted.x, whole.y / wanted.y);
-    const glm::vec2 corner = 0.5f * (whole - step * wanted);
-    Image8 result(static_cast<int>(size.x), static_cast<int>(size.y));
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) {
-            glm::vec3 sum(0.0f);
-            for (int i = 0; i < 16; ++i) {
-                const glm::vec2 within((static_cast<float>(i % 4) + 0.5f) / 4.0f,
-                                       (static_cast<float>(i / 4) + 0.5f) / 4.0f);
-                const glm::ivec2 at = glm::ivec2(corner + step * (glm::vec2(x, y) + within));
-                sum += image.at(std::clamp(at.x, 0, image.width - 1), std::clamp(at.y, 0, image.height - 1));
-            }
-            glm::u8vec4 code(255);
-            for (int i = 0; i < 3; ++i)
-                code[i] = static_cast<uint8_t>(255.0f * linear_to_srgb(std::clamp(sum[i] / 16.0f, 0.0f, 1.0f)) + 0.5f);
-            result.at(x, y) = code;
-        }
-    return result;
-}
 
 // In the light in which most things look their best.
 void light_well(SceneFile& scene) {
@@ -98,9 +75,7 @@ SceneFile material_ball(const SceneObject& object, const DrawItem& item) {
 
 bool is_image(const fs::path& file) {
     static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".hdr", ".tga", ".webp"};
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return std::any_of(std::begin(endings), std::end(endings), [&](const char* one) { return ending == one; });
+    return std::ranges::find(endings, lowercase(file.extension().string())) != std::end(endings);
 }
 
 fs::path thumbnail_file(const fs::path& file) {
@@ -151,7 +126,7 @@ bool Thumbnails::carry_on(Gpu& gpu, Preview& preview) {
         return true;
     };
     try {
-        if (is_image(file)) return settle(small(read_image_linear(file), size));
+        if (is_image(file)) return settle(thumbnail(read_image_linear(file), size));
         if (!scene_) begin(file);
         if (auto ended = loading_.poll()) {
             if (!ended->model) return settle({});

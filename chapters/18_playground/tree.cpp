@@ -1,19 +1,12 @@
 #include "18_playground/tree.h"
 
 #include <algorithm>
-#include <cctype>
+#include <utility>
 
 #include "18_playground/commands.h"
+#include "common/base/names.h"
 
 namespace lightwalk {
-namespace {
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
-}  // namespace
 
 std::string shown_name(const Entry& entry) {
     if (!entry.name().empty()) return clean_name(entry.name());  // a file's may have line breaks, and this is a line
@@ -32,15 +25,8 @@ void Tree::show(const Document& document, EntryId id) {
 }
 
 void Tree::search(const std::string& text) {
-    std::vector<std::string> words;
-    for (size_t at = 0; at < text.size();) {
-        const size_t end = std::min(text.find(' ', at), text.size());
-        if (end > at) words.push_back(lower(text.substr(at, end - at)));
-        at = end + 1;
-    }
-    if (words == words_) return;
-    words_ = std::move(words);
-    made_.forget();
+    const std::string words = text.find_first_not_of(' ') == text.npos ? "" : text;
+    if (std::exchange(words_, words) != words) made_.forget();
 }
 
 const std::vector<TreeRow>& Tree::rows(const Document& document) {
@@ -58,10 +44,7 @@ const std::vector<TreeRow>& Tree::rows(const Document& document) {
         const bool open = !words_.empty() || now.id == root_entry || unfolded_.contains(now.id);
         const size_t nodes = entry.object() && node_count ? node_count(now.id) : 0;
         if (now.id != root_entry) {
-            const std::string name = words_.empty() ? "" : lower(shown_name(entry));
-            const bool found = std::all_of(words_.begin(), words_.end(),
-                                           [&](const std::string& word) { return name.find(word) != name.npos; });
-            if (found)
+            if (words_.empty() || has_words(shown_name(entry), words_))
                 rows_.push_back({now.id, -1, words_.empty() ? now.depth : uint16_t(0),
                                  words_.empty() && (!entry.children.empty() || nodes > 1)});
         }

@@ -36,7 +36,7 @@ class Tree {
 
   private:
     std::unordered_set<EntryId> unfolded_;
-    std::vector<std::string> words_;
+    std::string words_;
     std::vector<TreeRow> rows_;
     Fingerprint made_;
 };

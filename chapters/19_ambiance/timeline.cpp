@@ -32,6 +32,17 @@ std::vector<double> numbers(const std::string& text) {
     return all;
 }
 
+double value_of(const Fade& fade, double time_s) {
+    const double share =
+        fade.to_s > fade.from_s ? std::clamp((time_s - fade.from_s) / (fade.to_s - fade.from_s), 0.0, 1.0) : 1.0;
+    return fade.from + share * (fade.to - fade.from);
+}
+
+double count_of(const Title& title, double time_s) {
+    const double share = std::clamp((time_s - title.from_s) / (title.to_s - title.from_s), 0.0, 1.0);
+    return glm::mix(title.count->x, title.count->y, share);
+}
+
 }  // namespace
 
 std::string Track::at(double time_s) const {
@@ -78,20 +89,15 @@ std::vector<double> Timeline::turns(size_t scene) const {
 
 Timeline::Faded Timeline::faded(double time_s) const {
     Faded now;
-    for (const Fade& fade : fades) {
-        if (time_s < fade.from_s) continue;
-        const double share =
-            fade.to_s > fade.from_s ? std::clamp((time_s - fade.from_s) / (fade.to_s - fade.from_s), 0.0, 1.0) : 1.0;
-        (fade.white ? now.white : now.black) = static_cast<float>(fade.from + share * (fade.to - fade.from));
-    }
+    for (const Fade& fade : fades)
+        if (time_s >= fade.from_s) (fade.white ? now.white : now.black) = static_cast<float>(value_of(fade, time_s));
     return now;
 }
 
 std::string title_text(const Title& title, double time_s) {
     const size_t place = title.text.find("{}");
     if (!title.count || place == std::string::npos) return title.text;
-    const double share = std::clamp((time_s - title.from_s) / (title.to_s - title.from_s), 0.0, 1.0);
-    const auto number = std::llround(glm::mix(title.count->x, title.count->y, share));
+    const auto number = std::llround(count_of(title, time_s));
     std::string digits = fmt::format("{}", number);
     for (size_t i = digits.size(); i > 3 + (number < 0); i -= 3) digits.insert(i - 3, ",");
     return title.text.substr(0, place) + digits + title.text.substr(place + 2);
@@ -139,12 +145,9 @@ void add_fades(const Timeline& film, const CutPart& part, Timeline& cut) {
     cut.fades.push_back(rests(at_first.white, true));
     for (const Fade& fade : film.fades) {
         if (fade.from_s < part.from_s ? fade.to_s <= part.from_s : fade.from_s >= part.to_s) continue;
-        const auto value = [&](double time_s) {
-            const double share = fade.to_s > fade.from_s ? (time_s - fade.from_s) / (fade.to_s - fade.from_s) : 1.0;
-            return glm::mix(fade.from, fade.to, std::clamp(share, 0.0, 1.0));
-        };
         const double first_s = std::max(fade.from_s, part.from_s), end_s = std::min(fade.to_s, part.to_s);
-        cut.fades.push_back({part.in_cut(first_s), part.in_cut(end_s), value(first_s), value(end_s), fade.white});
+        cut.fades.push_back(
+            {part.in_cut(first_s), part.in_cut(end_s), value_of(fade, first_s), value_of(fade, end_s), fade.white});
     }
 }
 
@@ -153,12 +156,7 @@ void add_titles(const Timeline& film, const CutPart& part, Timeline& cut) {
     for (Title title : film.titles) {
         const double first_s = std::max(title.from_s, part.from_s), end_s = std::min(title.to_s, part.to_s);
         if (end_s - first_s < least_s) continue;
-        if (title.count) {
-            const auto count = [&](double time_s) {
-                return glm::mix(title.count->x, title.count->y, (time_s - title.from_s) / (title.to_s - title.from_s));
-            };
-            title.count = glm::dvec2(count(first_s), count(end_s));
-        }
+        if (title.count) title.count = glm::dvec2(count_of(title, first_s), count_of(title, end_s));
         title.from_s = part.in_cut(first_s);
         title.to_s = part.in_cut(end_s);
         cut.titles.push_back(std::move(title));

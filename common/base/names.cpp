@@ -21,6 +21,22 @@ size_t badness(std::string_view wrong, std::string_view name) {
 
 }  // namespace
 
+std::string lowercase(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
+bool has_words(std::string_view text, std::string_view words) {
+    const std::string own = lowercase(text), wanted = lowercase(words);
+    for (size_t at = 0, end = 0; at < wanted.size(); at = end + 1) {
+        end = std::min(wanted.find(' ', at), wanted.size());
+        if (own.find(wanted.substr(at, end - at)) == own.npos) return false;
+    }
+    return true;
+}
+
 size_t edit_distance(std::string_view a, std::string_view b) {
     a = a.substr(0, compared_bytes);
     b = b.substr(0, compared_bytes);

@@ -1,4 +1,4 @@
-// Suggestions for misspelt names.
+// Names as people write them: small and large letters, words of a search, misspellings.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,6 +7,11 @@
 #include "common/base/error.h"
 
 namespace lightwalk {
+
+std::string lowercase(std::string_view text);  ///< of ASCII letters
+
+/// Whether a text has all of these words, ignoring case.
+bool has_words(std::string_view text, std::string_view words);
 
 /// Edit distance ignoring case (optimal string alignment: Damerau 1964), of the first 64 bytes.
 size_t edit_distance(std::string_view a, std::string_view b);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
+#include "common/base/names.h"
 #include "common/base/shared_lock.h"
 #include "common/gpu/capture.h"
 #include "common/gpu/device_features.h"
@@ -117,17 +118,13 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
     return all;
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, VkInstance instance, const DeviceOptions& options) {
     const std::string& wanted = options.name;
     std::string known, passed;
     for (const VkPhysicalDevice physical : all) {
         const DeviceInfo info = describe_device(physical);
-        const bool named = lower(info.name).find(lower(wanted)) != std::string::npos || info.type == lower(wanted);
+        const bool named =
+            lowercase(info.name).find(lowercase(wanted)) != std::string::npos || info.type == lowercase(wanted);
         const bool usable = named && info.lacks.empty();
         if (usable && wanted.empty() && options.presents &&
             !options.presents(instance, physical, *graphics_family(physical))) {

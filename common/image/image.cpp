@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +11,7 @@
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/image/decode.h"
 
 namespace {
@@ -75,22 +75,30 @@ Image8 to_srgb8(const ImageRgb& image) {
     return coded;
 }
 
+Image8 thumbnail(const ImageRgb& image, glm::uvec2 size) {
+    const float scale = std::min(float(image.width) / float(size.x), float(image.height) / float(size.y));
+    const glm::vec2 corner = 0.5f * (glm::vec2(image.width, image.height) - scale * glm::vec2(size));
+    ImageRgb tile(static_cast<int>(size.x), static_cast<int>(size.y));
+    for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) {
+            const glm::ivec2 limit(image.width - 1, image.height - 1);
+            const glm::ivec2 begin = glm::clamp(glm::ivec2(corner + scale * glm::vec2(x, y)), glm::ivec2(0), limit);
+            const glm::ivec2 end =
+                glm::clamp(glm::ivec2(corner + scale * glm::vec2(x + 1, y + 1)), begin + 1, limit + 1);
+            glm::vec3 sum(0.0f);
+            for (int v = begin.y; v < end.y; ++v)
+                for (int u = begin.x; u < end.x; ++u) sum += image.at(u, v);
+            tile.at(x, y) = sum / static_cast<float>((end.x - begin.x) * (end.y - begin.y));
+        }
+    return to_srgb8(tile);
+}
+
 Image8 one_step_away(const Image8& image) {
     Image8 moved = image;
     for (glm::u8vec4& p : moved.pixels)
         for (int c = 0; c < 3; ++c) p[c] = static_cast<uint8_t>(p[c] < 255 ? p[c] + 1 : 254);
     return moved;
 }
-
-namespace {
-
-std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
-}  // namespace
 
 void reject(const fs::path& path, const std::string& why) {
     throw InputError("{}: {}; expected a whole PNG, JPEG, .hdr or .pfm image", path.string(), why);
@@ -104,7 +112,7 @@ void check_image_size(const fs::path& path, int64_t width, int64_t height) {
 }
 
 bool is_hdr_name(const fs::path& path) {
-    const std::string extension = lower_extension(path);
+    const std::string extension = lowercase(path.extension().string());
     return extension == ".hdr" || extension == ".pfm";
 }
 
@@ -117,8 +125,8 @@ Image8 read_image8(const fs::path& path) {
 }
 
 ImageRgb read_image_linear(const fs::path& path) {
-    if (lower_extension(path) == ".pfm") return read_pfm(path);
-    if (lower_extension(path) == ".hdr") return read_radiance(path);
+    if (lowercase(path.extension().string()) == ".pfm") return read_pfm(path);
+    if (lowercase(path.extension().string()) == ".hdr") return read_radiance(path);
     const Decoded file = decode_picture(path, 4, Depth::as_stored);
     if (file.bits == 8) {
         Image8 image(file.width, file.height);

@@ -49,6 +49,9 @@ ImageRgb to_linear(const Image8& image);  ///< alpha is dropped
 /// Clamps to [0, 1], encodes and rounds; NaN becomes 0, alpha 255.
 Image8 to_srgb8(const ImageRgb& image);
 
+/// The middle of the image in the shape of `size`; each pixel is the mean of its area.
+Image8 thumbnail(const ImageRgb& image, glm::uvec2 size);
+
 /// Every colour channel one 8-bit step higher (255: lower), for the reference line of charts.
 Image8 one_step_away(const Image8& image);
 

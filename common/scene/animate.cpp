@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/scene/item_material.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 namespace {
@@ -86,7 +86,6 @@ void Scene::upload_moved(Frame& frame) {
 }
 
 void Scene::find_batches() {
-    opaque_runs_.clear();
     batch_of_.assign(items.size(), 0);
     for (size_t i = 1; i < items.size(); ++i) {
         const DrawItem &a = items[i - 1], &b = items[i];

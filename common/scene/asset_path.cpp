@@ -3,7 +3,7 @@
 #include <strings.h>
 
 #include <algorithm>
-#include <cctype>
+#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -78,23 +78,13 @@ fs::path resolve_file(std::string_view written, const fs::path& folder) {
     return file;
 }
 
-namespace {
-
-int hex_digit(char c) {
-    const size_t at =
-        std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-    return at == std::string_view::npos ? -1 : static_cast<int>(at);
-}
-
-}  // namespace
-
 std::string decode_uri(std::string_view text) {
     std::string out;
     for (size_t i = 0; i < text.size(); ++i) {
-        const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(text[i + 2]) : -1;
-        if (text[i] == '%' && low >= 0) {
-            out += static_cast<char>(16 * high + low);
+        unsigned char byte = 0;
+        const char* const end = text.data() + i + 3;
+        if (text[i] == '%' && i + 2 < text.size() && std::from_chars(end - 2, end, byte, 16).ptr == end) {
+            out += static_cast<char>(byte);
             i += 2;
         } else
             out += text[i];

@@ -7,7 +7,6 @@
 #include "common/base/error.h"
 #include "common/image/decode.h"
 #include "common/image/image.h"
-#include "common/scene/file_view.h"
 
 namespace lightwalk {
 namespace {

@@ -20,6 +20,10 @@ Model ground_below(const Model& model, const std::string& name);
 /// Reason why no part of a model is visible from `eye`, such as "all of its materials are transparent"; "" if some is.
 std::string why_invisible(const Model& model, glm::vec3 eye);
 
+/// Cameras and lights of model files, placed in the world. `place`: node transform. `distance_m`: from camera to target.
+Camera placed(const FileCamera& from, const glm::mat4& place, float distance_m);
+Light placed(const FileLight& from, const glm::mat4& place);
+
 /// Applies camera `number` of the model file, and its lights if any. Throws InputError without such a camera.
 void use_camera_of_file(SceneFile& scene, const Model& model, size_t number);
 

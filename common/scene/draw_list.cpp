@@ -92,12 +92,6 @@ void DrawList::draw(Raster& pass) const {
 }
 
 std::vector<Batch> DrawList::batches() const {
-    // Cached batches, if these are all opaque items in order.
-    if (!items_.empty() && items_.front() == 0 && items_.back() + 1 == items_.size() &&
-        std::ranges::is_sorted(items_, std::less_equal<>()))
-        if (std::vector<Batch> known = scene_->opaque_batches();
-            !known.empty() && known.back().first + known.back().count == items_.size())
-            return known;
     std::vector<Batch> result;
     each_run(*scene_, items_, [&](uint32_t first, uint32_t count) { result.emplace_back(*scene_, first, count); });
     return result;

@@ -4,7 +4,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "common/scene/item_material.h"
 #include "common/scene/scene.h"
 
 namespace lightwalk {
@@ -39,22 +38,46 @@ void Scene::find_items() {
     for (uint32_t i = 0; i < items.size(); ++i) items_of_[next[items[i].object]++] = i;
 }
 
-void Scene::move(std::span<const Move> moves) {
-    if (moves.empty()) return;
+bool Scene::edit(std::span<const Edit> edits) {
+    if (edits.empty()) return true;
     find_items();
-    std::vector<bool> moved(objects_.size(), false);
-    size_t first = objects_.size();
-    for (const Move& one : moves) {
-        SceneObject& object = file.objects.at(one.object);
-        object.position = one.position;
-        object.rotation_deg = one.rotation_deg;
-        object.scale = one.scale;
-        objects_[one.object].local = local_transform(object, time_s_);
-        moved[one.object] = true;
-        first = std::min<size_t>(first, one.object);
+    std::vector<std::pair<uint32_t, DrawItem>> painted;
+    for (const Edit& one : edits) {
+        const MaterialOverride &shown = file.objects.at(one.object).material, &wanted = one.now->material;
+        if (wanted == shown) continue;
+        if (!same_maps(shown, wanted)) return false;
+        for (uint32_t at = first_item_[one.object]; at < first_item_[one.object + 1]; ++at) {
+            const DrawItem& before = items[items_of_[at]];
+            DrawItem& now = painted.emplace_back(items_of_[at], before).second;
+            set_material(now, wanted, file.bare);
+            if (!differ_in_numbers(before, now)) return false;
+        }
     }
+    for (auto& [place, item] : painted) {
+        items[place] = std::move(item);
+        to_paint_[place] = true;
+    }
+    std::vector<bool> moved(objects_.size(), false);
+    bool any_moved = false;
+    for (const auto& [place, now] : edits) {
+        SceneObject& object = file.objects[place];
+        object.material = now->material;
+        if (object.position == now->position && object.rotation_deg == now->rotation_deg && object.scale == now->scale)
+            continue;
+        object.position = now->position;
+        object.rotation_deg = now->rotation_deg;
+        object.scale = now->scale;
+        objects_[place].local = local_transform(object, time_s_);
+        moved[place] = any_moved = true;
+    }
+    epoch = Epoch::next();
+    if (any_moved) move(std::move(moved));
+    return true;
+}
+
+void Scene::move(std::vector<bool> moved) {
     bool turned_over = false;
-    for (size_t i = first; i < objects_.size(); ++i) {
+    for (size_t i = 0; i < objects_.size(); ++i) {
         Placed& object = objects_[i];
         if (object.parent >= 0 && moved[static_cast<size_t>(object.parent)]) moved[i] = true;
         if (!moved[i]) continue;
@@ -67,32 +90,9 @@ void Scene::move(std::span<const Move> moves) {
             turned_over |= item.mirrored != was_mirrored;
         }
     }
-    epoch = Epoch::next();
     bounds = {};
     for (const DrawItem& item : items) bounds.add(item.bounds);
     if (turned_over) find_batches();
-}
-
-bool Scene::paint(std::span<const Paint> paints) {
-    if (paints.empty()) return true;
-    find_items();
-    std::vector<std::pair<uint32_t, DrawItem>> all;
-    for (const Paint& one : paints) {
-        if (!same_maps(file.objects.at(one.object).material, one.material)) return false;
-        for (uint32_t at = first_item_[one.object]; at < first_item_[one.object + 1]; ++at) {
-            const DrawItem& before = items[items_of_[at]];
-            DrawItem& now = all.emplace_back(items_of_[at], before).second;
-            set_material(now, one.material, file.bare);
-            if (!differ_in_numbers(before, now)) return false;
-        }
-    }
-    for (const Paint& one : paints) file.objects[one.object].material = one.material;
-    for (auto& [place, item] : all) {
-        items[place] = std::move(item);
-        to_paint_[place] = true;
-    }
-    epoch = Epoch::next();
-    return true;
 }
 
 bool Scene::repaint(bool bare, float emission) {
@@ -115,13 +115,10 @@ bool Scene::repaint(bool bare, float emission) {
 // Fallible steps come first, with the old lists kept. Items are moved, or copied if several objects share them.
 bool Scene::replace_objects(Gpu& gpu, std::vector<SceneObject> objects, std::span<const uint32_t> from,
                             const ModelLoader& loader) {
+    find_items();
+    const std::vector<uint32_t> first = first_item_, place_of = items_of_;
     std::vector<SceneObject> old_objects = std::exchange(file.objects, std::move(objects));
     std::vector<DrawItem> old_items = std::exchange(items, {});
-    std::vector<uint32_t> first(old_objects.size() + 1, 0), place_of(old_items.size());
-    for (const DrawItem& item : old_items) ++first[item.object + 1];
-    for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    std::vector<uint32_t> next = first;
-    for (uint32_t i = 0; i < old_items.size(); ++i) place_of[next[old_items[i].object]++] = i;
     const auto alike = [&](size_t old, const SceneObject& object) {
         return first[old] != first[old + 1] && old_objects[old].model.native() == object.model.native() &&
                old_objects[old].ground == object.ground && old_objects[old].material == object.material &&

@@ -36,16 +36,9 @@ struct ComponentType {
     int code;
     size_t bytes;
     float most;
-    float (*to_float)(const char*);
 };
-constexpr std::array<ComponentType, 6> component_types{{
-    {5120, 1, 127, [](const char* p) { return float(read_as<int8_t>(p)); }},
-    {5121, 1, 255, [](const char* p) { return float(read_as<uint8_t>(p)); }},
-    {5122, 2, 32767, [](const char* p) { return float(read_as<int16_t>(p)); }},
-    {5123, 2, 65535, [](const char* p) { return float(read_as<uint16_t>(p)); }},
-    {5125, 4, 0, [](const char* p) { return float(read_as<uint32_t>(p)); }},
-    {5126, 4, 0, [](const char* p) { return read_as<float>(p); }},
-}};
+constexpr std::array<ComponentType, 6> component_types{
+    {{5120, 1, 127}, {5121, 1, 255}, {5122, 2, 32767}, {5123, 2, 65535}, {5125, 4, 0}, {5126, 4, 0}}};
 
 const ComponentType* component_type(int code) {
     for (const ComponentType& type : component_types)
@@ -53,31 +46,21 @@ const ComponentType* component_type(int code) {
     return nullptr;
 }
 
-// Strides: `from_step` in bytes, `to_step` in values.
 template <class T>
-void copy_vectors(const char* from, size_t from_step, T* to, size_t to_step, size_t components, size_t count) {
-    const auto copy_each = [&](auto bytes) {
-        for (size_t i = 0; i < count; ++i) std::memcpy(to + i * to_step, from + i * from_step, bytes);
-    };
-    const size_t bytes = components * sizeof(T);
-    if (from_step == bytes && to_step == components)
-        std::memcpy(to, from, count * bytes);
-    else if (components == 3)  // constant sizes compile to inline copies
-        copy_each(std::integral_constant<size_t, 3 * sizeof(T)>());
-    else if (components == 2)
-        copy_each(std::integral_constant<size_t, 2 * sizeof(T)>());
-    else
-        copy_each(bytes);
-}
-
-uint32_t to_integer(const char* p, int code) {
+T component(const char* p, int code) {
     switch (code) {
+        case 5120:
+            return static_cast<T>(read_as<int8_t>(p));
         case 5121:
-            return read_as<uint8_t>(p);
+            return static_cast<T>(read_as<uint8_t>(p));
+        case 5122:
+            return static_cast<T>(read_as<int16_t>(p));
         case 5123:
-            return read_as<uint16_t>(p);
+            return static_cast<T>(read_as<uint16_t>(p));
+        case 5125:
+            return static_cast<T>(read_as<uint32_t>(p));
         default:
-            return read_as<uint32_t>(p);
+            return static_cast<T>(read_as<float>(p));
     }
 }
 
@@ -240,50 +223,41 @@ size_t GltfFile::components(size_t index) const {
 size_t GltfFile::length(size_t index) const { return accessor(index).count; }
 
 // `out` must be zero-initialised; elements are `step` values apart.
-template <class T, class Read>
-void GltfFile::values(size_t index, size_t components, T* out, size_t step, Read read) const {
+template <class T>
+void GltfFile::read(size_t index, size_t components, T* out, size_t step) const {
     const Accessor a = accessor(index);
     if (a.components != components)
         refuse("accessor {} has {} components, expected {}", index, a.components, components);
-    const bool as_they_are = a.type == (std::is_same_v<T, float> ? 5126 : 5125);
-    if (as_they_are && !a.bytes.empty())
-        copy_vectors(a.bytes.data(), a.stride, out, step, components, a.count);
-    else if (!a.bytes.empty()) {
-        const bool is_packed = a.stride == components * a.component_bytes && step == components;
-        const size_t vectors = is_packed ? 1 : a.count, numbers = is_packed ? a.count * components : components;
-        for (size_t i = 0; i < vectors; ++i)
-            for (size_t c = 0; c < numbers; ++c)
-                out[i * step + c] = read(a.bytes.data() + i * a.stride + c * a.component_bytes, a);
-    }
+    const float most = component_type(a.type)->most;
+    const auto value = [&](const char* p) {
+        const T given = component<T>(p, a.type);
+        return std::is_same_v<T, float> && a.normalized && most > 0 ? std::max(given / T(most), T(-1)) : given;
+    };
+    for (size_t i = 0; !a.bytes.empty() && i < a.count; ++i)
+        for (size_t c = 0; c < components; ++c)
+            out[i * step + c] = value(a.bytes.data() + i * a.stride + c * a.component_bytes);
     const json& from = entry("accessors", index);
     if (const auto sparse = from.find("sparse"); sparse != from.end()) {
         const json &at = sparse->at("indices"), &with = sparse->at("values");
         const size_t count = sparse->at("count").get<size_t>(), bytes = components * a.component_bytes;
         const int code = at.at("componentType").get<int>();
         const ComponentType* type = component_type(code);
-        if (!type || type->most < 0 || code == 5126 || count > a.count)
-            refuse("accessor {} has sparse values that do not fit", index);
+        if (!type || code == 5126 || count > a.count) refuse("accessor {} has sparse values that do not fit", index);
         const std::string_view places = slice(at.at("bufferView").get<size_t>(), value_or<size_t>(at, "byteOffset", 0),
                                               count * type->bytes, "a sparse accessor");
         const std::string_view values =
             slice(with.at("bufferView").get<size_t>(), value_or<size_t>(with, "byteOffset", 0), count * bytes,
                   "a sparse accessor");
         for (size_t i = 0; i < count; ++i) {
-            const size_t place = to_integer(places.data() + i * type->bytes, code);
+            const size_t place = component<uint32_t>(places.data() + i * type->bytes, code);
             if (place >= a.count) refuse("accessor {} has a sparse value {}, it counts {}", index, place, a.count);
             for (size_t c = 0; c < components; ++c)
-                out[place * step + c] = read(values.data() + i * bytes + c * a.component_bytes, a);
+                out[place * step + c] = value(values.data() + i * bytes + c * a.component_bytes);
         }
     }
 }
 
-void GltfFile::read(size_t index, size_t components, float* out, size_t step) const {
-    values(index, components, out, step, [](const char* p, const Accessor& a) {
-        const ComponentType& type = *component_type(a.type);
-        const float value = type.to_float(p);
-        return a.normalized && type.most > 0 ? std::max(value / type.most, -1.0f) : value;
-    });
-}
+template void GltfFile::read(size_t, size_t, float*, size_t) const;
 
 std::vector<float> GltfFile::floats(size_t index, size_t components) const {
     std::vector<float> out(length(index) * components);
@@ -295,14 +269,7 @@ std::vector<uint32_t> GltfFile::integers(size_t index, size_t components) const 
     const int type = accessor(index).type;
     if (type != 5121 && type != 5123 && type != 5125) refuse("accessor {} does not hold unsigned integers", index);
     std::vector<uint32_t> out(length(index) * components);
-    const auto read_all = [&](auto number) {
-        using Number = decltype(number);
-        values(index, components, out.data(), components,
-               [](const char* p, const Accessor&) { return read_as<Number>(p); });
-    };
-    if (type == 5121) read_all(uint8_t());
-    if (type == 5123) read_all(uint16_t());
-    if (type == 5125) read_all(uint32_t());
+    read(index, components, out.data(), components);
     return out;
 }
 

@@ -63,9 +63,8 @@ class GltfFile {
         std::string_view bytes;
     };
     Accessor accessor(size_t index) const;
-    void read(size_t index, size_t components, float* out, size_t step) const;
-    template <class T, class Read>
-    void values(size_t index, size_t components, T* out, size_t step, Read read) const;
+    template <class T>
+    void read(size_t index, size_t components, T* out, size_t step) const;
     std::string_view slice(size_t view, size_t offset, size_t bytes, const char* what) const;
     std::string_view buffer(size_t index) const;
     std::string decompressed(const json& how) const;

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <fstream>
 #include <sstream>
 
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/base/guarded.h"
+#include "common/base/names.h"
 #include "common/base/text.h"
 #include "common/image/image.h"
 #include "common/scene/asset_path.h"
@@ -128,23 +128,16 @@ Model import_here(const fs::path& path, const std::string& extension) {
     return model;
 }
 
-std::string extension_of(const fs::path& file) {
-    std::string extension = file.extension();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 bool is_gltf(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
 
 }  // namespace
 
 bool is_model_file(const fs::path& file) {
-    return std::find(formats.begin(), formats.end(), extension_of(file)) != formats.end();
+    return std::find(formats.begin(), formats.end(), lowercase(file.extension().string())) != formats.end();
 }
 
 Model import_model(const fs::path& path) {
-    const std::string name = path.string(), extension = extension_of(path);
+    const std::string name = path.string(), extension = lowercase(path.extension().string());
     const size_t bytes = InputFile(path).bytes;
     if (!is_model_file(path)) {
         std::string known;

@@ -1,4 +1,4 @@
-#include "common/scene/item_material.h"
+#include "common/scene/scene.h"
 
 namespace lightwalk {
 namespace {

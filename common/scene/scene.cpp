@@ -7,7 +7,6 @@
 
 #include "common/base/error.h"
 #include "common/scene/bare.h"
-#include "common/scene/item_material.h"
 
 namespace lightwalk {
 namespace {
@@ -212,20 +211,6 @@ const LightList& Scene::lights() const {
 }
 
 DrawList Scene::opaque() const { return {*this, places(0, first_transparent_)}; }
-std::vector<Batch> Scene::opaque_batches() const {
-    if (opaque_runs_.empty()) {
-        for (uint32_t i = 0; i < first_transparent_; ++i)
-            if (i > 0 && batch_of_[i] == batch_of_[i - 1])
-                ++opaque_runs_.back().second;
-            else
-                opaque_runs_.emplace_back(i, 1);
-    }
-    std::vector<Batch> batches;
-    batches.reserve(opaque_runs_.size());
-    for (const auto& [first, count] : opaque_runs_) batches.emplace_back(*this, first, count);
-    return batches;
-}
-
 DrawList Scene::transparent() const { return {*this, places(first_transparent_, items.size())}; }
 
 const Image& Scene::texture(const DrawItem& item, MapSlot slot) const {

@@ -29,6 +29,11 @@ struct DrawItem {
 
 const Material& own_material(const DrawItem& item);
 
+/// Sets material and transparency of an item whose maps are set. `bare`: SceneFile::bare.
+void set_material(DrawItem& item, const MaterialOverride& with, bool bare);
+
+MaterialData material_data(const DrawItem& item, float emission);
+
 Instance instance_of(const DrawItem& item, size_t index);
 
 /// Directional light and mean sky, exposed, in scene units.
@@ -53,20 +58,13 @@ class Scene : public Drawable {
     /// Loads models and textures and places them at 0 s. Throws InputError.
     void load(Gpu& gpu, SceneFile scene, const ModelLoader& loader);
 
-    struct Move {
+    struct Edit {
         uint32_t object;  ///< index into file.objects
-        glm::vec3 position, rotation_deg, scale;
+        const SceneObject* now;
     };
-
-    /// Moves objects with their children. Requires upload_moved().
-    void move(std::span<const Move> moves);
-
-    struct Paint {
-        uint32_t object;  ///< index into file.objects
-        MaterialOverride material;
-    };
-    /// Changes material values. False: no change, since a texture or kind of material differs. Requires upload_moved().
-    bool paint(std::span<const Paint> paints);
+    /// Takes over placements, with those of children, and material values. False: no change, since a texture or kind of
+    /// material differs. Requires upload_moved().
+    bool edit(std::span<const Edit> edits);
 
     /// Applies changed `bare` and `emission` to all items. False: some need other lists, call replace_objects().
     bool repaint(bool bare, float emission);
@@ -95,7 +93,6 @@ class Scene : public Drawable {
     DrawList all() const;
     DrawList opaque() const;
     DrawList transparent() const;
-    std::vector<Batch> opaque_batches() const;
     std::vector<Batch> batches() const { return all().batches(); }
 
     bool moves() const { return !moving_items_.empty(); }
@@ -139,6 +136,7 @@ class Scene : public Drawable {
     void sort_items();
     void find_batches();
     void find_items();
+    void move(std::vector<bool> moved);  ///< by index into file.objects
     std::vector<Placed> objects_;
     std::vector<uint32_t> first_item_, items_of_;
     float time_s_ = 0;
@@ -150,7 +148,6 @@ class Scene : public Drawable {
     std::vector<uint32_t> moving_items_, batch_of_;
     std::vector<bool> to_upload_, to_paint_;
     uint64_t uploaded_ = 0;
-    mutable std::vector<std::pair<uint32_t, uint32_t>> opaque_runs_;
     size_t first_transparent_ = 0;
     ModelPool models_;
     std::unique_ptr<ImagePool> images_;

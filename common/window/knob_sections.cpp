@@ -4,11 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/names.h"
 #include "common/base/own_files.h"
 #include "common/window/event_log.h"
 #include "common/window/knob_widgets.h"
@@ -17,12 +17,6 @@
 namespace lightwalk {
 
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 // Over the header drawn last, at its right end.
 void write_at_right(const std::string& text) {
@@ -46,16 +40,6 @@ bool is_own(const std::string& path, const KnobList& knobs) {
 }
 
 }  // namespace
-
-bool matches_filter(const KnobBase& knob, std::string_view filter) {
-    const std::string text = lower(knob.path() + " " + knob.help), words = lower(filter);
-    for (size_t at = 0; at < words.size();) {
-        const size_t end = std::min(words.find(' ', at), words.size());
-        if (text.find(words.substr(at, end - at)) == text.npos) return false;
-        at = end + 1;
-    }
-    return true;
-}
 
 double module_ms(std::string_view module, const std::vector<PassTime>& times) {
     double sum = 0;
@@ -122,7 +106,7 @@ bool KnobSections::draw(Chapter& chapter, const std::vector<PassTime>& times, Au
         const std::string path = knob->owner.path();
         auto at = std::find_if(sections.begin(), sections.end(), [&](const auto& one) { return one.first == path; });
         if (at == sections.end()) at = sections.insert(at, {path, {}});
-        if (matches_filter(*knob, filter_)) at->second.push_back(knob);
+        if (has_words(knob->path() + " " + knob->help, filter_)) at->second.push_back(knob);
     }
     bool changed = false, any = false;
     for (const auto& [path, knobs] : sections)

@@ -27,9 +27,6 @@ class KnobSections {
     char filter_[64] = "";
 };
 
-/// Whether a knob is meant by a filter's text: each of its words occurs in the knob's path or help, case aside.
-bool matches_filter(const KnobBase& knob, std::string_view filter);
-
 /// Milliseconds of all passes named after a module: "shadow_map" and "clear_shadow" are the module `shadow`'s.
 double module_ms(std::string_view module, const std::vector<PassTime>& times);
 

@@ -2,19 +2,124 @@
 // shows how far its build is; a click builds it next.
 #include <GLFW/glfw3.h>
 
+#include <fstream>
+#include <map>
+
+#include "common/app/shots.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
 #include "common/base/text.h"
 #include "common/gpu/frame.h"
+#include "common/image/image.h"
 #include "common/window/blit.h"
 #include "common/window/child_process.h"
 #include "common/window/event_log.h"
 #include "common/window/exercise_checks.h"
 #include "common/window/lesson_pages.h"
-#include "common/window/menu_chapters.h"
 #include "common/window/overlay.h"
 
 namespace lightwalk {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A chapter's program: whether it can be started, and how far its build is.
+struct ProgramState {
+    std::string name = "ready";  ///< or waiting, building, failed
+    int done = 0, total = 0;     ///< steps of a chapter that is being built
+    bool operator==(const ProgramState&) const = default;
+};
+
+class MenuPrograms {
+  public:
+    /// A folder through which the build and the menu talk; "": all chapters are built.
+    explicit MenuPrograms(fs::path folder) : folder_(std::move(folder)) { poll(); }
+
+    /// Reads the states again. True if one has changed.
+    bool poll() {
+        if (folder_.empty()) return false;
+        std::ifstream file(folder_ / "states");
+        std::map<std::string, ProgramState> states;
+        std::string chapter;
+        for (ProgramState state; file >> chapter >> state.name >> state.done >> state.total;) states[chapter] = state;
+        if (states.empty() || states == states_) return false;
+        states_ = std::move(states);
+        return true;
+    }
+
+    /// Whether some chapter is not ready.
+    bool are_building() const {
+        return std::any_of(states_.begin(), states_.end(),
+                           [](const auto& entry) { return entry.second.name != "ready"; });
+    }
+
+    const std::map<std::string, ProgramState>& states() const { return states_; }
+    ProgramState state(const std::string& chapter) const {
+        const auto found = states_.find(chapter);
+        return found == states_.end() ? ProgramState() : found->second;
+    }
+
+    /// Asks for a chapter to be built before the others.
+    void want(const std::string& chapter) {
+        wanted_ = chapter;
+        const fs::path beside = folder_ / "wanted.new";
+        std::ofstream(beside) << chapter << '\n';
+        std::error_code ignored;
+        fs::rename(beside, folder_ / "wanted", ignored);
+    }
+    const std::string& wanted() const { return wanted_; }
+
+  private:
+    fs::path folder_;
+    std::map<std::string, ProgramState> states_;
+    std::string wanted_;
+};
+
+struct MenuEntry {
+    std::string chapter, title;
+    fs::path program;
+    Image picture;  ///< none if nothing has been drawn yet
+};
+
+constexpr glm::uvec2 tile_size{384, 216};  ///< pixels at scale 1; shown smaller or larger
+
+// The chapter's best picture: as the gallery drew it, with four samples, else as accepted.
+std::optional<fs::path> find_picture(const std::string& chapter, const fs::path& build) {
+    std::vector<Shot> shots;
+    try {
+        shots = best_first(chapter);
+    } catch (const std::exception&) {
+        return std::nullopt;  // the chapter's program reports the error
+    }
+    for (const Shot& shot : shots)
+        for (const fs::path& folder : {build / "gallery" / chapter, course_root() / "tests" / chapter / "golden"})
+            if (fs::exists(folder / (shot.name + ".png"))) return folder / (shot.name + ".png");
+    return std::nullopt;
+}
+
+// Chapters that are built or being built beside this program, in order. `scale`: of the display.
+std::vector<MenuEntry> find_chapters(Gpu& gpu, float scale, const MenuPrograms& programs) {
+    const fs::path build = fs::read_symlink("/proc/self/exe").parent_path();
+    std::vector<MenuEntry> entries;
+    for (const auto& [name, state] : programs.states())
+        entries.push_back({name, chapter_title(name), build / "chapters" / name, {}});
+    for (const auto& file : fs::directory_iterator(build / "chapters")) {
+        const std::string name = file.path().filename().string();
+        if (!file.is_regular_file() || file.path().has_extension() || name.size() < 4 || name[2] != '_') continue;
+        if (!programs.states().contains(name)) entries.push_back({name, chapter_title(name), file.path(), {}});
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const MenuEntry& a, const MenuEntry& b) { return a.chapter < b.chapter; });
+    const glm::uvec2 size(glm::vec2(tile_size) * scale);
+    for (MenuEntry& entry : entries)
+        if (const auto file = find_picture(entry.chapter, build)) {
+            const Image8 picture = thumbnail(to_linear(read_image8(*file)), size);
+            entry.picture =
+                Image(gpu.device, {.name = entry.chapter, .format = VK_FORMAT_R8G8B8A8_UNORM, .size = size});
+            gpu.upload(entry.picture, std::as_bytes(std::span(picture.pixels)));
+        }
+    return entries;
+}
 
 constexpr float least_width = 295.0f, most_width = 470.0f;  ///< of a tile, at scale 1
 
@@ -268,7 +373,7 @@ int run_menu(std::vector<std::string> options) {
 }  // namespace
 }  // namespace lightwalk
 
-/// --programs FOLDER comes first (menu_chapters.h). All other options are passed on to the chapters; --device, --validate and
+/// --programs FOLDER comes first (MenuPrograms). All other options are passed on to the chapters; --device, --validate and
 /// --events are the menu's own too.
 int main(int argc, char** argv) {
     try {

@@ -2,8 +2,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "01_obj/exercises.h"
 #include "01_obj/truth.h"
-#include "checks.h"
+#include "common/check/check.h"
 
 namespace lightwalk {
 namespace {
@@ -35,7 +36,8 @@ std::string hint_for(const glm::dvec4& clip, const glm::dvec3& got, const glm::d
 
 }  // namespace
 
-void check_view_projection(Check& check, glm::mat4 (*attempt)(const Camera&, float)) {
+CHECK_EXERCISE("01.view_projection",
+               "write down where the near and the far plane must land, and solve for two numbers") {
     const float infinity = std::numeric_limits<float>::infinity();
     const Camera cameras[] = {
         {},
@@ -67,7 +69,7 @@ void check_view_projection(Check& check, glm::mat4 (*attempt)(const Camera&, flo
                 glm::dvec3 got(0.0);
                 const glm::dvec3 right_place = truth::project(camera, aspect, point);
                 check.call(call, [&] {
-                    clip = glm::dvec4(attempt(camera, aspect) * glm::vec4(point, 1.0f));
+                    clip = glm::dvec4(view_projection(camera, aspect) * glm::vec4(point, 1.0f));
                     return "";
                 });
                 got = glm::dvec3(clip) / clip.w;

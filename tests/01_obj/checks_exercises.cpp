@@ -1,27 +1,7 @@
-// Checks of chapter 01.
-#include "01_obj/truth.h"
-#include "checks.h"
+// The check of chapter 01's shader exercise.
 #include "common/check/check.h"
 
 using namespace lightwalk;
-
-CHECK_EXERCISE("01.parse_vertex_line",
-               "std::from_chars rounds correctly and ignores the locale; check how many numbers there are") {
-    check_parse_vertex_line(check, parse_vertex_line.function());
-}
-
-CHECK_EXERCISE("01.parse_face", "a negative index counts back from the last one read so far: -1 is that one") {
-    check_parse_face(check, parse_face.function());
-}
-
-CHECK_EXERCISE("01.triangulate", "cut off one ear at a time: a corner that turns left and has no other corner inside") {
-    check_triangulate(check, triangulate.function());
-}
-
-CHECK_EXERCISE("01.view_projection",
-               "write down where the near and the far plane must land, and solve for two numbers") {
-    check_view_projection(check, view_projection.function());
-}
 
 namespace {
 

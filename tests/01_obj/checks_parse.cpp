@@ -1,8 +1,9 @@
 #include <cstdio>
 
+#include "01_obj/exercises.h"
 #include "01_obj/truth.h"
-#include "checks.h"
 #include "common/base/error.h"
+#include "common/check/check.h"
 #include "common/check/comma_locale.h"
 
 namespace lightwalk {
@@ -22,7 +23,8 @@ std::string show(const Corner& c) {
 
 }  // namespace
 
-void check_parse_vertex_line(Check& check, glm::vec3 (*attempt)(std::string_view)) {
+CHECK_EXERCISE("01.parse_vertex_line",
+               "std::from_chars rounds correctly and ignores the locale; check how many numbers there are") {
     const auto expect = [&](const std::string& line, const std::string& x, const std::string& y, const std::string& z,
                             const std::string& why = "") {
         const std::string call = "parse_vertex_line(\"" + line + "\")";
@@ -30,7 +32,7 @@ void check_parse_vertex_line(Check& check, glm::vec3 (*attempt)(std::string_view
             call,
             [&]() -> std::string {
                 try {
-                    const glm::vec3 got = attempt(line);
+                    const glm::vec3 got = parse_vertex_line(line);
                     const std::string text[3] = {x, y, z};
                     for (int i = 0; i < 3; ++i)
                         if (const float right = truth::nearest_float(text[i]); truth::ulps(got[i], right) != 0)
@@ -46,7 +48,7 @@ void check_parse_vertex_line(Check& check, glm::vec3 (*attempt)(std::string_view
         const std::string call = "parse_vertex_line(\"" + line + "\")";
         check.call(call, [&]() -> std::string {
             try {
-                attempt(line);
+                parse_vertex_line(line);
                 return call + " found nothing wrong, expected InputError: " + why;
             } catch (const InputError&) { return ""; }
         });
@@ -90,7 +92,7 @@ void check_parse_vertex_line(Check& check, glm::vec3 (*attempt)(std::string_view
     refuse("v 1e39 0 0", "1e39 does not fit a float");
 }
 
-void check_parse_face(Check& check, std::vector<Corner> (*attempt)(std::string_view, const Counts&, const Counts&)) {
+CHECK_EXERCISE("01.parse_face", "a negative index counts back from the last one read so far: -1 is that one") {
     const Counts so_far{8, 6, 4}, total{10, 6, 5};
     const auto expect = [&](const std::string& line, const std::vector<Corner>& right, const std::string& hint = "") {
         const std::string call = "parse_face(\"" + line + "\")";
@@ -98,7 +100,7 @@ void check_parse_face(Check& check, std::vector<Corner> (*attempt)(std::string_v
             call,
             [&]() -> std::string {
                 try {
-                    const std::vector<Corner> got = attempt(line, so_far, total);
+                    const std::vector<Corner> got = parse_face(line, so_far, total);
                     if (got.size() != right.size())
                         return call + " gave " + std::to_string(got.size()) + " corners, expected " +
                                std::to_string(right.size());
@@ -119,7 +121,7 @@ void check_parse_face(Check& check, std::vector<Corner> (*attempt)(std::string_v
             call,
             [&]() -> std::string {
                 try {
-                    attempt(line, so_far, total);
+                    parse_face(line, so_far, total);
                     return call + " found nothing wrong, expected InputError: " + why;
                 } catch (const InputError&) { return ""; }
             },

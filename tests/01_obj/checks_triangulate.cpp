@@ -2,7 +2,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "checks.h"
+#include "01_obj/exercises.h"
+#include "common/check/check.h"
 
 namespace lightwalk {
 namespace {
@@ -39,7 +40,7 @@ std::string percent(double share) {
 
 }  // namespace
 
-void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::span<const glm::vec3>)) {
+CHECK_EXERCISE("01.triangulate", "cut off one ear at a time: a corner that turns left and has no other corner inside") {
     // A simple polygon: every triangle is wound as the polygon, and their areas add up to its own. Both together mean
     // that nothing is covered twice and nothing is left out.
     const auto covers = [&](const std::string& what, const Polygon& polygon, const std::string& hint = "") {
@@ -47,7 +48,7 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
         check.call(
             call,
             [&]() -> std::string {
-                const std::vector<glm::uvec3> got = attempt(polygon);
+                const std::vector<glm::uvec3> got = triangulate(polygon);
                 if (const std::string wrong = form(got, polygon, call); !wrong.empty()) return wrong;
                 const glm::dvec3 whole = area_vector(polygon);
                 double sum = 0.0;
@@ -70,7 +71,7 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
     const auto returns = [&](const std::string& what, const Polygon& polygon) {
         const std::string call = "triangulate(" + what + ")";
         check.call(
-            call, [&] { return form(attempt(polygon), polygon, call); },
+            call, [&] { return form(triangulate(polygon), polygon, call); },
             "no corner may be an ear here: take any one then, so that each round takes one away");
     };
     const std::string fan = "triangle i of a fan has the corners 0, i + 1 and i + 2",
@@ -133,7 +134,7 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
     check.call(
         "triangulate(a circle of 100 corners)",
         [&]() -> std::string {
-            const auto got = attempt(circle);
+            const auto got = triangulate(circle);
             for (uint32_t i = 0; i < got.size(); ++i)
                 if (got[i] != glm::uvec3(0, i + 1, i + 2))
                     return "triangulate(a circle of 100 corners) is not the fan (0, 1, 2), (0, 2, 3), ...: triangle " +
@@ -156,7 +157,7 @@ void check_triangulate(Check& check, std::vector<glm::uvec3> (*attempt)(std::spa
     }
     returns("a spiral of 1000 corners", spiral);
     check.call("triangulate(two corners)", [&] {
-        return attempt(std::span(arrow).first(2)).empty() ? "" : "triangulate(two corners) gave a triangle";
+        return triangulate(std::span(arrow).first(2)).empty() ? "" : "triangulate(two corners) gave a triangle";
     });
 }
 

@@ -1,12 +1,11 @@
 // OBJ and MTL as other programs write them.
-#include <unistd.h>
-
 #include "01_obj/mtl.h"
 #include "agreement.h"
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
 #include "common/scene/asset_path.h"
+#include "tests/common/file_fixture.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
@@ -146,11 +145,9 @@ TEST_CASE("mtl as written: colours of 255, maps of roughness, where textures lie
 }
 
 TEST_CASE("mtl as written: file names in other capitals, or of a folder that is gone") {
-    const fs::path folder = fs::temp_directory_path() / fmt::format("lightwalk_names_{}", getpid());
-    fs::create_directories(folder);
+    const FileFolder folder;
     write_file(folder / "Wood.PNG", "");
     for (const char* written : {"wood.png", "Wood.PNG", "textures/wood.png", "C:\\maps\\WOOD.png"})
-        CHECK(resolve_file(written, folder) == folder / "Wood.PNG");
-    CHECK(resolve_file("stone.png", folder) == folder / "stone.png");
-    fs::remove_all(folder);
+        CHECK(resolve_file(written, folder.path) == folder / "Wood.PNG");
+    CHECK(resolve_file("stone.png", folder.path) == folder / "stone.png");
 }

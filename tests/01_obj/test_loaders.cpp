@@ -1,11 +1,10 @@
 // The loaders' results and their agreement.
 #include <filesystem>
-#include <locale>
 
-#include "01_obj/load_bench.h"
 #include "01_obj/scan.h"
 #include "01_obj/truth.h"
 #include "common/base/files.h"
+#include "common/check/comma_locale.h"
 #include "loader_fixture.h"
 
 using namespace lightwalk;
@@ -119,12 +118,9 @@ TEST_CASE("loaders: a uv or a normal that is not there is left out, and the face
 }
 
 TEST_CASE("loaders: a comma in the locale changes nothing") {
-    struct Comma : std::numpunct<char> {
-        char do_decimal_point() const override { return ','; }
-    };
-    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const CommaLocale comma;
+    CHECK(std::strtof("1,5", nullptr) == 1.5f);
     const ObjData data = read_text("v 1.5 2.25 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    std::locale::global(before);
     CHECK(data.positions[0] == 1.5f);
     CHECK(data.positions[1] == 2.25f);
 }
@@ -139,16 +135,6 @@ TEST_CASE("loaders: a text is cut for threads from the size on at which they win
     CHECK(chunk_bytes_for(16 * mebi, 2) <= 8 * mebi);
     CHECK(chunk_bytes_for(5 * mebi, 16) <= 5 * mebi / 16);
     CHECK(chunk_bytes_for(mebi / 4, 16) >= mebi / 4);
-}
-
-TEST_CASE("dump-mesh: the same positions, the same checksum") {
-    const fs::path model = course_root() / "assets/models/smart_car.obj";
-    const auto checksum = [&](Loader loader) {
-        const std::string text = describe_mesh(model, loader);
-        return text.substr(text.find("positions_fnv1a64"));
-    };
-    CHECK(checksum(Loader::textbook) == checksum(Loader::parallel));
-    CHECK(checksum(Loader::scan) == checksum(Loader::parallel));
 }
 
 TEST_CASE("corpus: every file through every loader of ours") {

@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "tests/common/file_fixture.h"
 
 using namespace lightwalk;
 namespace fs = std::filesystem;
@@ -105,8 +106,7 @@ TEST_CASE("mtl: errors with their line") {
 }
 
 TEST_CASE("mtl: an OBJ finds its materials") {
-    const fs::path folder = fs::temp_directory_path() / "lightwalk test_mtl";
-    fs::create_directories(folder);
+    const FileFolder folder;
     write_file(folder / "my colours.mtl", "newmtl old brass\nKd 1 0.5 0\nmap_Kd my map.png\n");
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     write_file(folder / "a.obj",
@@ -125,13 +125,11 @@ TEST_CASE("mtl: an OBJ finds its materials") {
     write_file(folder / "bad.mtl", "newmtl m\nKd x\n");
     write_file(folder / "c.obj", "mtllib bad.mtl\n" + triangle + "f 1 2 3\n");
     CHECK_THROWS_AS(load_obj(folder / "c.obj"), InputError);
-    fs::remove_all(folder);
 }
 
 // Alias|Wavefront's Object Files: "mtllib filename1 filename2 . . ."; other programs write names with blanks, or quote them.
 TEST_CASE("mtl: two names in mtllib, names with blanks and a byte order mark, by every loader", "[01.mtllib]") {
-    const fs::path folder = fs::temp_directory_path() / "lightwalk test_mtllib";
-    fs::create_directories(folder);
+    const FileFolder folder;
     write_file(folder / "red paint.mtl", "newmtl red\nKd 1 0 0\n");
     write_file(folder / "green.mtl", "newmtl green\nKd 0 1 0\n");
     const std::string shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl green\nf 1 3 2\n";
@@ -152,7 +150,6 @@ TEST_CASE("mtl: two names in mtllib, names with blanks and a byte order mark, by
                 CHECK(red);
                 CHECK(green);
             }
-    fs::remove_all(folder);
 }
 
 TEST_CASE("corpus: every MTL file is read or refused with its line") {

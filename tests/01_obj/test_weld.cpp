@@ -7,24 +7,24 @@ using namespace lightwalk;
 
 namespace {
 
-Model model_of(const std::string& text) { return weld(parse_obj_text(text, "test.obj", Loader::parallel), {}, "test"); }
+Model welded(const std::string& text) { return weld(parse_obj_text(text, "test.obj", Loader::parallel), {}, "test"); }
 
 }  // namespace
 
 TEST_CASE("weld: equal triples become one vertex, different ones do not") {
     const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 2\nvn 0 1 0\n";
-    const Model shared = model_of(square + "f 1/1/1 2/1/1 3/1/1 4/1/1\n");
+    const Model shared = welded(square + "f 1/1/1 2/1/1 3/1/1 4/1/1\n");
     CHECK(shared.meshes[0].vertices.size() == 4);
     CHECK(shared.meshes[0].indices == std::vector<uint32_t>{0, 1, 2, 0, 2, 3});
     CHECK(shared.meshes[0].vertices[0].normal == glm::vec3(0, 0, 1));  // unit length
     CHECK(shared.meshes[0].bounds.upper == glm::vec3(1, 1, 0));
-    CHECK(model_of(square + "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\n").meshes[0].vertices.size() == 5);
-    CHECK(model_of(square + "f 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/1 4/1/1\n").meshes[0].vertices.size() == 5);
+    CHECK(welded(square + "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\n").meshes[0].vertices.size() == 5);
+    CHECK(welded(square + "f 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/1 4/1/1\n").meshes[0].vertices.size() == 5);
 }
 
 TEST_CASE("weld: missing normals are smooth, by area, also across a seam of uvs") {
     // Two faces at a right angle; the upright one has twice the area.
-    const Model model = model_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n");
+    const Model model = welded("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n");
     const Mesh& mesh = model.meshes[0];
     CHECK(mesh.vertices.size() == 6);
     const glm::vec3 both = glm::normalize(glm::vec3(2, 0, 1));
@@ -32,23 +32,23 @@ TEST_CASE("weld: missing normals are smooth, by area, also across a seam of uvs"
     CHECK(mesh.vertices[0].normal == mesh.vertices[3].normal);
     CHECK(mesh.vertices[1].normal == glm::vec3(0, 0, 1));
     // A face without area has no normal to give.
-    CHECK(model_of("v 1 1 1\nf 1 1 1\n").meshes[0].vertices[0].normal == glm::vec3(0, 1, 0));
+    CHECK(welded("v 1 1 1\nf 1 1 1\n").meshes[0].vertices[0].normal == glm::vec3(0, 1, 0));
     // A normal of length 0 counts as missing.
-    CHECK(model_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3\n").meshes[0].vertices[0].normal ==
+    CHECK(welded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3\n").meshes[0].vertices[0].normal ==
           glm::vec3(0, 0, 1));
     // Given and missing ones in a file.
-    const Model mixed = model_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1 2 3\n");
+    const Model mixed = welded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1 2 3\n");
     CHECK(mixed.meshes[0].vertices[0].normal == glm::vec3(1, 0, 0));
     CHECK(mixed.meshes[0].vertices[3].normal == glm::vec3(0, 0, 1));
     // Areas of 1e77 and of 1e-80.
     for (const std::string far : {"3e38", "1e-40"}) {
-        const Model model_far = model_of("v 0 0 0\nv " + far + " 0 0\nv 0 " + far + " 0\nf 1 2 3\n");
+        const Model model_far = welded("v 0 0 0\nv " + far + " 0 0\nv 0 " + far + " 0\nf 1 2 3\n");
         for (const Vertex& v : model_far.meshes[0].vertices) CHECK(v.normal == glm::vec3(0, 0, 1));
     }
 }
 
 TEST_CASE("weld: a mesh and a node for each object, a part for each material") {
-    const Model model = model_of(
+    const Model model = welded(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no a\nusemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl x\nf 3 2 1\n"
         "o b\nf 1 2 3\no a\nf 1 2 3\no none\n");
     REQUIRE(model.meshes.size() == 3);

@@ -14,7 +14,7 @@ inline const char* const two_cubes =
 
 /// The editor as its window drives it, one frame after each event.
 struct Driven {
-    TestFolder folder;
+    FileFolder folder;
     Gpu& gpu = check_device();
     EditorWindow window;
     LiveChapter live;

@@ -1,4 +1,4 @@
-// Shared by the tests of the editor: random commands, a document as one text, a folder of their own.
+// Shared by the tests of the editor: random commands, a document as one text.
 #pragma once
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 #include "common/base/sanitized.h"
 #include "common/check/check.h"
 #include "tests/catch.h"
+#include "tests/common/file_fixture.h"
 
 namespace lightwalk {
 
@@ -51,20 +52,6 @@ inline std::vector<EntryId> add_all(Document& document, const std::vector<std::s
     for (const std::string& name : names) ids.push_back(add_object(document, named(name)));
     return ids;
 }
-
-struct TestFolder {
-    std::filesystem::path path;
-    TestFolder() {
-        static int count = 0;
-        path = std::filesystem::temp_directory_path() / fmt::format("lightwalk_editor_{}_{}", getpid(), count++);
-        std::filesystem::create_directories(path);
-    }
-    ~TestFolder() {
-        std::error_code error;
-        std::filesystem::permissions(path, std::filesystem::perms::owner_all, error);
-        std::filesystem::remove_all(path, error);
-    }
-};
 
 /// One command out of all, with arbitrary arguments.
 inline void random_command(Document& document, Random& random) {

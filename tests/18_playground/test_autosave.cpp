@@ -18,7 +18,7 @@ struct Open {
     }
 };
 
-fs::path write_scene(const TestFolder& folder) {
+fs::path write_scene(const FileFolder& folder) {
     write_file(folder.path / "scene.json", R"({"objects": [{"name": "first"}]})");
     return folder.path / "scene.json";
 }
@@ -26,7 +26,7 @@ fs::path write_scene(const TestFolder& folder) {
 }  // namespace
 
 TEST_CASE("a second editor of a scene says so, and neither offers nor touches the first one's autosave") {
-    const TestFolder folder;
+    const FileFolder folder;
     const fs::path file = write_scene(folder);
     Open first(file);
     CHECK(first.change("of the first") == "");
@@ -60,7 +60,7 @@ TEST_CASE("a second editor of a scene says so, and neither offers nor touches th
 }
 
 TEST_CASE("after both editors of a scene have crashed, what each one had is offered, and one editor is asked") {
-    const TestFolder folder;
+    const FileFolder folder;
     const fs::path file = write_scene(folder);
     {
         Open first(file), second(file);
@@ -83,7 +83,7 @@ TEST_CASE("after both editors of a scene have crashed, what each one had is offe
 }
 
 TEST_CASE("an autosave that is older than its scene is not offered, and keeps another name when the next one comes") {
-    const TestFolder folder;
+    const FileFolder folder;
     const fs::path file = write_scene(folder);
     Open(file).change("left");
     const fs::path left = file.string() + ".unsaved";
@@ -104,7 +104,7 @@ TEST_CASE("an autosave that is older than its scene is not offered, and keeps an
 
 TEST_CASE(
     "the autosave of a scene of the course's tree lies in the person's state folder, and is offered after a crash") {
-    const TestFolder folder;
+    const FileFolder folder;
     setenv("XDG_STATE_HOME", folder.path.c_str(), 1);
     const fs::path file = course_root() / "assets" / "scenes" / "workbench.json";
     const auto beside = [&] {

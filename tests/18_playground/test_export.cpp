@@ -86,6 +86,21 @@ TEST_CASE("scenes are exported, and read back by Assimp and by our own reader", 
 
 namespace {
 
+// A scene in a folder of its own.
+struct Opened {
+    const FileFolder folder;
+    Playground chapter;
+    explicit Opened(const std::string& scene) {
+        chapter.name = "18_playground";
+        write_file(folder / "scene.json", scene);
+        load_scene(chapter, check_device(), folder / "scene.json");
+    }
+    Model exported() {
+        export_gltf(chapter.editor.document, chapter.scene, folder / "out.gltf");
+        return import_model(folder / "out.gltf");
+    }
+};
+
 Image8 picture_of_scene(Playground& chapter, Gpu& gpu) {
     Frame frame(gpu);
     render(chapter, frame, {.size = {160, 90}, .crop = {}});
@@ -102,7 +117,7 @@ int most_steps(const Image8& a, const Image8& b) {
 }  // namespace
 
 TEST_CASE("a scene that is saved from a bare model keeps its ground, and the model that stands on it may move") {
-    TestFolder folder;
+    FileFolder folder;
     Gpu& gpu = check_device();
     Playground chapter, again;
     for (Playground* one : {&chapter, &again}) one->name = "18_playground";
@@ -127,16 +142,11 @@ TEST_CASE("a scene that is saved from a bare model keeps its ground, and the mod
 }
 
 TEST_CASE("glass is exported as thin transmission, and its tint beside a body as a volume's attenuation") {
-    const TestFolder folder;
-    write_file(folder.path / "scene.json", R"({"objects": [{"model": "models/cube.obj", "material":
+    const Model back = Opened(R"({"objects": [{"model": "models/cube.obj", "material":
         {"opacity": 0, "transmission": [0.9, 0.5, 0.125], "diffuse": [0.1, 0.1, 0.1], "roughness": 0.5, "metalness": 0}},
         {"model": "models/cube.obj", "material":
-        {"opacity": 0.25, "transmission": [0.25, 0.1, 0], "diffuse": [0.5, 0.2, 0.4], "roughness": 0.5, "metalness": 0}}]})");
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
-    const Model back = import_model(folder.path / "out.gltf");
+        {"opacity": 0.25, "transmission": [0.25, 0.1, 0], "diffuse": [0.5, 0.2, 0.4], "roughness": 0.5, "metalness": 0}}]})")
+                           .exported();
     CHECK(back.materials.at(0).opacity == 0);
     CHECK(glm::length(back.materials[0].transmission - glm::vec3(0.9f, 0.5f, 0.125f)) < 1e-6f);
     CHECK((back.materials.at(1).opacity == 0.25f && back.materials[1].diffuse == glm::vec3(0.5f, 0.2f, 0.4f)));
@@ -174,18 +184,12 @@ TEST_CASE("a map of occlusion, roughness and metalness is exported with its fact
 
 // B. Karis, "Specular BRDF reference", 2013: an exponent is 2 / alpha² - 2, alpha the square of roughness.
 TEST_CASE("an exponent of 30 is exported as a roughness of a half") {
-    const TestFolder folder;
-    write_file(folder.path / "scene.json",
-               R"({"objects": [{"model": "models/cube.obj", "material": {"shininess": 30}}]})");
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    export_gltf(chapter.editor.document, chapter.scene, folder.path / "out.gltf");
-    CHECK(import_model(folder.path / "out.gltf").materials.at(0).roughness == Approx(0.5f));
+    Opened opened(R"({"objects": [{"model": "models/cube.obj", "material": {"shininess": 30}}]})");
+    CHECK(opened.exported().materials.at(0).roughness == Approx(0.5f));
 }
 
 TEST_CASE("what textures cut out is cut out of the export, with the opacity map in the alpha of its colours") {
-    const TestFolder folder;
+    const FileFolder folder;
     Image8 holes(8, 4), wood(4, 4);
     for (int i = 0; i < 32; ++i) holes.pixels[size_t(i)] = glm::u8vec4(glm::u8vec3(i % 2 ? 255 : 0), 255);
     for (int i = 0; i < 16; ++i) wood.pixels[size_t(i)] = {10 * i, 100, 200, 255};
@@ -197,14 +201,10 @@ TEST_CASE("what textures cut out is cut out of the export, with the opacity map 
         {"model": "models/plane.obj", "material": {"maps": {"diffuse": "textures/grass_cutout.png"}}},
         {"model": "models/plane.obj", "material": {"maps": {"diffuse": "textures/wood_albedo.jpg"}}}]})";
     for (size_t at; (at = text.find('@')) != text.npos;) text.replace(at, 1, folder.path.string() + "/");
-    write_file(folder.path / "scene.json", text);
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    const auto file = folder.path / "out.gltf";
-    export_gltf(chapter.editor.document, chapter.scene, file);
+    Opened opened(text);
+    const Model back = opened.exported();
     std::map<std::string, std::string> modes;  // by texture
-    const nlohmann::json gltf = nlohmann::json::parse(read_file(file));
+    const nlohmann::json gltf = nlohmann::json::parse(read_file(opened.folder / "out.gltf"));
     for (const auto& material : gltf["materials"]) {
         const size_t texture = material["pbrMetallicRoughness"]["baseColorTexture"]["index"];
         const std::string uri = gltf["images"].at(size_t(gltf["textures"].at(texture)["source"]))["uri"];
@@ -216,7 +216,7 @@ TEST_CASE("what textures cut out is cut out of the export, with the opacity map 
                                                       {"grass_cutout.png", "MASK"},
                                                       {"wood_albedo.jpg", "OPAQUE"}});
     int found = 0;
-    for (const Material& material : import_model(file).materials) {
+    for (const Material& material : back.materials) {
         const std::string name = material.diffuse_map.file.filename();
         if (!name.starts_with("out.")) continue;
         const Image8 both = read_image8(material.diffuse_map.file);
@@ -229,7 +229,7 @@ TEST_CASE("what textures cut out is cut out of the export, with the opacity map 
 }
 
 TEST_CASE("an export that cannot be written whole leaves the one before, whole") {
-    const TestFolder folder;
+    const FileFolder folder;
     const auto file = folder.path / "a.gltf", buffer = folder.path / "a.bin";
     const auto files = [&](const std::string& text) {
         return std::map<std::filesystem::path, std::string>{{buffer, text}, {file, text}};
@@ -245,15 +245,10 @@ TEST_CASE("an export that cannot be written whole leaves the one before, whole")
 }
 
 TEST_CASE("cameras and lights of a model's file are offered where its object stands", "[18.offers]") {
-    const TestFolder folder;
-    write_file(folder.path / "scene.json",
-               R"({"objects": [{"name": "lit", "model": "conformance/own_light.gltf", "position": [1, 0, 0]}]})");
-    Playground chapter;
-    chapter.name = "18_playground";
-    load_scene(chapter, check_device(), folder.path / "scene.json");
-    Document& document = chapter.editor.document;
+    Opened opened(R"({"objects": [{"name": "lit", "model": "conformance/own_light.gltf", "position": [1, 0, 0]}]})");
+    Document& document = opened.chapter.editor.document;
     const EntryId lit = document.at(root_entry).children.at(0);
-    const Editor::Offered file = chapter.editor.offered(chapter.scene, lit);
+    const Editor::Offered file = opened.chapter.editor.offered(opened.chapter.scene, lit);
     REQUIRE((file.cameras.size() == 1 && file.lights.size() == 1));
     const Camera& camera = file.cameras[0].second;  // the file's node stands at (0, 0, 2) and is not turned
     CHECK(camera.position == glm::vec3(1, 0, 2));
@@ -267,7 +262,7 @@ TEST_CASE("cameras and lights of a model's file are offered where its object sta
 }
 
 TEST_CASE("a bare model is saved with its exposure", "[18.bare]") {
-    const TestFolder folder;
+    const FileFolder folder;
     SceneFile scene;
     scene.bare = true;
     scene.emission = 0.25f;

@@ -38,7 +38,7 @@ BackgroundLoad::Ended waited_for(BackgroundLoad& load) {
 }  // namespace
 
 TEST_CASE("a model that is read on a thread is the one that would be loaded, with its tangents") {
-    const TestFolder folder;
+    const FileFolder folder;
     const auto file = folder.path / "grid.obj";
     write_file(file, grid_text(40));
     BackgroundLoad load;
@@ -57,7 +57,7 @@ TEST_CASE("a model that is read on a thread is the one that would be loaded, wit
 }
 
 TEST_CASE("a file that cannot be read is one line, and the next one is read all the same") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_file(folder.path / "bad.obj", "v 0 0 0\nf 1 2 3\n");
     write_file(folder.path / "good.obj", grid_text(2));
     BackgroundLoad load;
@@ -71,7 +71,7 @@ TEST_CASE("a file that cannot be read is one line, and the next one is read all 
 }
 
 TEST_CASE("what is cancelled ends early and is never delivered; progress is a share of a stage") {
-    const TestFolder folder;
+    const FileFolder folder;
     const auto file = folder.path / "large.obj";
     write_file(file, grid_text(700));
     BackgroundLoad load;
@@ -123,7 +123,7 @@ TEST_CASE("what another process reads is given up at once when it is cancelled, 
 }
 
 TEST_CASE("what comes to the device in slices is drawn as what is loaded at once, and nothing of it is loaded again") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_file(folder.path / "grid.obj", "mtllib grid.mtl\nusemtl wall\n" + grid_text(300));
     write_file(folder.path / "grid.mtl", "newmtl wall\nmap_Kd wall.png\nnorm bumps.png\nmap_Ks gone.png\n");
     Image8 wall{67, 33}, bumps{1024, 1536};  // its first level is more than a slice
@@ -198,7 +198,7 @@ TEST_CASE("what is previewed after another file is the picture that it is alone"
 }
 
 TEST_CASE("a thumbnail's file depends on the path, the size and the time of its file") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_file(folder.path / "a.obj", grid_text(1));
     write_file(folder.path / "b.obj", grid_text(1));
     const auto first = thumbnail_file(folder.path / "a.obj");
@@ -231,7 +231,7 @@ TEST_CASE("the material ball has the object's numbers and the textures of its mo
 }
 
 TEST_CASE("a picture's thumbnail is the middle of it, and all of its height") {
-    const TestFolder folder;
+    const FileFolder folder;
     Image8 wide(480, 100);  // 160 pixels of it have a thumbnail's shape: the middle third
     for (int y = 0; y < wide.height; ++y)
         for (int x = 0; x < wide.width; ++x)

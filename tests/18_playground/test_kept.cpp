@@ -198,10 +198,7 @@ TEST_CASE("a scene that is opened or restored shows nothing of the one before it
             write_file(editor.folder.path / "another.json", ball);
             editor.window.opens = editor.folder.path / "another.json";
         } else {
-            const std::filesystem::path left = editor.window.editor.store.autosave_file();
-            write_file(left, ball);
-            std::filesystem::last_write_time(left,
-                                             std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+            leave(editor, ball);
             editor.window.editor.recover(editor.window);
         }
         const int number = editor.frame.gathered;

@@ -53,7 +53,7 @@ struct Field {
     /// Share of the pixels that differ from the saved scene, loaded by another playground.
     double wrong_pixels() {
         const ImageRgb ours = render_linear(chapter, gpu, size);
-        const TestFolder folder;
+        const FileFolder folder;
         write_file(folder.path / "saved.json", scene_text(exported(document).scene));
         Playground again;
         again.name = chapter.name;

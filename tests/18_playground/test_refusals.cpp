@@ -9,7 +9,7 @@ using namespace lightwalk;
 
 TEST_CASE("an entry that a scene file could not hold is refused, and the line says which key and why",
           "[18.refused_entries]") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_file(folder.path / "wide.png", "");
     const auto of_light = [&](const auto& set) {
         Entry entry{.what = Light{.kind = Light::Kind::spot}};
@@ -69,7 +69,7 @@ TEST_CASE("a screen whose object is deleted shows nothing, and the scene can sti
 }
 
 TEST_CASE("where something of an included file was changed, the file has all of it once, and includes nothing") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_file(folder.path / "part.json", R"({"objects": [{"name": "p"}]})");
     write_file(folder.path / "whole.json", R"({"include": ["part.json"], "objects": [{"name": "own"}]})");
     SceneStore store;

@@ -229,7 +229,7 @@ TEST_CASE("the tree's rows: in order, below what is unfolded, with a model's nod
 }
 
 TEST_CASE("files: the camera of the window, an ending of their own, includes of another folder") {
-    const TestFolder folder;
+    const FileFolder folder;
     Document document;
     add_all(document, {"a"});
     SceneStore store;

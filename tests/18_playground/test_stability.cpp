@@ -72,7 +72,7 @@ int kill_while_it_writes(const fs::path& folder, Random& random, bool within, in
 
 TEST_CASE("killed at 200 random moments of saving: the file is whole, and never older than the last save that was told",
           "[18.killed]") {
-    TestFolder folder;
+    FileFolder folder;
     const fs::path file = folder.path / "scene.json";
     Random random(200);
     int last_told = 0, killed_within = 0;
@@ -93,7 +93,7 @@ TEST_CASE("killed at 60 random moments of saving by itself: what it leaves is wh
     Random random(60);
     int killed_within = 0;
     for (int round = 0; round < 60; ++round) {
-        TestFolder folder;
+        FileFolder folder;
         const int told = kill_while_it_writes(folder.path, random, round % 2, 1,
                                               [](SceneStore& store, Document& document) { store.autosave(document); });
         const fs::path left = folder.path / "scene.json.unsaved", fresh = left.string() + ".new";
@@ -110,7 +110,7 @@ TEST_CASE("killed at 60 random moments of saving by itself: what it leaves is wh
 }
 
 TEST_CASE("a file that somebody else has written is noticed; includes are kept while nothing of them is changed") {
-    TestFolder folder;
+    FileFolder folder;
     write_file(
         folder.path / "lights.json",
         R"({"objects": [{"name": "table"}, {"name": "leg", "parent": "table"}], "lights": [{"type": "point"}]})");
@@ -163,7 +163,7 @@ TEST_CASE("what is read and written again is the same text") {
 }
 
 TEST_CASE("what is hidden and what is locked is so again after saving and opening, object or light") {
-    const TestFolder folder;
+    const FileFolder folder;
     Document document = small_scene(4);
     const std::vector<EntryId> objects = document.at(root_entry).children;
     std::vector<EntryId> lights;

@@ -120,6 +120,7 @@ TEST_CASE("A and V stand nearer to each other than they are wide; two I do not",
     };
     CHECK(width("AV") < width("A") + width("V") - 0.03f);
     CHECK(width("II") == Approx(2 * width("I")));
+    CHECK(width("I I") > width("II"));
 }
 
 TEST_CASE_METHOD(DeviceTest, "a part of a picture has that part of its title", "[19.letters]") {

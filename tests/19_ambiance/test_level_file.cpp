@@ -1,11 +1,9 @@
 // The music's levels as an asset, and how long a state that follows must be warmed up.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "../catch.h"
+#include "../common/file_fixture.h"
 #include "14_environment/music.h"
 #include "19_ambiance/reel.h"
 #include "common/base/error.h"
@@ -46,11 +44,9 @@ TEST_CASE("the film's levels are those of its music, within 16 bits: a decoder's
 }
 
 TEST_CASE("levels come back from their file to half of a code of 16 bits") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("lightwalk_levels_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    const FileFolder folder;
     const std::filesystem::path music = folder / "music.ogg";
-    std::filesystem::copy_file(find_asset("audio/beat.ogg"), music, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(find_asset("audio/beat.ogg"), music);
     write_levels(music);
     const LevelTable measured = measure_levels(read_sound(music)), kept = read_levels(levels_of(music));
     REQUIRE(kept.entries.size() == measured.entries.size());
@@ -64,7 +60,6 @@ TEST_CASE("levels come back from their file to half of a code of 16 bits") {
         }
     CHECK(off < 0.51 / 65535);
     CHECK(same == Approx(1));
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a level that follows: begun five time constants before, 0.7% of what was before is left") {

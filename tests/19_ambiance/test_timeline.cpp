@@ -1,5 +1,5 @@
 // The film's file: contents and mistakes.
-#include "../catch.h"
+#include "../common/file_fixture.h"
 #include "19_ambiance/timeline.h"
 #include "common/base/error.h"
 
@@ -18,10 +18,7 @@ std::string scene(const std::string& name, double from, double to, const std::st
 Timeline read(const std::string& inside) { return parse_timeline(film(inside), "a.film"); }
 
 std::string error_of(const std::string& text) {
-    try {
-        parse_timeline(text, "a.film");
-    } catch (const InputError& e) { return e.what(); }
-    return "no error";
+    return refusal_of([&] { parse_timeline(text, "a.film"); });
 }
 
 }  // namespace

@@ -70,8 +70,6 @@ TEST_CASE("a fade and a count that begin before a part go on in it; a title of l
 }
 
 TEST_CASE("a cut that a film does not have is one line") {
-    try {
-        cut_of(parse_timeline("{\"duration_s\": 5}", "a.film"), "short");
-        FAIL("no error");
-    } catch (const InputError& e) { CHECK(std::string(e.what()) == "a.film: the film has no cut 'short'"); }
+    CHECK_THROWS_WITH(cut_of(parse_timeline("{\"duration_s\": 5}", "a.film"), "short"),
+                      "a.film: the film has no cut 'short'");
 }

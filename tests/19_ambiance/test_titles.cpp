@@ -43,16 +43,3 @@ TEST_CASE("the street's words do not cross its dividers", "[dividers]") {
             CHECK(std::floor(ends.x) == std::floor(ends.y));
         }
 }
-
-TEST_CASE("a letter's distances are those of its outline", "[typeface]") {
-    Typeface face;
-    face.read();
-    float width = 0, twice = 0;
-    const std::vector<Glyph> letters = face.line("H H", width);
-    face.line("HH", twice);
-    REQUIRE(letters.size() == 2);
-    CHECK(width > twice);
-    // A capital is 1 high, and its image has a margin of GLYPH_RANGE around it.
-    CHECK(std::abs(letters[0].upper.y - (1 + GLYPH_RANGE)) < 0.03f);
-    CHECK(std::abs(letters[0].lower.y + GLYPH_RANGE) < 0.03f);
-}

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "catch.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "tests/catch.h"
 
 namespace lightwalk {
 
@@ -20,6 +20,7 @@ struct FileFolder {
     FileFolder() { std::filesystem::create_directories(path); }
     ~FileFolder() {
         std::error_code ignored;
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all, ignored);
         std::filesystem::remove_all(path, ignored);
     }
     std::filesystem::path operator/(const std::filesystem::path& name) const { return path / name; }

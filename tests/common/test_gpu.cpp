@@ -16,49 +16,6 @@
 
 using namespace lightwalk;
 
-namespace {
-
-constexpr const char* doubler = R"(
-layout(local_size_x = 64) in;
-layout(scalar) readonly buffer InBuffer { float values[]; };
-layout(scalar) buffer OutBuffer { float doubled[]; };
-layout(scalar) uniform ScaleBlock { float offset; float factor; } scale;
-void main() {
-    uint i = gl_GlobalInvocationID.x;
-    if (i < doubled.length()) doubled[i] = values[i] * scale.factor + scale.offset;
-}
-)";
-
-// Without file and line of the statement.
-std::string refusal_of(const std::function<void(Compute&)>& record, const ComputeAccess& access) {
-    Frame frame(check_device());
-    frame.begin({4, 4}, 0);
-    std::string text;
-    try {
-        frame.compute("test", access, record);
-    } catch (const Failure& e) { text = e.what(); }
-    frame.end();
-    REQUIRE(text.starts_with("tests/common/test_gpu.cpp:"));
-    return text.substr(text.find(": ") + 2);
-}
-
-}  // namespace
-
-TEST_CASE("buffers that a pass does not state, and blocks of another size") {
-    Gpu& gpu = check_device();
-    const Pipeline twice = compute({.shader = "doubler", .source = doubler});
-    const Buffer out(gpu.device, {.name = "out", .bytes = 16}), other(gpu.device, {.name = "other", .bytes = 16});
-    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("doubled", out); }, {.reads = {out}}) ==
-          "pass 'test' binds 'doubled' without stating it in its writes");
-    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("values", other); }, {.writes = {out}}) ==
-          "pass 'test' binds 'values' without stating it in its reads");
-    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", 1.0f); }, {}) ==
-          "pass 'test': 'scale' is 4 bytes in C++ and 8 in the shader");
-    // More than the block has would be lost without a word.
-    CHECK(refusal_of([&](Compute& p) { p.use(twice).set("scale", glm::vec4(1)); }, {}) ==
-          "pass 'test': 'scale' is 16 bytes in C++ and 8 in the shader");
-}
-
 TEST_CASE("a chapter cannot include a later one, nor a file that is not there, nor within #if") {
     CHECK_THROWS_WITH(flatten_text("#include \"02_lambert_phong/lambert.glsl\"\n", "x", "01", {}),
                       Catch::Matchers::Contains("x:1: chapter 01 may not include the later chapter's"));

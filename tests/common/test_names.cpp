@@ -85,13 +85,10 @@ TEST_CASE("knobs of a module that differ in their units alone keep them in their
     CHECK(label_of(sun.walk) == "walk");
 }
 
-TEST_CASE("a filter's words occur in a knob's name or help") {
-    Filtered chapter;
-    CHECK(matches_filter(chapter.bias_m, ""));
-    CHECK(matches_filter(chapter.bias_m, "BIAS"));
-    CHECK(matches_filter(chapter.bias_m, "light bias "));
-    CHECK(!matches_filter(chapter.bias_m, "light filter"));
-    CHECK(matches_filter(chapter.method, "filter"));
+TEST_CASE("a text has all words of a search, case aside") {
+    CHECK(has_words("bias_m", ""));
+    CHECK(has_words("shadow.bias_m distance towards the Light", "light  BIAS "));
+    CHECK(!has_words("shadow.bias_m distance towards the Light", "light filter"));
 }
 
 TEST_CASE("a knob's usage: what it takes and its default") {

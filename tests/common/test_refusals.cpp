@@ -63,7 +63,7 @@ struct Tint : Module {
 void refused(const std::string& expected, const std::function<void()>& mistake,
              std::source_location row = std::source_location::current()) {
     const std::string said = failure_at(mistake);
-    CAPTURE(said);
+    CAPTURE(expected, said);
     std::smatch parts;
     REQUIRE(std::regex_match(said, parts, std::regex("(.*?):([0-9]+): ([^\n]*)")));
     CHECK(parts[1] == "tests/common/test_refusals.cpp");
@@ -209,7 +209,15 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     refused(of("count", "a float", "an integer"), [&] {
         frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(counted).set("count", 1.0f); });
     });
-    const Buffer wide = gpu.upload("wide", std::vector<glm::vec4>(2));
+    refused("pass 'x': 'scale' is 16 bytes in C++ and 4 in the shader", [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(scaled).set("scale", glm::vec4(1)); });
+    });
+    refused("pass 'x': 'view' is 4 bytes in C++ and 16 in the shader",
+            [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(viewed).set("view", 1.0f); }); });
+    const Buffer wide = gpu.upload("wide", std::vector<glm::vec4>(2)), own(gpu.device, {.name = "own", .bytes = 16});
+    refused("pass 'x' binds 'values' without stating it in its reads", [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(listed).set("values", own); });
+    });
     refused("pass 'x': an element of 'points' has 12 bytes in the shader, and one of wide has 16 in C++", [&] {
         frame.compute("x", {.reads = {wide}, .writes = {one}},
                       [&](Compute& pass) { pass.use(points).set("points", wide); });

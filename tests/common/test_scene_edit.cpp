@@ -44,8 +44,10 @@ TEST_CASE("moved objects take their children along, and the device is told of no
     objects[1].parent = "parent";
     TestScene test(objects);
     const uint64_t before = test.scene.epoch;
-    const Scene::Move move{0, {0, 2, 0}, {0, 0, 90}, glm::vec3(1)};
-    test.scene.move({&move, 1});
+    objects[0].position = {0, 2, 0};
+    objects[0].rotation_deg = {0, 0, 90};
+    const Scene::Edit edit{0, &objects[0]};
+    CHECK(test.scene.edit({&edit, 1}));
     CHECK(test.scene.epoch != before);
     for (const DrawItem& item : test.scene.items) {
         const glm::vec3 at(item.transform[3]), right = item.object == 0   ? glm::vec3(0, 2, 0)

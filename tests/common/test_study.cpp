@@ -383,10 +383,8 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
 
 TEST_CASE("a list of shots is refused at the line of its mistake") {
     const auto said = [](const char* shot) {
-        try {
-            parse_shots(std::string("{\"shots\": [\n{\"name\": \"a\",\n") + shot + "}]}", "shots.json");
-        } catch (const InputError& error) { return std::string(error.what()); }
-        return std::string();
+        return refusal_of(
+            [&] { parse_shots(std::string("{\"shots\": [\n{\"name\": \"a\",\n") + shot + "}]}", "shots.json"); });
     };
     CHECK(said(R"("set": {"steps": 4}, "rejects": [])").empty());
     CHECK(said(R"("reject": [])") ==
