@@ -63,6 +63,18 @@ TEST_CASE("moved objects take their children along, and the device is told of no
     CHECK(test.gpu.uploaded_bytes - uploaded == 2 * sizeof(Instance));
 }
 
+TEST_CASE("a material that is edited and taken back is the one before") {
+    TestScene test({object_at(quad_file, {0, 0, 0})});
+    SceneObject object = test.scene.file.objects[0];
+    const glm::vec3 before = test.scene.items[0].material.diffuse, other(0.25f, 0.5f, 0.125f);
+    const Scene::Edit edit{0, &object};
+    for (const auto& color : {std::optional(other), std::optional<glm::vec3>()}) {
+        object.material.diffuse = color;
+        CHECK(test.scene.edit({&edit, 1}));
+        CHECK(test.scene.items[0].material.diffuse == color.value_or(before));
+    }
+}
+
 TEST_CASE("objects that cannot be loaded leave the scene as it was") {
     TestScene test({object_at(quad_file, {0, 0, 0})});
     std::vector<SceneObject> objects = test.scene.file.objects;
