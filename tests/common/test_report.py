@@ -9,7 +9,6 @@ from pathlib import Path
 from PIL import Image
 
 from browser import WHY_NONE, Browser
-from pages.gallery import write_gallery
 from pages.page import chart_uri, data_uri
 from pages.report import write_report
 from tree import ROOT
@@ -137,33 +136,6 @@ class ReportText(ReportCase):
         self.assertIn("bad, actual: ", html)
         self.assertNotIn('src=""', html)
 
-    def test_nothing_failed(self):
-        self.assertIn("No test has run", self.write())
-        (self.results / "tests.xml").write_text(
-            '<testsuite><testcase name="unit.a" time="1" status="run"/></testsuite>')
-        html = self.write()
-        self.assertIn("all passed", html)
-        self.assertNotIn("What failed", html)
-
-
-class GalleryText(ReportCase):
-    def gallery(self, shots):
-        out = self.folder / "gallery" / "index.html"
-        write_gallery(shots, out)
-        return out.read_text()
-
-    def test_pictures_captions_commands_lessons_and_errors(self):
-        shot = {"chapter": "01_obj", "name": "bunny", "caption": "A <bunny>.", "image": "01_obj/bunny.png",
-                "error": None, "command": "./course run 01 --shot bunny", "lesson": "../docs/01_obj.md"}
-        html = self.gallery([shot, shot | {"name": "car", "error": "it ended with 1: no driver"}])
-        for text in ('<img src="01_obj/bunny.png"', "A &lt;bunny&gt;.", "./course run 01 --shot bunny",
-                     'href="../docs/01_obj.md"', "01 From a text file to a shaded mesh", "not drawn: it ended with 1: no driver"):
-            self.assertIn(text, html)
-        self.assertEqual(html.count("<img"), 2)  # and one above all chapters
-
-    def test_no_pictures(self):
-        self.assertIn("No chapter has a picture yet", self.gallery([]))
-
 
 @unittest.skipIf(WHY_NONE, WHY_NONE)
 class InBrowser(ReportCase):
@@ -187,13 +159,4 @@ class InBrowser(ReportCase):
             for _ in range(5):
                 browser.press("ArrowRight")
             self.assertIn("55%", browser.evaluate(shown))
-            browser.press("Home")
-            self.assertIn("0%", browser.evaluate(shown).replace("50%", ""))
-
-            # Dragging: from the middle of the first picture to a quarter of it.
-            browser.evaluate("document.querySelector('.slide').scrollIntoView({block: 'center'})")
-            x, y, width = browser.evaluate("(r => [r.x, r.y + r.height / 2, r.width])"
-                                           "(document.querySelector('.slide').getBoundingClientRect())")
-            browser.drag((x + width / 2, y), (x + width / 4, y))
-            self.assertLess(abs(browser.evaluate("+document.querySelector('.slide input').value") - 25), 4)
             self.assertEqual(browser.complaints, [])

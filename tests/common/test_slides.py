@@ -112,9 +112,6 @@ class Printings(unittest.TestCase):
             book.print_until_settled("browser", [], Path(folder, "book.html"), Path(folder, "book.pdf"))
         return given
 
-    def test_the_second_printing_has_the_pages_of_the_first(self):
-        self.assertEqual(self.printed({"a": 2}, {"a": 2}), [{}, {"a": 2}])
-
     def test_numbers_that_move_a_page_are_printed_once_more(self):
         self.assertEqual(self.printed({"a": 9}, {"a": 10}, {"a": 10}), [{}, {"a": 9}, {"a": 10}])
 

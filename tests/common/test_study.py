@@ -7,12 +7,10 @@ import signal
 import subprocess
 import sys
 import time
-import unittest
 
 from small_course import INTERRUPTIBLE, Course
 
-from test.need_test import median_row, row, set_options
-from charts.study import SceneEntry, device_slug
+from charts.study import device_slug
 
 # Writes its arguments and folder; with a file "slow" at the root it leaves a part and then takes its time.
 CHAPTER = f"""#!{sys.executable}
@@ -113,34 +111,3 @@ class Study(Course):
                             ({"subject": "loader", "device": "EPYC", "stage": "2 threads"}, "cpu2"),
                             ({}, "device")):
             self.assertEqual(device_slug(study), name)
-
-
-class Tables(unittest.TestCase):
-    """Verdicts of need_test.py on measurements."""
-
-    def test_a_scene_of_a_need_sets_its_knobs(self):
-        scene = SceneEntry({"scene": "assets/yard.json", "set": {"lights": 10, "fast": True}, "label": "ten lights"})
-        self.assertEqual((scene.file, scene.label), ("assets/yard.json", "ten lights"))
-        self.assertEqual(set_options(scene.set), ["--set", "lights=10", "--set", "fast=true"])
-        self.assertEqual((SceneEntry("x/a.json").label, SceneEntry("x/a.json").set), ("a", {}))
-
-    def test_what_a_need_rule_chose_is_judged(self):
-        def point(method, knobs, error, time):
-            return {"method": method, "knobs": knobs, "error": {"flip_mean": error}, "time_ms": {"median": time}}
-
-        def said(chosen, none=False):
-            return {"budget": 0.02, "choice": chosen, "none_would_do": none, "crops": 0, "choosing_ms": 1, "truth_ms": 1}
-
-        points = {"a": point("a", {}, 0.03, 1), "b": point("b", {}, 0.01, 2),
-                  "b samples 4": point("b", {"samples": 4}, 0.001, 6)}
-        four, cheap = {"method": "b", "knobs": {"samples": 4}}, {"method": "b", "knobs": {}}
-        bad = {"method": "a", "knobs": {}}
-        self.assertEqual([row("s", points, said(*case))["ok"] for case in (
-            (cheap,), (four,), (bad,), (cheap, True), (bad, True))], [True, True, False, False, False])
-        self.assertEqual(row("s", points, said(four))["ratio"], 3)
-        poor = {"a": points["a"]}
-        self.assertEqual([row("s", poor, said(bad, none))["ok"] for none in (True, False)], [True, False])
-        self.assertIsNone(row("s", poor, said(bad, True))["ratio"])
-        rows = [{"ratio": ratio} for ratio in (1, 1.6, None, 1.7)]
-        self.assertFalse(median_row(rows)["ok"])
-        self.assertTrue(median_row([*rows, {"ratio": 1}, {"ratio": 1}])["ok"])
