@@ -48,20 +48,6 @@ class Drawing(unittest.TestCase):
         self.assertTrue(any("Not drawn: broken" in text for text in texts))
         self.assertNotIn("broken", texts)
 
-    def test_axes(self):
-        main, zero = self.figure(study()).axes
-        self.assertEqual((main.get_xscale(), main.get_yscale()), ("log", "log"))
-        self.assertEqual(main.get_xlim(), zero.get_xlim())
-        self.assertEqual([label.get_text() for label in zero.get_yticklabels()], ["0"])
-        only_exact = self.figure(study(points=[point("s", "exact", 0, 1)]))
-        self.assertEqual(len(only_exact.axes), 1)
-
-    def test_panels_share_their_axes(self):
-        points = [point(scene, "m", e, t) for scene, e, t in (("a", 0.1, 1), ("b", 0.01, 5), ("c", 0.5, 2))]
-        figure = self.figure(study(points=points))
-        self.assertEqual(len(figure.axes), 3)
-        self.assertEqual(len({(axis.get_xlim(), axis.get_ylim()) for axis in figure.axes}), 1)
-
     def test_time_over_a_knob_of_the_scenes(self):
         figure = self.figure(over_lights(), 1)
         texts = self.texts(figure)
@@ -128,19 +114,6 @@ class Drawing(unittest.TestCase):
         self.assertEqual([line.get_xdata()[0] for line in axis.lines if line.get_linestyle() == "--"], [0.0299])
         with self.assertRaisesRegex(StudyError, "needs \"x\": \"time\" or a metric"):
             charts_of(study(points=points, charts=[{"name": "a", "x": "knob size", "y": "method"}]))
-
-    def test_what_is_enough(self):
-        s = over_lights()
-        main, _, _, texels = charts_of(s)[:4]
-        self.assertEqual(main.enough_of([p for p in s.points if p.scene == "yard"]).method, "culled")
-        s.points[1].data["error"]["flip_p99"] = 0.2  # errors in few pixels
-        self.assertEqual(main.enough_of([p for p in s.points if p.scene == "yard"]).method, "uncut")
-        self.assertIsNone(texels.enough_of(texels.points))  # of such errors no step is known
-        self.assertIsNone(charts_of(s)[1].enough_of(s.points))
-        own = charts_of(over_lights(charts=[{"name": "a", "y": "hit_texels", "enough": {"at": 0.06, "text": "a bit"}}]))[0]
-        self.assertEqual(own.enough_of(own.points).knobs, {"lights": 1, "threshold": 0.1})
-        with self.assertRaisesRegex(StudyError, "enough"):
-            charts_of(study(charts=[{"name": "a", "enough": 1}]))
 
     def test_less_than_the_truth_knows_is_in_the_strip_of_zero(self):
         s = study(points=[point("s", "m", error, 1) for error in (0.1, 0.00006, 0.00004)])
@@ -281,15 +254,6 @@ class Added(unittest.TestCase):
 
 
 class Reading(unittest.TestCase):
-    def test_software_times_are_labelled(self):
-        self.assertEqual(study().time_label, "GPU time, ms")
-        for names in ({"device": "llvmpipe (LLVM 15.0.6, 256 bits)"}, {"driver": "llvmpipe"}):
-            self.assertEqual(study(**names).time_label, "CPU time (software rasteriser), ms")
-
-    def test_knob_labels_name_only_what_varies(self):
-        one = charts_of(study())[0]
-        labels = [one.label_of(p) for p in one.points[:3]]
-        self.assertEqual(labels, ["", "1", "4"])
 
     def test_one_step(self):
         self.assertEqual(study(one_step={"flip_mean": 0.02}).one_step("bunny", "flip_mean"), (0.02, True))
@@ -374,16 +338,6 @@ class Choosing(unittest.TestCase):
         for values, log in (((1, 9), False), ((0, 1, 10), True), ((-1, 10), False), ((0, 0), False)):
             points = [point("s", "m", 1, 1, {"k": value}) for value in values]
             self.assertEqual(charts_of(study(points=points, charts=[{"name": "a", "x": "knob k"}]))[0].x.log, log)
-
-    def test_the_front_needs_time_and_error(self):
-        charts = self.charts()
-        fronts = {name: [p.method for p in chart.front(chart.drawable)] for name, chart in charts.items()}
-        self.assertEqual((fronts["lights"], fronts["threshold"], fronts["errors"]), ([], [], []))
-        self.assertEqual(fronts["main"][-1], "culled")  # enough
-        self.assertEqual(set(fronts["texels"]), {"culled"})
-        own = charts["texels"]
-        ten = [p for p in own.drawable if p.scene == "10 lights"]
-        self.assertEqual([p.knobs["threshold"] for p in own.front(ten)], [0.1])  # by hit_texels, not by FLIP
 
     def test_doubt_is_the_scenes_own(self):
         s = over_lights()
