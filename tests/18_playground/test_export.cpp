@@ -155,7 +155,7 @@ TEST_CASE("glass is exported as thin transmission, and its tint beside a body as
 
 // glTF 2.0, 3.9.2: metalness and roughness are the texture's channels times the factors. The object's numbers replace the map's.
 TEST_CASE("a map of occlusion, roughness and metalness is exported with its factors, glass beside it as glass") {
-    const TestFolder folder;
+    const FileFolder folder;
     write_png(folder.path / "orm.png", Image8(4, 4, {255, 128, 0, 255}));
     const std::string map = R"("maps": {"orm": ")" + (folder.path / "orm.png").string() + "\"}";
     const std::string cube = R"({"model": "models/cube.obj", "material": {)";
