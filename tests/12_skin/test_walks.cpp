@@ -27,13 +27,26 @@ struct LeavingBeam {
     double half_mm, nine_tenths_mm;  ///< radii within which these parts of the share leave
 };
 
+/// `light`: by radius, in order; `unit`: one unit of it, as a share of the light that entered.
+LeavingBeam of_light(const std::vector<std::pair<double, double>>& light, double unit) {
+    LeavingBeam leaving{};
+    double sum = 0, within = 0;
+    for (const auto& [radius, share] : light) sum += share;
+    for (const auto& [radius, share] : light) {
+        within += share;
+        if (within < 0.5 * sum) leaving.half_mm = radius;
+        if (within < 0.9 * sum) leaving.nine_tenths_mm = radius;
+    }
+    leaving.share = sum * unit;
+    return leaving;
+}
+
 /// Of a beam that has entered a half space along its normal; scattering is isotropic, coefficients per mm.
 LeavingBeam walk(double scattering, double absorption, int walks) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     const double extinction = scattering + absorption;
     std::vector<std::pair<double, double>> left;  // radius, share
-    double sum = 0;
     for (int i = 0; i < walks; ++i) {
         double x = 0, y = 0, z = 0, dx = 0, dy = 0, dz = 1, share = 1;
         while (share > 1e-4) {
@@ -45,7 +58,6 @@ LeavingBeam walk(double scattering, double absorption, int walks) {
                 z = 0;
                 if (uniform(random) >= reflectance(-dz)) {
                     left.emplace_back(std::hypot(x, y), share);
-                    sum += share;
                     break;
                 }
                 dz = -dz;  // a free path has no memory
@@ -62,14 +74,7 @@ LeavingBeam walk(double scattering, double absorption, int walks) {
         }
     }
     std::sort(left.begin(), left.end());
-    LeavingBeam spread{sum / walks, 0, 0};
-    double within = 0;
-    for (const auto& [radius, share] : left) {
-        within += share;
-        if (within < 0.5 * sum) spread.half_mm = radius;
-        if (within < 0.9 * sum) spread.nine_tenths_mm = radius;
-    }
-    return spread;
+    return of_light(left, 1.0 / walks);
 }
 
 /// By docs/12_skin.md's formula, in rings of equal ratio.
@@ -82,21 +87,12 @@ LeavingBeam dipole(double scattering, double absorption) {
         return z * (1 + tr * d) * std::exp(-tr * d) / (d * d * d);
     };
     std::vector<std::pair<double, double>> rings;
-    double sum = 0;
     for (double r = 1e-4; r < 100; r *= 1.002) {
         const double middle = r * 1.001, wide = r * 0.002;
         const double light = scattering / extinction * 0.5 * (source(zr, middle) + source(zv, middle)) * middle * wide;
         rings.emplace_back(middle, light);
-        sum += light;
     }
-    LeavingBeam spread{sum, 0, 0};
-    double within = 0;
-    for (const auto& [radius, light] : rings) {
-        within += light;
-        if (within < 0.5 * sum) spread.half_mm = radius;
-        if (within < 0.9 * sum) spread.nine_tenths_mm = radius;
-    }
-    return spread;
+    return of_light(rings, 1);
 }
 
 }  // namespace
