@@ -16,7 +16,7 @@ struct BodyAir : Module {
     Choice method{*this,
                   "method",
                   {"closed", "tables", "truth"},
-                  "closed",
+                  "tables",
                   "Light of the Earth's air: sunlight by a formula; chapter 10's tables of sunlight and of multiple "
                   "scattering; the reference, with 32 times as many samples and random walks"};
     Choice orders{*this,
@@ -50,7 +50,7 @@ struct Planets : Drawing {
         *this,
         "rings",
         {"alpha", "tables", "single_scattering", "random_walks"},
-        "tables",
+        "single_scattering",
         "Light of rings: a painted disc; three tables (back, forward, unlit); single scattering and a fit of the rest; "
         "single scattering and random walks (the reference)"};
     Choice flow{
