@@ -53,7 +53,7 @@ void CloudLayer::update(Frame& frame) {
         frame.gpu.device,
         {.name = path() + " noise", .format = VK_FORMAT_R16_SFLOAT, .size = glm::uvec2(64), .depth = 64, .kept = true});
     frame.compute("cloud noise", {.writes = {noise_}},
-                  [&](Compute& pass) { pass.use(make_noise_).set("result", noise_).dispatch(glm::uvec3(16, 16, 16)); });
+                  [&](Compute& pass) { pass.use(make_noise_).set("result", noise_).dispatch_threads(glm::uvec3(64)); });
 }
 
 void CloudLayer::draw(Frame& frame, const View& view, Canvas& canvas) {

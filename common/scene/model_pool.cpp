@@ -4,6 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/base/shared_lock.h"
+#include "common/base/text.h"
 
 namespace lightwalk {
 namespace {
