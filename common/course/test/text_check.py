@@ -229,6 +229,9 @@ def check_chapters() -> list[str]:
         wrong += [f"{file}: {name} is no earlier chapter" for name in earlier if name not in chapters()[:number]]
         # A scene that sets knobs, or includes one that does, cannot be read by chapters that lack them.
         scenes = {shot["scene"] for shot in found if "scene" in shot}
+        missing = sorted(scene for scene in scenes if not (ROOT / scene).is_file())
+        wrong += [f"{file}: there is no scene {scene}" for scene in missing]
+        scenes -= set(missing)
         readable = not scenes or any(not re.search('"(knobs|include)"', (ROOT / scene).read_text(encoding="utf-8")) for scene in scenes)
         if found and number and readable and not earlier:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
