@@ -92,6 +92,11 @@ class Recorder : public PassListener {
 /// Replays into a begun frame. Returns the exception text of recording or replay; empty if none.
 std::string replay(Frame& frame, const RecordedFrame& recorded, const Cast& cast);
 
+/// Hint for replay()'s exception text; empty where the text says what would be right.
+inline std::string hint_for(const std::string& error) {
+    return error.find("stating it") == error.npos ? "" : "what a pass binds stands in its reads or writes";
+}
+
 /// Replays two frames. Returns the exception text, and the compute passes of the second as "first, second".
 template <class Stage>
 std::pair<std::string, std::string> replay_twice(Stage& stage, const std::vector<RecordedFrame>& recorded) {

@@ -76,6 +76,7 @@ Raster& Raster::draw_indexed_indirect(const Buffer& indices, const Buffer& draws
 Raster& Raster::draw(const Drawable& drawable) {
     check_used();
     if (pipeline_) drawable.draw(*this);
+    values_are_read();
     return *this;
 }
 
@@ -93,7 +94,9 @@ Compute& Compute::dispatch(glm::uvec3 groups) {
     if (listener()) listener()->dispatches(groups);
     if (!groups.x || !groups.y || !groups.z)
         fail(where_, " dispatches {}×{}×{} workgroups", groups.x, groups.y, groups.z);
-    if (flush()) vkCmdDispatch(commands, groups.x, groups.y, groups.z);
+    if (!flush()) return *this;
+    check_workgroups(groups);
+    vkCmdDispatch(commands, groups.x, groups.y, groups.z);
     return *this;
 }
 

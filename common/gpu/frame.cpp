@@ -161,7 +161,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
     Raster pass(*this, name, commands, lists_, where);
     rendering.begin(commands);
     if (watch_.listener) watch_.listener->begins(name, targets);
-    record_and_end([&] { record(pass), pass.check_written(); },
+    record_and_end([&] { record(pass), pass.check_ended(); },
                    [&] {
                        vkCmdEndRendering(commands);
                        end_pass();
@@ -186,7 +186,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
     for (const Resource& written : access.writes) add_output(name, written.view);
     Compute pass(*this, name, commands, lists_, where);
     if (watch_.listener) watch_.listener->begins(name, access);
-    record_and_end([&] { record(pass), pass.check_written(); }, [&] { end_pass(); });
+    record_and_end([&] { record(pass), pass.check_ended(); }, [&] { end_pass(); });
     run_after_pass(outputs_before);
 }
 

@@ -136,6 +136,8 @@ void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetForma
     lists_.scopes.back() = &variant;
     const BuiltPipeline* const pipeline = frame.gpu.pipelines.get(wanted, formats, lists_.scopes);
     if (pipeline && pipeline == pipeline_) return;
+    if (unread_) check_ended();
+    drawn_ = false;
     pipeline_ = pipeline;
     point_ = point;
     if (!pipeline) {  // while its shader does not compile, what it would write is left as it is
@@ -219,7 +221,9 @@ void Pass::check_sampler(const std::source_location& where, const Binding& bindi
              binding.name, view.name(), name_of(view.image->desc.format));
 }
 
-void Pass::check_written() const {
+void Pass::check_ended() const {
+    if (unread_)
+        fail(unread_where_, " sets '{}' after its last draw or dispatch, so that nothing reads it", unread_->name);
     for (const Stated& one : lists_.stated) {
         const ImageView& view = one.resource.view;
         if (!one.writable || !view) continue;
@@ -233,7 +237,7 @@ VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const 
                                        const Sampler& sampler) const {
     const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     if (!view || !view.image->handle)
-        fail(where, ": '{}' gets an image without a size: a Target has one in Chapter::frame, an Image after fit()",
+        fail(where, ": '{}' gets an image without a size: a Target has one in Chapter::frame, an Image after ensure()",
              binding.name);
     if (storage && view.mips > 1) view = view.mip(0);
     if (!turn_into(view, binding.view_type))
@@ -288,6 +292,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
         lists_.views[binding.first + i] = view;
     }
     missing_ -= !std::exchange(lists_.bound[binding.number].set, true);
+    note_set(name_in_shader, binding);
 }
 
 void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
@@ -307,6 +312,7 @@ void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     check_stated(where, binding->name, buffer, binding->writable);
     store(*binding, 0, lists_.buffer_infos, {.buffer = buffer.handle, .offset = 0, .range = buffer.bytes});
     missing_ -= !std::exchange(lists_.bound[binding->number].set, true);
+    note_set(name_in_shader, *binding);
 }
 
 void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> bytes, BlockMember::Type type) {
@@ -321,6 +327,13 @@ void Pass::set_bytes(const Name& name_in_shader, std::span<const std::byte> byte
                  own == Type::number ? "a float" : "an integer");
     }
     set_block(name_in_shader.where, *binding, bytes);
+    note_set(name_in_shader, *binding);
+}
+
+void Pass::note_set(const Name& name_in_shader, const Binding& binding) {
+    if (!drawn_ || modules_bind_) return;
+    unread_ = &binding;
+    unread_where_ = name_in_shader.where;
 }
 
 void Pass::set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes) {
@@ -361,8 +374,32 @@ void Pass::check_not_sampled() const {
     }
 }
 
+void Pass::check_workgroups(const glm::uvec3& groups) const {
+    const glm::uvec2 stated(groups), local(pipeline_->local_size);
+    glm::uvec2 needed(0), size(0);
+    const Binding* largest = nullptr;
+    bool stores_more = false;
+    for (const Binding& binding : pipeline_->bindings) {
+        if (!binding.used || !binding.writable) continue;
+        stores_more |= !binding.by_thread;
+        if (!binding.by_thread) continue;
+        const glm::uvec2 texels(lists_.views[binding.first].size()), own = (texels + local - 1u) / local;
+        if (glm::all(glm::lessThanEqual(own, needed))) continue;
+        needed = glm::max(own, needed);
+        size = texels;
+        largest = &binding;
+    }
+    if (!largest || stated == needed) return;
+    if (stores_more && glm::all(glm::greaterThanEqual(stated, needed))) return;
+    fail(where_,
+         " dispatches {}×{} workgroups of {}×{} threads; '{}' has {}×{} texels and needs {}×{}: dispatch_threads(size) "
+         "counts texels",
+         stated.x, stated.y, local.x, local.y, largest->name, size.x, size.y, needed.x, needed.y);
+}
+
 bool Pass::flush() {
     check_used();
+    values_are_read();
     if (!pipeline_) return false;
     if (missing_ > 0)
         for (const Binding& binding : pipeline_->bindings)

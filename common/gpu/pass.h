@@ -66,8 +66,9 @@ class Pass {
 
     bool wants(const BindingName& binding) const { return static_cast<bool>(slot(binding)); }
 
-    /// Throws Failure if the pass states an image in its writes, and draws and dispatches nothing.
-    void check_written() const;
+    /// Throws Failure if the pass states an image in its writes, and draws and dispatches nothing, or if it sets a
+    /// binding after its last draw or dispatch.
+    void check_ended() const;
 
     struct Name {
         template <size_t length>
@@ -128,6 +129,9 @@ class Pass {
     }
     /// Binds pending descriptors. False if there is no valid pipeline.
     bool flush();
+    void values_are_read() { unread_ = nullptr, drawn_ = true; }
+    /// Throws Failure where each thread writes its own texel, and texels have no thread or workgroups no texel.
+    void check_workgroups(const glm::uvec3& groups) const;
     /// Throws Failure if the pass does not declare `buffer`, the source of indices or indirect commands, as read.
     void check_indirect(const Buffer& buffer) const;
     const BuiltPipeline* pipeline_ = nullptr;
@@ -138,6 +142,10 @@ class Pass {
   private:
     bool modules_bind_ = false;
     bool used_ = false;
+    bool drawn_ = false;               ///< with the pipeline in use
+    const Binding* unread_ = nullptr;  ///< set since the last draw or dispatch
+    std::source_location unread_where_;
+    void note_set(const Name& name_in_shader, const Binding& binding);
     const Binding* find(const Name& binding) const;
     void check_stated(const std::source_location& where, std::string_view use, const Buffer& buffer, bool writes) const;
     const Stated* stated(const ImageView& view, bool writes) const;

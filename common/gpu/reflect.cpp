@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/gpu/texel_stores.h"
 
 namespace lightwalk {
 namespace {
@@ -327,6 +328,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
         spvc_compiler_create_shader_resources_for_active_variables(compiler, &used, active) != SPVC_SUCCESS)
         throw Failure("spirv-cross: no list of the resources in use");
     refuse_unset(compiler, resources);
+    const std::unordered_set<uint32_t> by_thread = images_stored_by_thread(spirv);
     struct Kind {
         spvc_resource_type kind;
         VkDescriptorType type;
@@ -359,7 +361,10 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
                 binding.multisampled = spvc_type_get_image_multisampled(base);
                 binding.compares = spvc_type_get_image_is_depth(base);
             }
-            if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) binding.format = storage_format_of(base);
+            if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) {
+                binding.format = storage_format_of(base);
+                binding.by_thread = binding.view_type == VK_IMAGE_VIEW_TYPE_2D && by_thread.contains(list[i].id);
+            }
             if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER && spvc_type_get_num_member_types(base) == 1)
                 spvc_compiler_type_struct_member_array_stride(compiler, base, 0, &binding.stride);
             if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {

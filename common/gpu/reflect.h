@@ -54,10 +54,11 @@ struct Binding {
     bool compares = false;  ///< sampler2DShadow and its like
     VkShaderStageFlags stages = 0;
     uint32_t bytes = 0;
-    uint32_t stride = 0;    ///< storage buffer that is one array: bytes of an element
-    bool writable = false;  ///< storage buffer or image without `readonly`
-    bool readable = true;   ///< image without `writeonly`
-    bool used = true;       ///< statically used by main(); others are not bound
+    uint32_t stride = 0;     ///< storage buffer that is one array: bytes of an element
+    bool writable = false;   ///< storage buffer or image without `readonly`
+    bool readable = true;    ///< image without `writeonly`
+    bool by_thread = false;  ///< 2-D image stored to at gl_GlobalInvocationID.xy alone
+    bool used = true;        ///< statically used by main(); others are not bound
     std::vector<BlockMember> members;
     uint32_t offset_of_number = 0;  ///< word of the module that holds the binding number
 };

@@ -121,7 +121,7 @@ VkRenderingAttachmentInfo Rendering::add(const std::string& pass, Attachment tar
     };
     if (!target.view) throw Failure("pass '{}' has a target without an image", pass);
     if (!target.view.image->handle)
-        throw Failure("pass '{}': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
+        throw Failure("pass '{}': a target has no size: a Target has one in Chapter::frame, an Image after ensure()",
                       pass);
     const ImageView view = target_view(target.view, layers);
     const Image::Desc& desc = view.image->desc;
@@ -197,7 +197,7 @@ void state(std::vector<Stated>& result, const std::string& pass, const std::vect
             if (r.view && !r.view.image->handle)
                 throw Failure(
                     "pass '{}' states an image without a size: a Target has one in Chapter::frame, an Image after "
-                    "fit()",
+                    "ensure()",
                     pass);
     for (const Resource& w : writes) result.push_back({w, VK_IMAGE_LAYOUT_GENERAL, contains(reads, w), true});
     if (targets && targets->depth.load == Attachment::Load::read_only)

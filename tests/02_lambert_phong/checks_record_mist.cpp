@@ -66,8 +66,7 @@ CHECK_EXERCISE("02.record_mist",
         stage.begin(right);
         const MistFrame frame = seen_of(stage, recorded[i]);
         if (!frame.error.empty()) {
-            check.expect(false, frame.error,
-                         "what a pass binds stands in its reads or writes, or is one of its targets");
+            check.expect(false, frame.error, hint_for(frame.error));
             return;
         }
         const std::string what = right ? "the second frame, in which the scene is on the right: "

@@ -40,7 +40,7 @@ CHECK_EXERCISE("11.record_cones",
         const ConesSeen seen = seen_of(size, try_record_cones(size));
         const std::string what = fmt::format("{}x{} pixels: ", size.x, size.y);
         if (!seen.error.empty()) {
-            check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");
+            check.expect(false, what + seen.error, hint_for(seen.error));
             return;
         }
         check.expect(seen.passes == "julia march",

@@ -69,7 +69,7 @@ CHECK_EXERCISE("12.blur_irradiance",
         const SkinChain seen = seen_of(count, try_blur_irradiance(count));
         const std::string what = fmt::format("a sum of {}: ", count);
         if (!seen.error.empty()) {
-            check.expect(false, what + seen.error, "what a pass binds stands in its reads or writes");
+            check.expect(false, what + seen.error, hint_for(seen.error));
             return;
         }
         check.expect(seen.passes == 1,

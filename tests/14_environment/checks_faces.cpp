@@ -58,9 +58,9 @@ CHECK_EXERCISE("14.prefilter_faces",
         const std::string what = fmt::format("a cube of {} texels and {} levels: ", size.texels, size.levels);
         if (!seen.error.empty()) {
             const bool given = seen.error.find("given") != seen.error.npos;
-            check.expect(false, what + seen.error,
-                         given ? "what else the filter reads comes with the pass: .with = passes.with"
-                               : "what a pass binds stands in its reads or writes");
+            check.expect(
+                false, what + seen.error,
+                given ? "what else the filter reads comes with the pass: .with = passes.with" : hint_for(seen.error));
             return;
         }
         check.expect(seen.passes == "prefilter",

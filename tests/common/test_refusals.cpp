@@ -222,6 +222,17 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
         frame.compute("x", {.reads = {wide}, .writes = {one}},
                       [&](Compute& pass) { pass.use(points).set("points", wide); });
     });
+    refused("pass 'x' sets 'scale' after its last draw or dispatch, so that nothing reads it", [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) {
+            pass.use(scaled).set("into", one).set("scale", 1.0f).dispatch_threads(frame.size).set("scale", 2.0f);
+        });
+    });
+    refused("pass 'x' sets 'scale' after its last draw or dispatch, so that nothing reads it", [&] {
+        frame.compute("x", {.writes = {one}}, [&](Compute& pass) {
+            pass.use(scaled).set("into", one).set("scale", 1.0f).dispatch_threads(frame.size).set("scale", 2.0f);
+            pass.wait().use(writes).set("into", one).dispatch_threads(frame.size);
+        });
+    });
     refused("pass 'x' dispatches 0×1×1 workgroups", [&] {
         frame.compute("x", {.writes = {one}},
                       [&](Compute& pass) { pass.use(writes).set("into", one).dispatch_threads(glm::uvec2(0, 4)); });
@@ -234,12 +245,69 @@ TEST_CASE_METHOD(OnDevice, "a pass that disagrees with its shaders is refused at
     });
     refused("a pass has no name, by which timers and messages call it",
             [&] { frame.compute("", {}, [](Compute&) {}); });
-    const std::string size = " without a size: a Target has one in Chapter::frame, an Image after fit()";
+    const std::string size = " without a size: a Target has one in Chapter::frame, an Image after ensure()";
     refused("pass 'x' states an image" + size, [&] { frame.compute("x", {.writes = {none}}, [](Compute&) {}); });
     refused("pass 'x': 'into' gets an image" + size,
             [&] { frame.compute("x", {.writes = {one}}, [&](Compute& pass) { pass.use(writes).set("into", none); }); });
-    refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after fit()",
+    refused("pass 'x': a target has no size: a Target has one in Chapter::frame, an Image after ensure()",
             [&] { frame.raster("x", {.color = {clear(none)}}, [](Raster&) {}); });
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "where each thread writes its own texel, workgroups cover the image", "[refused]") {
+    const auto sized = [&](const char* name, glm::uvec2 size) {
+        return image({.name = name, .format = one_float, .size = size, .mips = 2, .kept = true});
+    };
+    const Image ten = sized("ten", {10, 8}), four = sized("four", {4, 4});
+    const Buffer list(gpu.device, {.name = "list", .bytes = 4096});
+    const auto dispatch = [&](const Pipeline& pipeline, glm::uvec2 groups, const ImageView& view) {
+        frame.compute("x", {.reads = {list}, .writes = {view, list}}, [&](Compute& pass) {
+            pass.use(pipeline).set("into", view);
+            if (pass.wants("list")) pass.set("list", list);
+            pass.dispatch({groups, 1});
+        });
+    };
+    const auto said = [](glm::uvec2 groups) {
+        return fmt::format(
+            "pass 'x' dispatches {}×{} workgroups of 4×4 threads; 'into' has 10×8 texels and needs 3×2: "
+            "dispatch_threads(size) counts texels",
+            groups.x, groups.y);
+    };
+    for (const glm::uvec2 wrong :
+         {glm::uvec2(2, 2), glm::uvec2(1, 1), glm::uvec2(3, 1), glm::uvec2(10, 8), glm::uvec2(3, 3), glm::uvec2(4, 1)})
+        refused(said(wrong), [&] {
+            frame.compute("x", {.writes = {ten}}, [&](Compute& pass) {
+                pass.use(writes).set("into", ten).dispatch({wrong, 1});
+            });
+        });
+    CHECK_NOTHROW(dispatch(writes, {3, 2}, ten));
+    CHECK_NOTHROW(dispatch(writes, {2, 1}, ten.mip(1)));
+
+    // Every way to the thread's own texel is found; other ones are the pass's own business.
+    const auto row = [&](const char* body) { return shader("x.comp", into, body); };
+    const Pipeline own[] = {
+        row("uvec2 texel = gl_GlobalInvocationID.xy; if (at.x < 9) imageStore(into, ivec2(texel), vec4(1.0));"),
+        row("imageStore(into, ivec2(gl_GlobalInvocationID.xy), vec4(at.x + at.y)); imageStore(into, at, vec4(2.0));")};
+    for (const Pipeline& pipeline : own)
+        CHECK(failure_at([&] { dispatch(pipeline, {2, 2}, ten); }).ends_with(said({2, 2})));
+    const Pipeline another[] = {
+        row("imageStore(into, at + 4, vec4(1.0));"),
+        row("imageStore(into, at, vec4(1.0)); imageStore(into, at.yx, vec4(1.0));"),
+        row("at.x *= 4; imageStore(into, at, vec4(1.0));"),
+        row("if (at.y > 2) at = ivec2(1); imageStore(into, at, vec4(1.0));"),
+        row("imageStore(into, ivec2(gl_WorkGroupID.xy), vec4(1.0));"),
+        row("imageStore(into, ivec2(gl_LocalInvocationID.xy), vec4(1.0));"),
+        shader("x.comp", into + "void move(inout ivec2 at) { at += 4; }", "move(at); imageStore(into, at, vec4(1.0));"),
+        shader("x.comp", into + "void put(ivec2 at) { imageStore(into, at, vec4(1.0)); }", "put(at + 1); put(at);"),
+        shader("x.comp", "layout(r32f) writeonly uniform image2D into[1];", "imageStore(into[0], at, vec4(1.0));")};
+    for (const Pipeline& pipeline : another)
+        for (const glm::uvec2 groups : {glm::uvec2(1, 1), glm::uvec2(10, 8)})
+            CHECK_NOTHROW(dispatch(pipeline, groups, ten));
+    const Pipeline lists =
+        shader("x.comp", into + "layout(scalar) buffer List { float list[]; };",
+               "list[gl_GlobalInvocationID.x] = 1.0; if (at.x < imageSize(into).x) imageStore(into, at, vec4(1.0));");
+    CHECK_NOTHROW(dispatch(lists, {9, 9}, four));  // threads beyond the image fill the list
+    CHECK(failure_at([&] { dispatch(lists, {9, 1}, ten); }).ends_with(said({9, 1})));
     frame.end();
 }
 
