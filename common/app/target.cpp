@@ -1,5 +1,6 @@
 #include "common/app/target.h"
 
+#include "common/base/error.h"
 #include "common/gpu/gpu.h"
 
 namespace lightwalk {
@@ -18,7 +19,9 @@ TargetBase::~TargetBase() { std::erase(owner_.targets_, this); }
 Target::Target(Module& owner, TargetDesc target)
     : TargetBase(owner),
       wanted(std::move(target)),
-      path_((owner.path().empty() ? "" : owner.path() + ".") + wanted.name) {}
+      path_((owner.path().empty() ? "" : owner.path() + ".") + wanted.name) {
+    if (!(wanted.scale > 0)) throw Failure("target {}: a scale of {}; expected one above 0", path_, wanted.scale);
+}
 
 void Target::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
     glm::uvec2 size = wanted.size;

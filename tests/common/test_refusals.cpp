@@ -2,6 +2,7 @@
 #include <regex>
 
 #include "common/app/module.h"
+#include "common/app/target.h"
 #include "tests/common/gpu_fixture.h"
 
 using namespace lightwalk;
@@ -505,6 +506,10 @@ TEST_CASE("a module has a name of its own", "[refused]") {
     CHECK(failure_at([&] {
               const Eye eye{root};
           }).ends_with("module 'eye': the block 'view' is not a module's; take another name"));
+    for (const float scale : {0.0f, -0.5f, NAN})
+        CHECK(failure_at([&] {
+                  const Target flat{root, {.name = "flat", .scale = scale}};
+              }) == fmt::format("target flat: a scale of {}; expected one above 0", scale));
     const Tint other{root, "other", "tint"};
     CHECK_NOTHROW(check_macros(root.all_knobs()));  // modules of one kind share their macros
     const Knob<bool> clashing{root, "tint_method", true, "Whether it is tinted"};
