@@ -186,9 +186,9 @@ def home(site: Site) -> str:
 def tried() -> dict:
     """The program that runs on the first page, and the exercise that it leads to; nothing in a course without them."""
     scene, first = running.scenes().get(TRIED), FIRST in in_order(chapters()[1]) if len(chapters()) > 1 else False
-    if not scene or not first:
+    chapter = next((name for name in chapters() if name[:2] == TRIED[:2]), None)
+    if not scene or not first or not chapter:
         return {}
-    chapter = next(name for name in chapters() if name[:2] == TRIED[:2])
     return {"try": {"program": TRIED, "lines": len(scene["text"].splitlines()), "number": chapter[:2], "page": f"{chapter}.html"},
             "first": {"exercise": FIRST, "page": f"{chapters()[1]}.html#{FIRST}"}}
 

@@ -110,7 +110,7 @@ def smaller_fonts(made: Path):
 
     from fontTools import subset
 
-    logging.getLogger("fontTools").setLevel(logging.ERROR)  # it finds the package's dates odd
+    logging.getLogger("fontTools.ttLib.tables._h_e_a_d").setLevel(logging.ERROR)  # it finds the package's dates odd; main() sets the level above
     style = made / "assets" / "lesson.css"
     for face in (made / "assets" / "fonts").glob("*.ttf"):
         subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713",
