@@ -40,6 +40,8 @@ KEPT = re.compile(r"""PATH|HOME|USER|LOGNAME|SHELL|TERM|COLORTERM|COLUMNS|LINES|
 def keep_environment():
     for name in [name for name in os.environ if not KEPT.fullmatch(name)]:
         del os.environ[name]
+    if not os.access(os.path.expanduser("~"), os.W_OK):  # nobody's, or that of a container's user: ccache and matplotlib end there
+        os.environ["HOME"] = str(ROOT / "build" / "home")
 
 
 CLOSED = (errno.EROFS, errno.EACCES, errno.EPERM, errno.ENOSPC)  # of a folder that cannot be written
@@ -78,7 +80,7 @@ def machine_words() -> str:
 def copy_words() -> str:
     """What to type where the course's folder cannot be written, or its disc is full."""
     home = Path(os.path.expanduser("~"))  # as it is where there is none
-    place = home if os.access(home, os.W_OK) else Path(tempfile.gettempdir())
+    place = home if os.access(home, os.W_OK) and not home.is_relative_to(ROOT) else Path(tempfile.gettempdir())
     copy = next(path for number in range(1, 1000) if not (path := place / f"lightwalk{number if number > 1 else ''}").exists())
     return f"; what is built goes below the course; for a copy of your own, type cp -r {shlex.quote(str(ROOT))} {shlex.quote(str(copy))}"
 
@@ -267,7 +269,7 @@ def git(*words: str) -> bytes:
         done = subprocess.run(["git", "-C", ROOT, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE)
     except FileNotFoundError:
-        raise Failure("there is no git, which this copy's list of files is asked from") from None
+        raise Failure("there is no git, which knows this copy's files and starters; as root, type: apt-get install git") from None
     said = done.stderr.decode(errors="replace").strip().splitlines() or [f"it ended with {done.returncode}"]
     if "dubious ownership" in said[0]:
         raise Failure(f"git does not trust this copy, which is another user's: git config --global --add safe.directory "

@@ -59,6 +59,20 @@ class Environment(Course):
                 self.assertEqual([line for line in printed.splitlines() if not line.startswith(("building", "checking", "configuring"))],
                                  [line for line in before.splitlines() if not line.startswith(("building", "checking", "configuring"))])
 
+    def test_a_copy_without_the_history(self):
+        self.assertIn("one.cpp is the starter\n", self.course("reset", "01.one"))
+        self.put(ONE, "mine")
+        self.assertIn("neither tests/starters.zip nor git's history has it; a new copy of the course does\n", self.course("reset", "01.one", code=1))
+        self.assertEqual(self.course("release", code=2), "course: a release is of a commit, and there is no git history here\n")
+
+    def test_who_has_no_home_has_one_in_the_build(self):
+        """Else ccache ends each compilation, and matplotlib each chart."""
+        self.put("compile", "echo $HOME >$0.home\n")
+        for home in ("/nonexistent", str(self.outside)):
+            self.put(ONE, home)
+            self.course("check", "01", code=None, HOME=home)
+            self.assertEqual((self.root / "compile.home").read_text().strip(), home if home == str(self.outside) else f"{self.root}/build/home")
+
     def test_the_first_python_in_path_is_not_asked(self):
         bad = self.outside / "bad"
         bad.mkdir()

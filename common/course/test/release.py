@@ -46,6 +46,8 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
+    if not (ROOT / ".git").exists():
+        raise UsageError("a release is of a commit, and there is no git history here")
     commit = git("rev-parse", "HEAD").decode().strip()
     changed = [line[3:] for line in git("status", "--porcelain").decode(errors="replace").splitlines()]
     if changed := [name for name in changed if name != str(PAGE.relative_to(ROOT))]:
