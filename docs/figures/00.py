@@ -401,3 +401,51 @@ def draw_vulkan_objects(drawing: Drawing):
     for a, b in ARROWS:
         p.arrow(side(a, b), side(b, a), GREY, width=THIN)
     p.text((500, 50), "The device makes everything below the first row. An arrow: is made from, or uses.", INK, SMALL)
+
+
+@figure("00_descriptors", 1040, 400,
+        "Four draws read three textures: through a set of each draw's own, through a kept set of each texture, through a "
+        "reference in the command buffer, and through an index into one table, in which the textures of a model are a range")
+def draw_descriptors(drawing: Drawing):
+    colors = {"a": (BLUE, PALE_BLUE), "b": (ORANGE, PALE_ORANGE), "c": (GREEN, PALE_GREEN)}
+    read = ("b", "a", "b", "c")  # by each draw
+    rows, heights = (210, 150, 90, 30), {"a": 190, "b": 120, "c": 50}
+    for k, (title, words) in enumerate((("a set per draw", "per draw: allocate,\nwrite, bind"),
+                                        ("a set per texture", "per draw: bind"),
+                                        ("push descriptors", "per draw: write into\nthe command buffer"),
+                                        ("one table", "bind once;\nper draw: an index"))):
+        p = drawing.panel((30 + 258 * k, 90), 1)
+        p.text((103, 272), title, INK, SMALL, bold=True)
+        p.text((103, -44), words, GREY, SMALL)
+        for name, (color, pale) in colors.items():
+            y = heights[name]
+            p.box((172, y - 18), (208, y + 18), color, THIN, fill=pale)
+            p.text((190, y), name, color, SMALL, rim=False)
+        entries = {"a": 0, "b": 1, "c": 5}
+        middle = {name: 206 - 22 * i for name, i in entries.items()}
+        if title == "a set per texture":
+            for name, y in heights.items():
+                p.box((95, y - 14), (123, y + 14), colors[name][0], THIN)
+                p.arrow((109, y), (170, y), colors[name][0], width=THIN)
+        if title == "one table":
+            for i in range(9):
+                held = [colors[name][1] for name, entry in entries.items() if entry == i]
+                p.box((95, 195 - 22 * i), (123, 217 - 22 * i), GREY, THIN, fill=held[0] if held else None)
+            for name, y in middle.items():
+                p.arrow((109, y), (170, heights[name]), colors[name][0], width=THIN)
+        for y, name in zip(rows, read):
+            color = colors[name][0]
+            p.box((0, y - 18), (44, y + 18), INK, THIN, fill=PALE_GREY)
+            if title == "a set per draw":
+                p.box((95, y - 14), (123, y + 14), color, THIN, dash=True)
+                p.arrow((44, y), (93, y), INK, width=THIN)
+                p.arrow((109, y), (170, heights[name]), color, width=THIN)
+            elif title == "a set per texture":
+                p.arrow((44, y), (93, heights[name]), INK, width=THIN)
+            elif title == "push descriptors":
+                p.box((24, y - 12), (40, y + 12), color, THIN, dash=True)
+                p.arrow((32, y), (170, heights[name]), color, width=THIN)
+            else:
+                p.arrow((44, y), (93, middle[name]), INK, width=THIN)
+            p.text((13 if title == "push descriptors" else 22, y), str(entries[name]) if title == "one table" else name,
+                   INK if title == "one table" else color, SMALL, rim=False)

@@ -19,16 +19,25 @@ foreach(source ${minimal})
   set_target_properties(minimal_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/minimal
                                                    OUTPUT_NAME ${name})
 endforeach()
-# docs/vulkan.md's program, with the shaders that it reads beside it.
-foreach(stage vert frag)
+# The programs of docs/vulkan.md and docs/descriptors.md, with the shaders that they read beside them; a fragment shader's
+# variant is called like the macro that it is compiled with.
+function(minimal_shader program source spirv)
   add_custom_command(
-    OUTPUT ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv
-    COMMAND glslangValidator --quiet -V --target-env vulkan1.3 -o ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv
-            ${PROJECT_SOURCE_DIR}/docs/minimal/00_vulkan.${stage}
-    DEPENDS ${PROJECT_SOURCE_DIR}/docs/minimal/00_vulkan.${stage})
-  target_sources(minimal_00_vulkan PRIVATE ${PROJECT_BINARY_DIR}/minimal/00_vulkan.${stage}.spv)
+    OUTPUT ${PROJECT_BINARY_DIR}/minimal/${spirv}
+    COMMAND glslangValidator --quiet -V --target-env vulkan1.3 ${ARGN} -o ${PROJECT_BINARY_DIR}/minimal/${spirv}
+            ${PROJECT_SOURCE_DIR}/docs/minimal/${source}
+    DEPENDS ${PROJECT_SOURCE_DIR}/docs/minimal/${source})
+  target_sources(minimal_${program} PRIVATE ${PROJECT_BINARY_DIR}/minimal/${spirv})
+endfunction()
+foreach(stage vert frag)
+  minimal_shader(00_vulkan 00_vulkan.${stage} 00_vulkan.${stage}.spv)
+endforeach()
+minimal_shader(00_descriptors 00_descriptors.vert 00_descriptors.vert.spv)
+foreach(variant ONE LAYERS_BY_OFFSET LAYERS_BY_BUFFER TABLE_BY_CONSTANT TABLE_BY_BUFFER)
+  minimal_shader(00_descriptors 00_descriptors.frag 00_descriptors.${variant}.spv -D${variant})
 endforeach()
 target_link_libraries(minimal_00_vulkan PRIVATE Vulkan::Vulkan glfw)
+target_link_libraries(minimal_00_descriptors PRIVATE Vulkan::Vulkan)
 file(GLOB minimal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/minimal/*.cpp)
 add_executable(test_minimal ${minimal})
 target_link_libraries(test_minimal PRIVATE catch_main lightwalk_check)

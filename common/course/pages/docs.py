@@ -40,6 +40,7 @@ LATO = Path("/usr/share/fonts/truetype/lato")
 LANGUAGES = {".frag": "glsl", ".comp": "glsl",
              ".py": "python", ".sh": "bash", ".json": "json", ".cmake": "cmake", ".cpp": "cpp", ".h": "cpp"}
 OTHERS = {"which.md": "What should I use?", "index.md": "Index", "keys.md": "Keys", "formats.md": "Model formats", "vulkan.md": "Vulkan without the framework",
+          "descriptors.md": "Where do descriptors live?",
           "framework.md": "The framework",
           "pixel.md": "From the command to a pixel", "serve.md": "Live lessons",
           "teaching.md": "For instructors", "development.md": "For developers", "elsewhere.md": "Windows and macOS",

@@ -83,6 +83,8 @@ def place(name: Path) -> tuple[str, int] | None:
         return "common", ROOMS.index(folder)
     if area == "shaders" and folder == "common":
         return "common", -1
+    if (area, folder) == ("docs", "minimal"):  # programs of pages, which only their tests may use
+        return "tests", 0
     if area == "tests":
         return "tests", int(folder[:2]) if CHAPTER.fullmatch(folder) else 0
     if area in ("chapters", "shaders") and CHAPTER.fullmatch(folder):
