@@ -15,7 +15,7 @@ json knobs_json(const Chapter& chapter) {
     json list = json::array();
     for (const KnobBase* knob : chapter.all_knobs()) {
         list.push_back(knob->describe());
-        if (knob->preferred) list.back()["preferred"] = true;
+        if (knob->preferred) list.back()["alone"] = true;
     }
     return list;
 }

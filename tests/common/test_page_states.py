@@ -7,7 +7,7 @@ from unittest import mock
 from pages import drawn_pictures, knob_links, states
 
 KNOBS = [
-    {"name": "shadow.method", "type": "choice", "options": ["none", "hard", "pcf"], "default": "pcf", "help": "Filter", "preferred": True},
+    {"name": "shadow.method", "type": "choice", "options": ["none", "hard", "pcf"], "default": "pcf", "help": "Filter", "alone": True},
     {"name": "maps.method", "type": "choice", "options": ["flat", "relief", "none"], "default": "relief", "help": "Bumps"},
     {"name": "shadow.bias_m", "type": "number", "range": [0, 1], "default": 0.01, "help": "Bias"},
     {"name": "shadow.snap", "type": "switch", "default": "on", "help": "Snap"},

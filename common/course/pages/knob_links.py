@@ -57,11 +57,11 @@ def default_text(knob: dict) -> str:
 
 
 def find(knobs: list[dict], name: str) -> dict | None:
-    """A knob by its path, or by its name as --set takes it: the preferred one, or the only one."""
+    """A knob by its path, or by its name as --set takes it: the one that answers to its name alone, or the only one."""
     named = [knob for knob in knobs if knob["name"].split(".")[-1] == name]
     exact = next((knob for knob in knobs if knob["name"] == name), None)
-    preferred = next((knob for knob in named if knob.get("preferred")), None)
-    return exact or preferred or (named[0] if len(named) == 1 else None)
+    alone = next((knob for knob in named if knob.get("alone")), None)
+    return exact or alone or (named[0] if len(named) == 1 else None)
 
 
 def meant(knobs: list[dict], words: str, last: dict | None) -> tuple[dict | None, str | None, bool]:

@@ -73,7 +73,7 @@ def best_of(film: dict) -> dict:
 
 def finish(made: Path, clip: Path | None, drawn: list[str]):
     """Makes the pages, written to a folder, into the site; the pictures of these chapters are drawn for it."""
-    states.add_pictures(made, drawn)
+    states.offer(made, drawn)
     smaller_fonts(made)
     smaller = {path: small(path) for path in sorted(made.rglob("*")) if path.suffix in (".png", ".jpg") and "assets/images" not in str(path)}
     for path in made.rglob("*.html"):

@@ -102,7 +102,7 @@ def same(one: str, other: str) -> bool:
         return one == other
 
 
-def add_pictures(made: Path, only: list[str]) -> None:
+def offer(made: Path, only: list[str]) -> None:
     """Draws the pictures of these chapters, which must be built, with sixteen samples, and their states, and puts both into the pages."""
     for chapter in only:
         if not chapter_program(chapter).exists():

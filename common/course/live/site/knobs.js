@@ -15,7 +15,7 @@ const Knobs = {
   // A knob by its path, or by its name as --set takes it: the one that answers to its name alone, or the only one of that name.
   find(knobs, name) {
     const named = knobs.filter(knob => knob.name.split(".").pop() === name);
-    return knobs.find(knob => knob.name === name) ?? named.find(knob => knob.preferred) ?? (named.length === 1 ? named[0] : undefined);
+    return knobs.find(knob => knob.name === name) ?? named.find(knob => knob.alone) ?? (named.length === 1 ? named[0] : undefined);
   },
 
   default_text(knob) {
