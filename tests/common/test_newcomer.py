@@ -116,5 +116,9 @@ class Newcomer(unittest.TestCase):
         os.killpg(serve.pid, signal.SIGTERM)
         self.assertIn("100% tests passed", self.course("test", "^python.common.(suites|compare)$"))
 
+    @unittest.skipUnless(shutil.which("clang++"), "there is no clang, which builds fuzz targets")
+    def test_3_the_readers_hold(self):
+        self.assertRegex(self.course("fuzz", "8"), r"(\d+) of \1 targets held")
+
     def test_4_nothing_of_it_has_changed_the_tree(self):
         self.assertEqual(self.status(), self.before)
