@@ -129,3 +129,35 @@ def draw_thin_lens(drawing: Drawing):
     p.text((-FOCUS, 0), "in focus", BLUE, SMALL, offset=(0, 24))
     p.text((-FAR, 0), "farther", RED, SMALL, offset=(14, 24))
     p.text((-1.2, 1.45), "1/z + 1/v = 1/F", GREEN)
+
+
+@figure("09_gather", 900, 400,
+        "Which neighbours light a pixel. Left, behind the plane of focus: of two whose discs reach the pixel, the one within "
+        "the pixel's own disc counts, the one outside does not. Right, in front of it: each whose disc reaches the pixel counts, "
+        "and the search goes as far as the widest near disc")
+def draw_gather(drawing: Drawing):
+    p = drawing.panel((0, 0), 50)
+    p.text((4.3, 7.55), "behind the plane of focus", INK)
+    p.text((13.4, 7.55), "in front of it", INK)
+    p.line([(9, 0.3), (9, 7.7)], FAINT, THIN)
+    for center, radius, color, fill in (((3.3, 4.5), 1.7, BLUE, PALE_BLUE), ((6.0, 3.8), 2.3, RED, None)):
+        p.circle(center, radius, color, 2, fill=fill)
+    pixel = (4.0, 3.9)
+    p.circle(pixel, 1.4, INK, 2, dash=True)
+    p.line([(6.0, 3.8), pixel], RED, THIN)
+    p.line([(3.3, 4.5), pixel], BLUE, 2)
+    p.dot(pixel, INK)
+    p.dot((3.3, 4.5), BLUE)
+    p.dot((6.0, 3.8), RED)
+    p.text((3.3, 4.5), "counts", BLUE, SMALL, offset=(-6, 22))
+    p.text((6.0, 3.8), "too far away", RED, SMALL, offset=(12, -26))
+    p.text((3.4, 2.05), "the pixel's own disc", INK, SMALL)
+    pixel, near = (12.4, 3.7), (14.2, 4.2)
+    p.circle(near, 2.5, ORANGE, 2, fill=PALE_ORANGE)
+    p.circle(pixel, 2.5, INK, 2, dash=True)
+    p.line([near, pixel], ORANGE, 2)
+    p.dot(pixel, INK)
+    p.dot(near, ORANGE)
+    p.text(near, "counts", ORANGE, SMALL, offset=(16, 22))
+    p.text(pixel, "in focus", INK, SMALL, offset=(-6, -26))
+    p.text((13.3, 0.6), "search: as wide as the widest near disc", INK, SMALL)

@@ -11,6 +11,7 @@ layout(scalar) buffer ListHeadsBuffer { uint list_heads[]; };
 layout(scalar) buffer ListedBuffer { ListedFragment listed[]; };
 layout(scalar) buffer ListCountBuffer { uint list_count[]; };
 
+// [listed]
 void put_surface(vec3 radiance, float alpha, vec3 tint) {
     uint place = atomicAdd(list_count[0], 1u);
     if (place >= transparency_now.capacity) return;  // no room: this fragment is lost
@@ -19,3 +20,4 @@ void put_surface(vec3 radiance, float alpha, vec3 tint) {
     listed[place] = ListedFragment(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, alpha)),
                                    packed_tint(used_tint(tint)), gl_FragCoord.z, next);
 }
+// [/listed]

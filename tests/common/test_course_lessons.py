@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pages.reading import minutes, sections
 from test import lesson_commands
-from tree import ROOT, chapters, lesson_pages, lessons
+from tree import ROOT, chapters, lesson_pages, lessons, shots
 
 PARTS = ["What you will be able to do", "The first ten minutes", "What you will see", "The smallest program", "The frame",
          "Exercises", "What goes wrong", "Speed against accuracy", "When to use which", "Recap", "Questions", "Further reading"]
@@ -72,6 +72,17 @@ class Lessons(unittest.TestCase):
             chart, table = text.find("](studies/"), text.find("\n|")
             self.assertGreater(chart, 0, chapter)
             self.assertTrue(table < 0 or chart < table, chapter)
+
+    def test_a_name_of_a_picture_and_of_a_study_is_one_scene_or_the_lesson_names_the_studys(self):
+        unnamed = []
+        for chapter, _, text in self.each():
+            pictures = {shot["name"]: shot.get("scene", "") for shot in shots(chapter)}
+            for study in sorted((ROOT / "chapters" / chapter).glob("study*.json")):
+                for scene in json.loads(study.read_text())["scenes"]:
+                    file, label = (scene, Path(scene).stem) if isinstance(scene, str) else (scene["scene"], scene.get("label", ""))
+                    if pictures.get(label.split(",")[0], file) != file and f"{Path(file).name}`" not in text:
+                        unnamed.append(f"{chapter}: '{label}' of {study.name} is {file}, the shot is another scene")
+        self.assertEqual(unnamed, [])
 
     def test_the_main_thread_is_read_in_45_minutes(self):
         self.assertEqual([f"{page.stem}: {minutes(page):.0f}" for page in lessons() if minutes(page) > MOST_MINUTES], [])
