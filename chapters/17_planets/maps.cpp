@@ -95,12 +95,18 @@ std::shared_ptr<Image> made_map(Gpu& gpu) {
 
 }  // namespace
 
-BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
+BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body, bool frames) {
     const BodyTraits& of = traits(body);
     const auto load = [&](const char* file, TextureKind kind) { return pool.load(find_asset(file), kind); };
     BodyMaps maps;
     if (of.map) maps.color = load(of.map, TextureKind::color);
     if (body == BodyId::pluto) maps.color = made_map(gpu);
+    if (body == BodyId::jupiter && frames) {
+        maps.frames = {maps.color};
+        for (int day = 1; day <= sequence_days; ++day)
+            maps.frames.push_back(
+                pool.load(find_asset(fmt::format("planets_2k/jupiter_{}.jpg", day)), TextureKind::color));
+    }
     if (of.octaves > 0 && of.map)
         maps.normals = slope_image(gpu, unlocked([&] { return slopes_of(read_image_linear(find_asset(of.map)), of); }));
     if (body == BodyId::pluto) {
@@ -120,6 +126,17 @@ BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body) {
         maps.water = load("planets/earth_specular.jpg", TextureKind::data);
     }
     return maps;
+}
+
+FrameInterval frame_interval(double days, float period_days) {
+    const int step = period_days < 1.5f ? 1 : period_days < 3 ? 2 : 4, count = sequence_days / step + 1;
+    const double loop_days = step * count;
+    const auto in_loop = static_cast<float>(days - loop_days * std::floor(days / loop_days));
+    const int first = static_cast<int>(in_loop) / step;
+    return {.first = static_cast<size_t>(first % count * step),
+            .second = static_cast<size_t>((first + 1) % count * step),
+            .days = in_loop,
+            .period_days = static_cast<float>(step)};
 }
 
 namespace scattering {

@@ -79,11 +79,23 @@ std::span<const RingPart> ring_parts(BodyId body);
 struct BodyMaps {
     std::shared_ptr<Image> color, normals;
     std::shared_ptr<Image> night, water, clouds;  ///< of the Earth
+    std::vector<std::shared_ptr<Image>> frames;   ///< of Jupiter, a day apart, `color` first; none unless asked for
     std::shared_ptr<Image> rings;  ///< four layers: ω and optical depth; the tables back, forward, unlit
 };
 
-/// Maps of a body, if it has them. Throws InputError if a file is missing or damaged.
-BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body);
+/// Maps of a body, if it has them, and with `frames` Jupiter's later frames. Throws InputError if a file is missing or damaged.
+BodyMaps load_maps(Gpu& gpu, ImagePool& pool, BodyId body, bool frames);
+
+/// Days from Jupiter's map to the last of its kept frames, of which there is one a day.
+constexpr int sequence_days = 4;
+
+/// Interval of Jupiter's kept frames at a time. After the last frame the first follows again.
+struct FrameInterval {
+    size_t first, second;  ///< frames at its ends
+    float days;            ///< from the first frame of all, below the length of the loop
+    float period_days;     ///< 1, 2 or 4: what is nearest to the period asked for
+};
+FrameInterval frame_interval(double days, float period_days);
 
 /// Colours of Pluto in sRGB, RGBA, row by row from the north: no free map of it was found, so these are its published
 /// regions (S. A. Stern et al., Science 350, 2015): the bright western lobe of the heart and its paler eastern one,

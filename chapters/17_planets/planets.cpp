@@ -73,7 +73,8 @@ void Planets::prepare(Gpu& gpu, Scene&) {
     for (size_t i = 0; i < body_count; ++i) {
         const auto body = static_cast<BodyId>(i);
         const bool pair = (at.is("earth") && body == BodyId::moon) || (at.is("moon") && body == BodyId::earth);
-        if (body == body_at() || pair || maps.is("all")) maps_[body] = load_maps(gpu, *pool_, body);
+        if (body == body_at() || pair || maps.is("all"))
+            maps_[body] = load_maps(gpu, *pool_, body, flow_frames.is("five"));
     }
 }
 
@@ -206,6 +207,13 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
                                                              : clouded_;
     const bool is_small = around.diameter_px < small_px;
     const Pipeline &pipeline = is_small ? drawn.small : drawn.large, &other = is_small ? drawn.large : drawn.small;
+    std::shared_ptr<Image> color = of.color, next = of.color;
+    if (flow_frames.is("five") && !of.frames.empty() &&
+        (flow.is("nearest") || flow.is("cross_fade") || flow.is("two_frames"))) {
+        const FrameInterval in = frame_interval(static_cast<double>(now.flow_days), flow_period_days);
+        color = of.frames[in.first], next = of.frames[in.second];
+        now.flow_days = in.days, now.flow_period = in.period_days;
+    }
     const Air air_here = air_of(one.body, now.sunlight, now.sun_rad);
     if (earth && sky_table_.follow(air_here)) frame.upload("skylight", skylight_, sky_table_.entries());
     const ImageView hdr = canvas.color(frame), depth = canvas.depth(frame);
@@ -228,7 +236,8 @@ void Planets::draw_body(Frame& frame, const View& view, Canvas& canvas, const Sh
                                         const std::shared_ptr<Image>& otherwise) {
             pass.set_if_present(name, image ? *image : *otherwise, around_it);
         };
-        set_if_present("body_map", of.color, white_);
+        set_if_present("body_map", color, white_);
+        set_if_present("next_map", next, white_);
         set_if_present("normal_map", of.normals, flat_);
         set_if_present("night_map", of.night, white_);
         set_if_present("water_map", of.water, white_);

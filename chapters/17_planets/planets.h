@@ -56,9 +56,17 @@ struct Planets : Drawing {
     Choice flow{
         *this,
         "flow",
-        {"frozen", "scrolled", "two_frames", "advected"},
+        {"frozen", "scrolled", "nearest", "cross_fade", "two_frames", "advected"},
         "two_frames",
-        "Jupiter's clouds: at rest, all at one speed, two moved frames mixed, or carried in 64 steps (the reference)"};
+        "Jupiter's clouds: at rest, all at one speed, the nearest frame, two frames mixed, two moved frames mixed, or "
+        "carried in 64 steps (the reference)"};
+    Choice flow_frames{
+        *this,
+        "flow_frames",
+        {"one", "five"},
+        "one",
+        "Frames of Jupiter's clouds: its map alone, or five maps a day apart, carried by the winds and by five "
+        "more vortices"};
     Knob<int> walks{*this, "walks", 128, {1, 1024}, "Random walks per pixel of rings, for their reference"};
     Choice shadow{
         *this,
@@ -107,12 +115,16 @@ struct Planets : Drawing {
         "Exposure of rings over that of their planet: above 1 as in pictures composed of a short and a long exposure"};
     Knob<int> air_steps{*this, "air_steps", 10, {1, 256}, "Number of samples on a ray through air"};
     Knob<float> flow_days{*this, "flow_days", 0.0f, {-1e5f, 1e5f}, "Time since Jupiter's map was photographed", "d"};
-    Knob<float> flow_period_days{
-        *this, "flow_period_days", 2.0f, {0.01f, 100.0f}, "Time between two frames of Jupiter's clouds", "d"};
+    Knob<float> flow_period_days{*this,
+                                 "flow_period_days",
+                                 2.0f,
+                                 {0.01f, 100.0f},
+                                 "Time between two frames of Jupiter's clouds; 1, 2 or 4 of five frames",
+                                 "d"};
     BodyAir air{*this, "air"};
 
     void prepare(Gpu& gpu, Scene&) override;
-    std::string load_key() const override { return at.text() + " " + maps.text(); }
+    std::string load_key() const override { return at.text() + " " + maps.text() + " " + flow_frames.text(); }
     std::vector<std::string> load_exercises() const override { return {"17.overlay_normals"}; }
     bool animated() const override { return days_per_s != 0.0f || at.is("sun"); }
     void draw(Frame& frame, const View& view, Canvas& canvas) override;

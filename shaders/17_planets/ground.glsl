@@ -12,7 +12,7 @@
 #include "common/light.glsl"
 
 uniform sampler2D night_map, water_map;
-uniform sampler2D body_map, normal_map;
+uniform sampler2D body_map, next_map, normal_map;
 
 // The normal that the map of normals tilts; `up` is the smooth one. East is undefined at the poles, where the tilt fades.
 vec3 tilted_normal(vec3 up, vec2 uv, float footprint_rad, float strength) {
@@ -46,7 +46,7 @@ vec3 seen_surface(vec3 round_at, vec3 to_eye, vec3 to_sun, float pixel_m) {
     float footprint_rad = footprint_of(pixel_m, body.radius, facing);
     vec2 uv = map_uv(round_up);
 #ifdef BODY_FLOW
-    vec4 texel = flowed(body_map, uv, footprint_rad, body.flow_days, body.flow_period);
+    vec4 texel = flowed(body_map, next_map, uv, footprint_rad, body.flow_days, body.flow_period);
 #else
     vec4 texel = map_texel(body_map, uv, footprint_rad);
 #endif

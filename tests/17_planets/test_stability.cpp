@@ -238,7 +238,7 @@ TEST_CASE_METHOD(OnPlanets, "times of a year and of a thousand: the same picture
     look_at("jupiter", 5, 20);
     planets.days_per_s.value = 1;
     for (const float time : {0.0f, 365.25f, 365250.0f}) CHECK(is_finite(picture(time)));
-    for (const char* flow : {"frozen", "scrolled", "two_frames", "advected"}) {
+    for (const char* flow : {"frozen", "scrolled", "nearest", "cross_fade", "two_frames", "advected"}) {
         planets.flow.set(flow);
         CHECK(is_finite(picture(365.25f)));
     }
