@@ -31,6 +31,15 @@ double processor_ms() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+// No later pass reads hdr: the output is what is shown.
+void refuse_late(const Frame& frame) {
+    const auto into = [](const Image& image) { return [&](const auto& one) { return one.second.image == &image; }; };
+    const auto encoded = std::find_if(frame.outputs.rbegin(), frame.outputs.rend(), into(frame.output));
+    if (encoded == frame.outputs.rend()) return;
+    if (const auto late = std::find_if(frame.outputs.rbegin(), encoded, into(frame.hdr)); late != encoded)
+        throw Failure("pass '{}' writes hdr after the output, and is not seen: record it before", late->first);
+}
+
 void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s, ReadBack* written) {
     chapter.begin_frame(frame.gpu, size);
     frame.begin(size, time_s);
@@ -39,6 +48,7 @@ void record_frame(Chapter& chapter, Frame& frame, glm::uvec2 size, float time_s,
         chapter.frame(frame);
         if (frame.output.written_in != frame.number())
             throw Failure("the frame of {} wrote no output: end it with encode_srgb()", chapter.name);
+        refuse_late(frame);
         if (written) frame.read_back(frame.output, *written);
     } catch (...) {
         frame.end();

@@ -25,10 +25,11 @@ Shot read_shot(const json& entry, const std::function<InputError(const std::stri
     for (const auto& [key, value] : entry.items())
         if (std::ranges::find(keys, key) == std::end(keys))
             throw at("/" + key, fmt::format("is unknown here; known: {}", fmt::join(keys, ", ")));
-    if (!entry.contains("name")) throw at("", "has no \"name\"");
+    for (const char* const key : {"name", "caption"})
+        if (entry.value(key, "").empty()) throw at("", fmt::format("has no \"{}\"", key));
     Shot shot;
     shot.name = entry["name"].get<std::string>();
-    shot.caption = entry.value("caption", "");
+    shot.caption = entry["caption"].get<std::string>();
     shot.scene = entry.value("scene", "");
     if (const json size = entry.value("size", json()); !size.is_null()) {
         const auto side = [&](size_t i) { return size.at(i).get<int64_t>(); };

@@ -209,4 +209,5 @@ class Text(Course):
         self.put("tests/02_lambert/shots.json", '{"shots": [{"name": "a", "caption": "", "scene": "assets/no.json", "exercises": ["02.no"]}]}')
         self.assertIn("tests/02_lambert/shots.json: there is no scene assets/no.json", said := self.wrong())
         self.assertIn("there is no exercise 02.no", said)
+        self.assertIn("tests/02_lambert/shots.json: a has no caption", said)
         self.assertIn("no golden has to reject the picture of an earlier chapter", self.wrong())

@@ -383,10 +383,15 @@ TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line a
 
 TEST_CASE("a list of shots is refused at the line of its mistake") {
     const auto said = [](const char* shot) {
-        return refusal_of(
-            [&] { parse_shots(std::string("{\"shots\": [\n{\"name\": \"a\",\n") + shot + "}]}", "shots.json"); });
+        return refusal_of([&] {
+            parse_shots(std::string("{\"shots\": [\n{\"name\": \"a\", \"caption\": \"A.\",\n") + shot + "}]}",
+                        "shots.json");
+        });
     };
     CHECK(said(R"("set": {"steps": 4}, "rejects": [])").empty());
+    CHECK(said(R"("frames": 2}, {"caption": "B.")") == R"(shots.json:3: key '1' has no "name")");
+    CHECK(said(R"("frames": 2}, {"name": "b")") == R"(shots.json:3: key '1' has no "caption")");
+    CHECK(said(R"("frames": 2}, {"name": "b", "caption": "")") == R"(shots.json:3: key '1' has no "caption")");
     CHECK(said(R"("reject": [])") ==
           "shots.json:3: key 'reject' is unknown here; known: name, caption, scene, size, time_s, frames, set, "
           "exercises, "

@@ -223,6 +223,7 @@ def check_chapters() -> list[str]:
         file, found = f"tests/{chapter}/shots.json", shots(chapter)
         names = [shot["name"] for shot in found]
         wrong += [f"{file}: two shots are called {name}" for name in sorted(set(names)) if names.count(name) > 1]
+        wrong += [f"{file}: {shot['name']} has no caption" for shot in found if not shot.get("caption")]
         wrong += [f"{file}: there is no exercise {exercise}" for shot in found
                   for exercise in shot.get("exercises", []) if exercise not in known]
         earlier = [entry["chapter"] for shot in found for entry in shot.get("rejects", []) if "chapter" in entry]
