@@ -1,21 +1,74 @@
 #include "14_environment/paint.h"
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 
+#include "14_environment/paint_data.h"
 #include "14_environment/substance_data.h"
+#include "common/base/error.h"
 #include "common/base/exercise.h"
 
 namespace lightwalk {
 
 CarPaint::CarPaint(Module& owner, std::string name) : Module(owner, std::move(name), "paint") {}
 
+void CarPaint::prepare(Gpu&, Scene& scene) {
+    made_.forget();
+    brdf_.reset();
+    measured_ = {};
+    name_unused_placement(scene.file, is_measured_file, "a measured BRDF");
+    const SceneObject* const shown = first_shown(scene.file, is_measured_file);
+    given_ = shown != nullptr;
+    if (!shown) return;
+    if (scene.file.bare && shown == &scene.file.objects.front())
+        throw InputError("{}: a BRDF has no shape; name the file in a scene, as assets/scenes/measured_paint.json does",
+                         shown->model.string());
+    brdf_ = read_measured(find_asset(shown->model));
+}
+
+// Cells without data, below the surface or unseen by the instrument, repeat the last one with data along θd: filtering
+// reads beyond the horizon.
+void CarPaint::load(Frame& frame) {
+    if (!brdf_) brdf_ = read_measured(find_asset("tables/flakes.binary"));
+    fit_ = fit_paint(*brdf_);
+    const glm::ivec3 cells = brdf_->cells;
+    std::vector<uint64_t> texels(brdf_->values.size());
+    MeasuredBrdf filled = *brdf_;
+    size_t texel = 0;
+    each_cell(cells, [&](glm::ivec3 cell) {
+        glm::dvec3& value = filled.at(cell);
+        if (std::min({value.r, value.g, value.b}) < 0)
+            value = cell.y > 0 ? filled.at(cell - glm::ivec3(0, 1, 0)) : glm::dvec3(0);
+        texels[texel++] = glm::packHalf4x16(glm::vec4(glm::min(value, 65504.0), 1.0));
+    });
+    measured_ = Image(frame.gpu.device, {.name = path() + " measured",
+                                         .size = {uint32_t(cells.z), uint32_t(cells.y)},
+                                         .depth = uint32_t(cells.x),
+                                         .kept = true});
+    frame.upload("measured paint", measured_, std::as_bytes(std::span(texels)));
+}
+
 void CarPaint::record(Frame& frame) {
     if (made_.is_current(epoch())) return;
+    if (!method.is("layers") && !measured_) load(frame);
     frame.compute("paint table", {.writes = {table}, .with = {*this}},
                   [&](Compute& pass) { pass.use(fill_).set("table", table).dispatch_threads(table.desc.size); });
 }
 
-void CarPaint::bind(Pass& pass) const { pass.set_if_present("paint_table", table, linear_clamp); }
+std::vector<Resource> CarPaint::reads() const {
+    return measured_ ? std::vector<Resource>{table, measured_} : std::vector<Resource>{table};
+}
+
+void CarPaint::bind(Pass& pass) const {
+    pass.set_if_present("paint_table", table, linear_clamp);
+    pass.set_if_present("paint_fit", fit_);
+    if (measured_) pass.set_if_present("paint_measured", measured_, linear_clamp);
+}
+
+size_t CarPaint::bytes() const {
+    if (method.is("fit")) return sizeof(PaintFit);
+    return method.is("measured") ? byte_count(measured_) : 8 * size_t(PAINT_TEXELS * PAINT_TEXELS);
+}
 
 namespace {
 

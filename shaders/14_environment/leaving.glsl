@@ -7,7 +7,7 @@
 #include "14_environment/paint.glsl"
 #include "14_environment/all_open.glsl"
 
-// Paint under the scene's lights, by its table; each light's radiance is that of a matt white surface.
+// Paint under the scene's lights; each light's radiance is that of a matt white surface.
 vec3 paint_lights(MappedSurface m, float n_dot_v) {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < lights_data.length(); ++i) {
@@ -15,7 +15,8 @@ vec3 paint_lights(MappedSurface m, float n_dot_v) {
         float n_dot_l = dot(m.surface.normal, arriving.to_light);
         if (n_dot_l <= 0.0 || dot(m.facing, arriving.to_light) <= 0.0) continue;
         vec3 visible = light_visibility(i, m.position, m.facing, m.surface.plane, arriving.to_light);
-        sum += pi * n_dot_l * visible * arriving.radiance * paint_brdf(n_dot_l, n_dot_v);
+        sum += pi * n_dot_l * visible * arriving.radiance *
+               paint_brdf(n_dot_l, n_dot_v, dot(m.surface.to_eye, arriving.to_light));
     }
     return sum;
 }

@@ -17,5 +17,8 @@ Leaving lit_around(inout CoatedSurface c, vec4 frag_coord) {
     Lit lit = light_mapped(c.m, item, frag_coord);
     light.body += c.albedo * lit.diffuse;
     light.coat += c.m.substance.mixed.specular * lit.specular;
+#if !PAINT_COAT
+    if (c.is_paint) light.coat = c.m.glow;
+#endif
     return light;
 }

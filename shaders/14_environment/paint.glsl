@@ -1,16 +1,7 @@
 // Car paint as the module Paint gives it to shaders. Its table and its flakes; the clear coat is a surface of its own.
 #include "14_environment/image_light.glsl"
-#include "14_environment/paint_data.h"
-#include "14_environment/paint_model.glsl"
+#include "14_environment/paint_brdf.glsl"
 #include "common/hash.glsl"
-
-uniform sampler2D paint_table;
-
-// BRDF per steradian.
-vec3 paint_brdf(float n_dot_l, float n_dot_v) {
-    vec2 at = vec2(n_dot_v, n_dot_l) * float(PAINT_TEXELS - 1) + 0.5;
-    return textureLod(paint_table, at / vec2(textureSize(paint_table, 0)), 0.0).rgb;
-}
 
 // Albedo towards n·v: row 0 of the pigment, row 1 of the flakes.
 vec3 paint_albedo(float n_dot_v, int row) {
@@ -27,11 +18,11 @@ vec3 flake_light(vec3 position, vec3 normal, vec3 to_eye) {
     float cell_m = 0.001 * paint.flake_mm;
     vec3 along_x = across(position), along_y = down(position);
     float pixel_m = sqrt(max(dot(along_x, along_x), dot(along_y, along_y)));
-    vec3 mean = prefiltered_along(position, reflect(-to_eye, normal), paint.flake_roughness);
+    vec3 mean = prefiltered_along(position, reflect(-to_eye, normal), paint_layers.flake_roughness);
     float apart = clamp(1.5 - pixel_m / cell_m, 0.0, 1.0);
     if (apart == 0.0) return mean;
     vec3 random = hash3(ivec3(floor(position / cell_m)));
-    float alpha = paint.flake_roughness * paint.flake_roughness;
+    float alpha = paint_layers.flake_roughness * paint_layers.flake_roughness;
     vec3 tilted = frame_around(normal) * importance_sample_ggx(random.xy, alpha);
     vec3 single = prefiltered_along(position, reflect(-to_eye, tilted), 0.25);
     return mix(mean, single, apart);

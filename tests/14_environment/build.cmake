@@ -13,3 +13,11 @@ foreach(name everything everything_deferred)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endforeach()
 target_compile_definitions(everything_deferred PRIVATE LIGHTWALK_THROUGH_GBUFFER)
+
+# Fuzzing: cmake --preset fuzz, then build/fuzz/tests/fuzz_measured tests/14_environment/corpus/measured
+if(LIGHTWALK_FUZZ)
+  add_executable(fuzz_measured ${CMAKE_CURRENT_LIST_DIR}/fuzz/fuzz_measured.cpp)
+  target_link_libraries(fuzz_measured PRIVATE chapter_14_environment)
+  target_link_options(fuzz_measured PRIVATE -fsanitize=fuzzer)
+  set_target_properties(fuzz_measured PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+endif()
