@@ -179,7 +179,15 @@ Model ground_below(const Model& model, const std::string& name) {
     const auto world = world_transforms(model, 0.0f);
     Bounds bounds;
     for (size_t n = 0; n < model.nodes.size(); ++n)
-        for (const uint32_t mesh : model.nodes[n].meshes) bounds.add(transformed(model.meshes[mesh].bounds, world[n]));
+        for (const uint32_t number : model.nodes[n].meshes) {
+            const Mesh& mesh = model.meshes[number];
+            Bounds first = mesh.bounds;
+            if (mesh.deformation) {  // the model stands in its pose at 0 s; its bounds hold the whole animation
+                first = {};
+                for (const Vertex& v : mesh.vertices) first.add(v.position);
+            }
+            bounds.add(transformed(first, world[n]));
+        }
     if (bounds.empty()) bounds.add(glm::vec3(0));
     const float radius = radius_of(bounds);
     const glm::vec3 middle(bounds.center().x, bounds.lower.y - ground_gap_radii * radius, bounds.center().z);

@@ -69,7 +69,7 @@ class PicturesTest(ChapterPictures):
         return self.folder / name
 
     def shown(self, model, *options) -> Image.Image:
-        """The middle of the square: the ground below a model lies where the whole clip of a skin leaves it."""
+        """The middle of the square: the ground below a model lies where its pose at 0 s leaves it."""
         picture = self.folder / "model.png"
         self.run_program("--scene", model, "--camera-of-file", "1", *options, "--size", "160x160", "--screenshot", picture)
         return Image.open(picture).convert("RGB").crop((58, 66, 102, 94))

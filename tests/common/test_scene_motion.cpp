@@ -2,6 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.h"
+#include "common/scene/bare.h"
 #include "scene_fixture.h"
 
 using namespace lightwalk;
@@ -324,4 +325,24 @@ TEST_CASE("bounds hold a deformed mesh at all times, so that culling removes no 
             CHECK(most < 1e-5f);
         }
     CHECK(holds(model.meshes[0].bounds, {7, 0, 0}));  // the clip's own, by which a foreign model is framed
+}
+
+TEST_CASE("a deformed model stands on its ground at 0 s, as the same model at rest does", "[common.ground_below]") {
+    const Model still = test_model("sphere.obj");  // from -1 to 1
+    Model sinking = still;
+    Deformation& how = sinking.meshes[0].deformation;
+    how.rest = still.meshes[0].vertices;
+    how.targets.push_back({.positions = std::vector<glm::vec3>(how.rest.size(), {0, -6, 0})});
+    how.weights = {0.0f};
+    sinking.motions.push_back({.node = 0});
+    sinking.motions[0].weights = {{0, {0.0f}}, {1, {1.0f}}, {2, {0.0f}}};
+    sinking.motions_s = 2;
+    deform_at_rest(sinking);
+    REQUIRE(sinking.meshes[0].bounds.lower.y < -6.9f);
+    const Model below_still = ground_below(still, "ground"), below_sinking = ground_below(sinking, "ground");
+    const auto& expected = below_still.meshes[0].vertices;
+    CHECK(std::abs(expected[0].position.y + 1) < 0.01f);
+    for (size_t i = 0; i < expected.size(); ++i)
+        CHECK(below_sinking.meshes[0].vertices[i].position == expected[i].position);
+    CHECK(*below_sinking.materials[0].diffuse_map.bytes == *below_still.materials[0].diffuse_map.bytes);
 }
