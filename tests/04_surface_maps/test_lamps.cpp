@@ -1,6 +1,8 @@
 // Lamps on microfacets: their tables, the energy of all scattering, and the shapes of lamps.
 #include <fmt/core.h>
 
+#include <random>
+
 #include "../common/module_fixture.h"
 #include "03_attenuation/lights.h"
 #include "04_surface_maps/maps.h"
@@ -275,6 +277,44 @@ TEST_CASE_METHOD(OnSurface, "lamps with a size against sums over their area", "[
     CHECK(off[2] < 0.005 * sum);
     CHECK(off[1] < 0.05 * sum);
     CHECK(off[0] > 3 * off[1]);
+}
+
+// A sum over several lamps hides what a single one may err by, beside the lobe most of all.
+TEST_CASE_METHOD(OnSurface, "ltc for single random discs: a quarter of the light in the median, half of it at worst",
+                 "[04.random_lamps][figures]") {
+    std::mt19937 random(4);
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (double(random()) / 4294967296.0);
+    };
+    const double alphas[] = {0.04, 0.25, 0.64};
+    const Albedo albedos[] = {Albedo(alphas[0]), Albedo(alphas[1]), Albedo(alphas[2])};
+    shapes.samples.value = 4096;
+    std::vector<double> off[2];  // ltc, sampled
+    double difference = 0, sum = 0;
+    for (int i = 0; i < 40; ++i) {
+        const double up = uniform(0.15, 1), turn = uniform(0, 2 * half_turn), away = uniform(1, 3),
+                     n_dot_v = uniform(0.2, 0.95), across = std::sqrt(1 - up * up);
+        const Light lamp = disc(glm::vec3(away * glm::dvec3(across * std::cos(turn), across * std::sin(turn), up)),
+                                float(uniform(0.2, 1.5)));
+        const double expected = under_lamp(lamp, n_dot_v, alphas[i % 3], 0.9, albedos[i % 3]);
+        for (const int method : {0, 1}) {
+            shapes.method.set(method == 0 ? "ltc" : "sampled");
+            const double found =
+                lit({{seen_at(n_dot_v), glm::vec3(0.9f), glm::vec3(0), float(alphas[i % 3])}}, {lamp})[0].x;
+            off[method].push_back(std::abs(found / expected - 1));
+            if (method == 0) difference += std::abs(found - expected);
+        }
+        sum += expected;
+    }
+    for (const int method : {0, 1}) {
+        std::sort(off[method].begin(), off[method].end());
+        fmt::print("{}, 40 random discs: median {:.3f}, worst {:.3f}\n", method == 0 ? "ltc" : "sampled",
+                   off[method][20], off[method][39]);
+    }
+    fmt::print("ltc, sum of the differences over the sum of the light: {:.3f}\n", difference / sum);
+    CHECK(off[1][20] < 0.005);
+    CHECK(off[0][20] < 0.3);
+    CHECK(off[0][39] < 0.7);
 }
 
 TEST_CASE_METHOD(OnSurface, "a lamp's shape at its limits", "[04.lamp_limits]") {
