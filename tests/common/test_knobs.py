@@ -53,7 +53,7 @@ SCENES = {"terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": 
           # Chapter 09's own scene has no light with cascades.
           **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
           "mlaa.taa.resample": "scenes/passing.json", "music.": "scenes/beat.json", "sphere.": "scenes/beat.json",
-          "planets.flow": "scenes/jupiter.json"}
+          "planets.flow": "scenes/jupiter.json", "planets.air": "scenes/earth_portrait.json"}
 
 
 # Replacements for the ends in chapters that borrow the knob: their scenes have many more triangles and lights than
