@@ -47,6 +47,13 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
     }
 }
 
+Drawings::Drawings(std::initializer_list<std::reference_wrapper<Drawing>> all, std::source_location where)
+    : std::vector<std::reference_wrapper<Drawing>>(all) {
+    for (auto one = begin(); one != end(); ++one)
+        if (std::any_of(begin(), one, [&](const Drawing& other) { return &other == &one->get(); }))
+            throw Failure("{}: the drawing '{}' is given twice", place_of(where), one->get().path());
+}
+
 Canvas& Canvas::blended_by(TransparencyMethod* method) {
     transparency_method_ = method;
     return *this;
@@ -63,12 +70,14 @@ const char* name_of(Phase phase) {
     return names[static_cast<size_t>(phase)];
 }
 
-void Canvas::enter(Phase phase, const std::string& drawing) {
-    if (phase < phase_)
+void Canvas::enter(const Drawing& drawing) {
+    const Phase phase = drawing.draw_phase();
+    if (std::ranges::find(entered_, &drawing) != entered_.end())
+        throw Failure("'{}' is drawn twice into one canvas", drawing.path());
+    if (!entered_.empty() && phase < entered_.back()->draw_phase())
         throw Failure("'{}' ({}) is drawn after '{}' ({}): give both to one draw(), which orders them by phase",
-                      drawing, name_of(phase), last_, name_of(phase_));
-    phase_ = phase;
-    last_ = drawing;
+                      drawing.path(), name_of(phase), entered_.back()->path(), name_of(entered_.back()->draw_phase()));
+    entered_.push_back(&drawing);
 }
 
 // Cleared contents are linear light again.
@@ -124,8 +133,8 @@ void Drawing::update_once(Frame& frame) {
     if (std::exchange(updated_, frame.number()) != frame.number()) update(frame);
 }
 
-void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
-    draw_opaque(frame, view, canvas, drawings);
+void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, std::source_location where) {
+    draw_opaque(frame, view, canvas, drawings, where);
     draw_transparent(frame, view, canvas, drawings);
 }
 
@@ -157,12 +166,12 @@ void update(Frame& frame, const Drawings& drawings) {
     }
 }
 
-void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings) {
+void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, std::source_location where) {
     const ViewScope scope(frame, view);
     const Drawings ordered = in_order(drawings);
     update(frame, ordered);
     for (Drawing& drawing : ordered) {
-        canvas.enter(drawing.draw_phase(), drawing.path());
+        check_at(where, [&] { canvas.enter(drawing); });
         drawing.draw(frame, view, canvas);
     }
     canvas.color(frame);

@@ -12,7 +12,12 @@ namespace lightwalk {
 class Drawing;
 class TransparencyMethod;
 
-using Drawings = std::vector<std::reference_wrapper<Drawing>>;
+struct Drawings : std::vector<std::reference_wrapper<Drawing>> {
+    Drawings() = default;
+    /// Throws Failure, which names the statement `where`, for a drawing that is given twice.
+    Drawings(std::initializer_list<std::reference_wrapper<Drawing>> all,
+             std::source_location where = std::source_location::current());
+};
 
 /// Draw order. Each phase may depend on depth and light of earlier ones. Transparent surfaces follow the last phase.
 enum class Phase {
@@ -55,8 +60,9 @@ class Canvas {
     const ImageView& color_overwritten();
     const ImageView& depth_overwritten();
 
-    /// Announces the next drawing. Throws Failure if a later phase has begun: its result would be overwritten.
-    void enter(Phase phase, const std::string& drawing);
+    /// Announces the next drawing. Throws Failure if it has been drawn, or if a later phase has begun: its result would be
+    /// overwritten.
+    void enter(const Drawing& drawing);
 
     bool has_color() const { return color_begun_; }
     bool has_depth() const { return depth_begun_; }
@@ -70,8 +76,7 @@ class Canvas {
     TransparencyMethod* transparency_method_ = nullptr;
     void begin_color();
     bool color_begun_ = false, depth_begun_ = false;
-    Phase phase_ = Phase::backdrop;
-    std::string last_;
+    std::vector<const Drawing*> entered_;
 };
 
 /// Transparent surfaces, drawn after all opaque ones, farthest first.
@@ -167,11 +172,13 @@ Drawings of_phases(std::initializer_list<Phase> phases, const Drawings& drawings
 /// Updates all suns, then state shared by views, once a frame. Throws Failure if a drawing lacks its light.
 void update(Frame& frame, const Drawings& drawings);
 
-/// Updates and renders all drawings by phase, then transparent surfaces.
-void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
+/// Updates and renders all drawings by phase, then transparent surfaces. Messages begin with the statement `where`.
+void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings,
+          std::source_location where = std::source_location::current());
 
 /// Renders everything but transparent surfaces; draw_transparent() renders only these.
-void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
+void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings,
+                 std::source_location where = std::source_location::current());
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
 }  // namespace lightwalk

@@ -119,6 +119,8 @@ void accumulate(Frame& frame) {
 }
 
 void encode_srgb(Frame& frame) {
+    if (frame.output.written_in == frame.number())
+        throw Failure("encode_srgb() writes over the output that this frame has: call it once");
     accumulate(frame);
     frame.compute("encode_srgb", {.reads = {frame.linear()}, .writes = {frame.output}}, [&](Compute& pass) {
         pass.use(encode).set("hdr", frame.linear(), nearest_clamp).set("result", frame.output);

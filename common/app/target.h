@@ -9,11 +9,13 @@ class Gpu;
 
 class TargetBase {
   public:
-    explicit TargetBase(Module& owner);
+    /// Throws Failure, which names the statement `where`, if a target of the module has this name.
+    TargetBase(Module& owner, const std::string& name, std::source_location where = std::source_location::current());
     virtual ~TargetBase();
     TargetBase(const TargetBase&) = delete;
     virtual void begin_frame(Gpu& gpu, glm::uvec2 frame_size) = 0;
     virtual void forget() {}
+    const std::string path;  ///< shadow.map
 
   private:
     Module& owner_;
@@ -30,23 +32,20 @@ struct TargetDesc {
     bool kept = false;
 };
 
-/// Image of a module, named path.name; created at the start of a frame and recreated if its size changes.
+/// Image of a module, named by its path; created at the start of a frame and recreated if its size changes.
 class Target : public TargetBase, public Image {
   public:
-    Target(Module& owner, TargetDesc desc);
+    Target(Module& owner, TargetDesc desc, std::source_location where = std::source_location::current());
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size) override;
 
     /// Size and layers may follow knobs; applied at the next frame.
     TargetDesc wanted;
-
-  private:
-    const std::string path_;
 };
 
 /// Double-buffered image: `now` becomes the next frame's `before`.
 class History : public TargetBase {
   public:
-    History(Module& owner, const TargetDesc& desc);
+    History(Module& owner, const TargetDesc& desc, std::source_location where = std::source_location::current());
     const Image& now();
     const Image& before() const;           ///< requires valid()
     bool valid() const { return valid_; }  ///< written by the previous frame, at the current size

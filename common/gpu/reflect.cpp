@@ -328,7 +328,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
         spvc_compiler_create_shader_resources_for_active_variables(compiler, &used, active) != SPVC_SUCCESS)
         throw Failure("spirv-cross: no list of the resources in use");
     refuse_unset(compiler, resources);
-    const std::unordered_set<uint32_t> by_thread = images_stored_by_thread(spirv);
+    const TexelAccess texels = texel_access(spirv);
     struct Kind {
         spvc_resource_type kind;
         VkDescriptorType type;
@@ -354,6 +354,8 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             if (const unsigned set = spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationDescriptorSet))
                 throw Failure("'{}' is in set {}; declare it without set and binding, and set it by name", binding.name,
                               set);
+            if (texels.sampled_at_pixels.contains(list[i].id))
+                throw Failure("'{}' is sampled at a pixel, and texture() takes 0 to 1; use texelFetch()", binding.name);
             if (block) ScalarLayout(compiler, binding.name).of_struct(base);
             if (!block) {
                 binding.view_type = view_type_of(base);
@@ -363,7 +365,8 @@ Reflection reflect(const std::vector<uint32_t>& spirv) {
             }
             if (type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) {
                 binding.format = storage_format_of(base);
-                binding.by_thread = binding.view_type == VK_IMAGE_VIEW_TYPE_2D && by_thread.contains(list[i].id);
+                binding.by_thread =
+                    binding.view_type == VK_IMAGE_VIEW_TYPE_2D && texels.stored_by_thread.contains(list[i].id);
             }
             if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER && spvc_type_get_num_member_types(base) == 1)
                 spvc_compiler_type_struct_member_array_stride(compiler, base, 0, &binding.stride);

@@ -14,7 +14,9 @@ class Indices {
     void read(const uint32_t* word, uint32_t count) {
         switch (word[0] & SpvOpCodeMask) {
             case SpvOpDecorate:
-                if (word[2] == SpvDecorationBuiltIn && word[3] == SpvBuiltInGlobalInvocationId) thread_ = word[1];
+                if (word[2] == SpvDecorationBuiltIn &&
+                    (word[3] == SpvBuiltInGlobalInvocationId || word[3] == SpvBuiltInFragCoord))
+                    thread_ = word[1];
                 break;
             case SpvOpVariable:
                 if (count > 4) store(word[2], word[4]);
@@ -24,7 +26,25 @@ class Indices {
                 break;
             case SpvOpLoad:
             case SpvOpBitcast:
+            case SpvOpConvertSToF:
+            case SpvOpConvertUToF:
                 from_[word[2]] = word[3];
+                break;
+            case SpvOpConstant:
+            case SpvOpConstantComposite:
+                constants_.insert(word[2]);
+                break;
+            case SpvOpCompositeConstruct:
+                if (std::all_of(word + 3, word + count, [&](uint32_t id) { return constants_.contains(id); }))
+                    constants_.insert(word[2]);
+                break;
+            case SpvOpFAdd:
+                if (constants_.contains(word[4])) from_[word[2]] = word[3];
+                break;
+            case SpvOpImageSampleImplicitLod:
+            case SpvOpImageSampleExplicitLod:
+            case SpvOpImageGather:
+                samples_.emplace_back(from_[word[3]], word[4]);
                 break;
             case SpvOpVectorShuffle:
                 if (word[5] == 0 && word[6] == 1) from_[word[2]] = word[3];
@@ -44,10 +64,14 @@ class Indices {
         }
     }
 
-    std::unordered_set<uint32_t> images() const {
-        std::unordered_set<uint32_t> result, elsewhere = others_;
-        for (const auto& [image, index] : writes_) (is_thread(index) ? result : elsewhere).insert(image);
-        std::erase_if(result, [&](uint32_t id) { return elsewhere.contains(id); });
+    TexelAccess images() const {
+        TexelAccess result;
+        std::unordered_set<uint32_t> elsewhere = others_;
+        for (const auto& [image, index] : writes_)
+            (is_thread(index) ? result.stored_by_thread : elsewhere).insert(image);
+        std::erase_if(result.stored_by_thread, [&](uint32_t id) { return elsewhere.contains(id); });
+        for (const auto& [image, coordinates] : samples_)
+            if (is_thread(coordinates)) result.sampled_at_pixels.insert(image);
         return result;
     }
 
@@ -72,16 +96,17 @@ class Indices {
         return id == thread_;
     }
 
-    uint32_t thread_ = 0;                                // gl_GlobalInvocationID
-    std::unordered_map<uint32_t, uint32_t> from_;        // a value's source; of a variable its only value
-    std::unordered_map<uint32_t, uint32_t> whole_;       // variables of pointers to a part
-    std::unordered_set<uint32_t> others_;                // variables that are stored to twice, or used otherwise
-    std::vector<std::pair<uint32_t, uint32_t>> writes_;  // image and index
+    uint32_t thread_ = 0;                           // gl_GlobalInvocationID or gl_FragCoord
+    std::unordered_map<uint32_t, uint32_t> from_;   // a value's source; of a variable its only value
+    std::unordered_map<uint32_t, uint32_t> whole_;  // variables of pointers to a part
+    std::unordered_set<uint32_t> others_;           // variables that are stored to twice, or used otherwise
+    std::unordered_set<uint32_t> constants_;
+    std::vector<std::pair<uint32_t, uint32_t>> writes_, samples_;  // image and index, or coordinates
 };
 
 }  // namespace
 
-std::unordered_set<uint32_t> images_stored_by_thread(const std::vector<uint32_t>& spirv) {
+TexelAccess texel_access(const std::vector<uint32_t>& spirv) {
     Indices indices;
     constexpr size_t header_words = 5;
     for (size_t at = header_words; at < spirv.size(); at += std::max(spirv[at] >> SpvWordCountShift, 1u))

@@ -1,7 +1,7 @@
 // Mistakes of a pass, its shaders and its knobs: each is refused in one line, which begins with the statement's file and line.
 #include <regex>
 
-#include "common/app/module.h"
+#include "common/app/drawing.h"
 #include "common/app/target.h"
 #include "tests/common/gpu_fixture.h"
 
@@ -421,11 +421,34 @@ TEST_CASE_METHOD(OnDevice, "what a shader declares in vain is refused at its lin
           "x.comp:3: image 'from" + stored);
     CHECK(declared("layout(r32f) uniform image2D array[2];\nvoid f() { imageStore(array[0], ivec2(0), vec4(1)); }")
               .empty());
+    for (const char* const pixel : {"vec2(at)", "vec2(gl_GlobalInvocationID.xy)", "vec2(at) + 0.5"})
+        CHECK(said(shader("x.comp", into + "uniform sampler2D from;",
+                          fmt::format("imageStore(into, at, texture(from, {}));", pixel))) ==
+              "x.comp: 'from' is sampled at a pixel, and texture() takes 0 to 1; use texelFetch()");
+    for (const char* const within : {"vec2(at) / 4.0", "(vec2(at) + 0.5) * 0.25", "vec2(0.5)"})
+        CHECK(said(shader("x.comp", into + "uniform sampler2D from;",
+                          fmt::format("imageStore(into, at, texture(from, {}));", within)))
+                  .ends_with("without 'from' being set"));
     const std::string shared = std::to_string(gpu.device.properties.limits.maxComputeSharedMemorySize);
     CHECK(said(shader("x.comp", into + "shared vec4 tile[20][1024];",
                       "tile[0][at.x] = vec4(at.x); barrier(); imageStore(into, at, tile[0][at.y]);")) ==
           "shaders/x.comp: its shared variables take 327680 bytes; this device has at most " + shared);
     CHECK(declared("#include <common/hash.glsl>") == "x.comp:2: a shader is included as \"common/hash.glsl\"");
+    frame.end();
+}
+
+TEST_CASE_METHOD(OnDevice, "a drawing is drawn once into a canvas", "[refused]") {
+    struct Hill : Drawing {
+        using Drawing::Drawing;
+        void draw(Frame&, const View&, Canvas&) override {}
+    };
+    Root root;
+    Hill hill{root, "hill"}, other{root, "other"};
+    Canvas canvas(frame.hdr, frame.depth);
+    const View view;
+    refused("the drawing 'hill' is given twice", [&] { draw(frame, view, canvas, {hill, other, hill}); });
+    draw(frame, view, canvas, {hill, other});
+    refused("'other' is drawn twice into one canvas", [&] { draw(frame, view, canvas, {other}); });
     frame.end();
 }
 
@@ -507,9 +530,18 @@ TEST_CASE("a module has a name of its own", "[refused]") {
               const Eye eye{root};
           }).ends_with("module 'eye': the block 'view' is not a module's; take another name"));
     for (const float scale : {0.0f, -0.5f, NAN})
-        CHECK(failure_at([&] {
-                  const Target flat{root, {.name = "flat", .scale = scale}};
-              }) == fmt::format("target flat: a scale of {}; expected one above 0", scale));
+        refused(fmt::format("target 'flat': a scale of {}; expected one above 0", scale), [&] {
+            const Target flat{root, {.name = "flat", .scale = scale}};
+        });
+    Tint owner{root, "owner", "tint"};
+    const Target map{owner, {.name = "map"}};
+    const History past{owner, {.name = "past"}}, before{owner, {.name = "before"}};
+    refused("target 'owner.map' stands twice in one module; give one another name", [&] {
+        const Target twice{owner, {.name = "map"}};
+    });
+    refused("target 'owner.past' stands twice in one module; give one another name", [&] {
+        const History twice{owner, {.name = "past"}};
+    });
     const Tint other{root, "other", "tint"};
     CHECK_NOTHROW(check_macros(root.all_knobs()));  // modules of one kind share their macros
     const Knob<bool> clashing{root, "tint_method", true, "Whether it is tinted"};

@@ -21,7 +21,7 @@ struct Blur : Module {
 // Fills the picture with a colour that tells how often it was drawn, and where its pixels lie.
 struct Trial : Chapter {
     Blur blur{*this, "blur"};
-    bool writes_history = true, writes_late = false;
+    bool writes_history = true, writes_late = false, encodes_twice = false;
     std::vector<bool> valid;
     std::vector<glm::vec2> shifts;
     Trial() { name = "99_trial"; }
@@ -35,6 +35,7 @@ struct Trial : Chapter {
         frame.raster("level", {.color = {clear(blur.chain.mip(1), glm::vec4(0.5f))}}, [](Raster&) {});
         if (writes_history) frame.raster("keep", {.color = {blur.light.now()}}, [](Raster&) {});
         encode_srgb(frame);
+        if (encodes_twice) encode_srgb(frame);
         if (writes_late) frame.raster("glow", {.color = {keep(frame.hdr)}}, [](Raster&) {});
     }
 };
@@ -150,4 +151,6 @@ TEST_CASE_METHOD(RenderTest, "what is drawn after the picture was encoded is ref
     CHECK_NOTHROW(draw());
     chapter.writes_late = true;
     CHECK_THROWS_WITH(draw(), "pass 'glow' writes hdr after the output, and is not seen: record it before");
+    chapter.encodes_twice = true;
+    CHECK_THROWS_WITH(draw(), "encode_srgb() writes over the output that this frame has: call it once");
 }
