@@ -73,7 +73,7 @@ struct Taa : Module {
     bool set_up(Frame& frame, glm::uvec2 size, const Seen& seen);
     bool is_unchanged(const Frame& frame, const Seen& seen);
 
-    Remembered remembered_{*this, "remembered"};
+    Remembered remembered_{*this};
     Image
         light_[2];  ///< RGBA16F: the history and its samples, below 0 where it moves; of this frame, of the one before
     Image behind_[2];  ///< R32F: 1/m, of the farthest of 3×3 pixels

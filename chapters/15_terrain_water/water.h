@@ -194,7 +194,7 @@ struct Water : Drawing, MovingSurface {
             glm::vec3 ring_phase{0};
             WaterNow water{};
         } now, before;
-    } kept_{*this, "kept"};
+    } kept_{*this};
     Pipeline keep_ = compute({.shader = "15_terrain_water/keep_depth.comp"});
     Pipeline foam_ = compute({.shader = "15_terrain_water/foam_tile.comp"});
     Pipeline under_ = compute({.shader = "15_terrain_water/under_water.comp"});

@@ -10,7 +10,8 @@ class Gpu;
 class TargetBase {
   public:
     /// Throws Failure, which names the statement `where`, if a target of the module has this name.
-    TargetBase(Module& owner, const std::string& name, std::source_location where = std::source_location::current());
+    TargetBase(Module& owner, const std::string& name = "kept",
+               std::source_location where = std::source_location::current());
     virtual ~TargetBase();
     TargetBase(const TargetBase&) = delete;
     virtual void begin_frame(Gpu& gpu, glm::uvec2 frame_size) = 0;
