@@ -139,9 +139,26 @@ struct CoverageBlock {
     float cutoff;
 };
 
+/// Null: a format without alpha, of which nothing is cut out.
+const char* glsl_format_with_alpha(VkFormat format) {
+    switch (format) {
+        case VK_FORMAT_R8G8B8A8_UNORM:
+        case VK_FORMAT_R8G8B8A8_SRGB:
+            return "rgba8";
+        case VK_FORMAT_R16G16B16A16_SFLOAT:
+            return "rgba16f";
+        case VK_FORMAT_R32G32B32A32_SFLOAT:
+            return "rgba32f";
+        default:
+            return nullptr;
+    }
+}
+
 }  // namespace
 
 void Coverage::record(Frame& frame, const ImageView& image, float cutoff) {
+    const char* format = glsl_format_with_alpha(image.image->desc.format);
+    if (!format) return;
     const uint32_t words = 256 * image.mips * image.layers;
     if (counts_.bytes < sizeof(uint32_t) * words) {
         counts_ = Buffer(frame.gpu.device, {.name = "alpha counts", .bytes = sizeof(uint32_t) * words});
@@ -165,9 +182,7 @@ void Coverage::record(Frame& frame, const ImageView& image, float cutoff) {
         }
         pass.wait().use(find_).set("alpha_count", counts_).set("factors", factors_).set("coverage", block);
         pass.dispatch({image.mips, image.layers, 1}).wait();
-        const bool halves = image.format == VK_FORMAT_R16G16B16A16_SFLOAT;
-        const Macros result{{"RESULT_FORMAT", halves ? "rgba16f" : "rgba8"}};
-        pass.use(scale_, result).set("alpha_count", counts_).set("factors", factors_);
+        pass.use(scale_, {{"RESULT_FORMAT", format}}).set("alpha_count", counts_).set("factors", factors_);
         for (uint32_t m = 1; m < image.mips; ++m) {
             block.level = static_cast<int>(m);
             pass.set("coverage", block).set("result", plain_level(image, m)).dispatch_threads(threads(m));

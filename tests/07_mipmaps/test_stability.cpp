@@ -302,12 +302,13 @@ TEST_CASE_METHOD(OnChain, "every format, arrays, cubes, single faces") {
 
 TEST_CASE_METHOD(OnChain, "coverage is kept down the levels") {
     const TexelImage grass = read_texels(course_root() / "assets/textures/grass_cutout.png", false);
-    const Image blades = image({grass.width, grass.height}, srgb8, [&](uint32_t, uint32_t x, uint32_t y) {
+    const auto texel_of = [&](uint32_t, uint32_t x, uint32_t y) {
         glm::dvec4 texel;
         for (int c = 0; c < 4; ++c)
             texel[c] = std::to_integer<int>(grass.bytes[4 * (size_t(y) * grass.width + x) + size_t(c)]) / 255.0;
         return texel;
-    });
+    };
+    const Image blades = image({grass.width, grass.height}, srgb8, texel_of);
     const double wanted = covered(blades, 0, 0.5);
     for (const std::string method : {"box", "single_pass", "polyphase", "kaiser"}) {
         fill(blades, method, Content::cutout, 0.5f);
@@ -317,6 +318,11 @@ TEST_CASE_METHOD(OnChain, "coverage is kept down the levels") {
             CHECK(covered(blades, m, 0.5) == Approx(wanted).margin(0.03 + 1 / texels));
         }
     }
+    const Image halves = image({grass.width, grass.height}, half4, texel_of);
+    fill(halves, "box", Content::cutout, 0.5f);
+    CHECK(covered(halves, 5, 0.5) == Approx(wanted).margin(0.03));
+    const Image without_alpha = image({grass.width, grass.height}, one_float, texel_of);
+    CHECK_NOTHROW(fill(without_alpha, "box", Content::cutout, 0.5f));
     fill(blades, "box", Content::srgb);  // alpha averaged and left at that
     CHECK(covered(blades, 8, 0.5) == 0);
     WARN("grass: covers " << wanted << "; at 16x16 texels " << covered(blades, 5, 0.5)
