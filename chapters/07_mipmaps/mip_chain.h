@@ -16,8 +16,7 @@ class Coverage {
 
   private:
     static Pipeline step(const char* number) {
-        return compute(
-            {.shader = "07_mipmaps/coverage.comp", .macros = {{"STEP", number}, {"RESULT_FORMAT", "rgba8"}}});
+        return compute({.shader = "07_mipmaps/coverage.comp", .macros = {{"STEP", number}}});
     }
     Pipeline clear_ = compute({.shader = "07_mipmaps/clear_words.comp"});
     Pipeline count_ = step("0"), find_ = step("1"), scale_ = step("2");

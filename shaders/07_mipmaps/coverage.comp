@@ -30,6 +30,9 @@ void main() {
 uniform sampler2DArray source;
 shared uint bins[256];
 #else
+#ifndef RESULT_FORMAT
+#define RESULT_FORMAT rgba8
+#endif
 layout(RESULT_FORMAT) uniform image2DArray result;
 #endif
 
