@@ -5,26 +5,7 @@
 #include "10_atmosphere/closed_depth.glsl"
 #include "10_atmosphere/phase.glsl"
 #include "10_atmosphere/view_path.glsl"
-
-// Random numbers for one invocation: M. O'Neill's PCG as M. Jarzynski and M. Olano have it for GPUs (Journal of Computer
-// Graphics Techniques 9(3), 2020, p. 21).
-uint random_state;
-
-void start_random(uvec2 pixel, uint seed) { random_state = pixel.x * 1973u + pixel.y * 9277u + seed * 26699u + 1u; }
-
-// At least 0, below 1.
-float random() {
-    random_state = random_state * 747796405u + 2891336453u;
-    uint word = ((random_state >> ((random_state >> 28u) + 4u)) ^ random_state) * 277803737u;
-    return float(((word >> 22u) ^ word) >> 8u) / 16777216.0;
-}
-
-// Another direction, so far from that one.
-vec3 turned(vec3 direction, float cosine, float around) {
-    vec3 side = normalize(abs(direction.x) < 0.6 ? cross(direction, vec3(1, 0, 0)) : cross(direction, vec3(0, 1, 0)));
-    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-    return normalize(cosine * direction + sine * (cos(around) * side + sin(around) * cross(direction, side)));
-}
+#include "common/random_walk.glsl"
 
 const int places_of_a_walk = 8;
 
@@ -45,11 +26,7 @@ float draw_cosine(bool dust, inout float weight) {
         float a = 2.0 * x, root = pow(sqrt(1.0 + a * a) + abs(a), 1.0 / 3.0);
         return sign(a) * (root - 1.0 / root);
     }
-    float g = clamp(air.mie_g, -0.99, 0.99), cosine = x;
-    if (abs(g) > 1e-3) {
-        float b = (1.0 - g * g) / (1.0 + g * x);
-        cosine = clamp((1.0 + g * g - b * b) / (2.0 * g), -1.0, 1.0);
-    }
+    float g = clamp(air.mie_g, -0.99, 0.99), cosine = henyey_greenstein_cosine(g, x);
     weight *= phase_dust(cosine, air.mie_g) / phase_henyey_greenstein(cosine, abs(g) > 1e-3 ? g : 0.0);
     return cosine;
 }

@@ -4,3 +4,10 @@ float henyey_greenstein(float cosine, float g, float mean) {
     float b = 1.0 + g * g - 2.0 * g * cosine;
     return mean * (1.0 - g * g) / (b * sqrt(b));
 }
+
+// Cosine of a scattering angle drawn from it, for `x` uniform from -1 to 1: the inverse of its integral.
+float henyey_greenstein_cosine(float g, float x) {
+    if (abs(g) <= 1e-3) return x;
+    float b = (1.0 - g * g) / (1.0 + g * x);
+    return clamp((1.0 + g * g - b * b) / (2.0 * g), -1.0, 1.0);
+}
