@@ -28,17 +28,18 @@ struct VolumeData {
 /// and any further keys, and exactly that many bytes of numbers. Throws InputError with one line.
 VolumeData read_volume(const std::filesystem::path& file);
 
-/// The first object of a scene with a .volume file as model, or a nebula made on the device. record()
+/// The first object of a scene with a .volume file as model, or a nebula or a cloud made on the device. record()
 /// in each frame before a pass reads density().
 struct Field : Module {
     Field(Module& owner, std::string name) : Module(owner, std::move(name), "nebula") {}
 
-    Knob<int> voxels{*this, "voxels", 256, {8, 256}, "Nebula resolution: voxels along each edge"};
-    Knob<int> variety{*this, "variety", 7, {0, 1000}, "Which nebula: the seed of its noise"};
+    Choice shape{*this, "shape", {"nebula", "cloud"}, "nebula", "Shape of the field made on the device"};
+    Knob<int> voxels{*this, "voxels", 256, {8, 256}, "Resolution of the nebula or cloud: voxels along each edge"};
+    Knob<int> variety{*this, "variety", 7, {0, 1000}, "Which nebula or cloud: the seed of its noise"};
 
     void prepare(Gpu& gpu, Scene& scene) override;
 
-    /// Makes the nebula where there is none yet, or a knob was turned.
+    /// Makes it where there is none yet, or a knob was turned.
     void record(Frame& frame);
 
     const Image& density() const { return density_; }

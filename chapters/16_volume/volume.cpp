@@ -33,6 +33,13 @@ const glm::mat3 to_scan{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 
 }  // namespace
 
+float majorant(const std::vector<glm::vec4>& transfer) {
+    float most = 0;
+    for (const glm::vec4& looks : transfer) most = std::max(most, looks.a);
+    // Textures hold 11 bits of an opacity.
+    return std::max(-1.01f * std::log(std::max(1.0f - most, LEAST_TRANSMITTANCE)) / REFERENCE_M, 1e-6f);
+}
+
 Volume::Volume(Module& owner, std::string name) : Drawing(owner, std::move(name), "volume") {}
 
 NoiseMoment noise_moment(double cells, int seed) {
@@ -67,6 +74,7 @@ VolumeNow Volume::now(const Frame& frame) const {
             .is_near = near ? 1.0f : 0.0f,
             .light = near ? heart.value : sun.light,
             .brightest = brightest,
+            .majorant = majorant(transfer_texels_),
             .wave_phase = {turn_of(turn), turn_of(1.31 * turn + 1), turn_of(0.73 * turn + 2)},
             .wave = wave,
             .moment = noise_moment(time_s * static_cast<double>(shell_speed), field.variety)};
@@ -112,7 +120,7 @@ void Volume::make_tables(Frame& frame) {
     frame.upload("preintegrated", preintegrated_, std::as_bytes(std::span(halves)));
 }
 
-// At half the field's resolution; made again in each frame in which anything it depends on has changed.
+// Transmittances, or optical depths for scattering, at half the field's resolution; made again in each frame in which anything it depends on has changed.
 void Volume::make_light(Frame& frame) {
     const glm::uvec3 size = glm::max((ImageView(field.density()).size() + 1u) / 2u, glm::uvec3(1));
     light_.ensure(frame.gpu.device, {.name = "light in the volume",
@@ -122,7 +130,7 @@ void Volume::make_light(Frame& frame) {
                                      .kept = true});
     const glm::vec4 waves = wave > 0 ? glm::vec4(now_.wave_phase, now_.wave) : glm::vec4(0.0f);
     if (light_made_.is_current(field.number(), transfer_number_, light_steps.value, now_.light_at, now_.is_near,
-                               Exercises::epoch(), waves))
+                               scattering.is("none"), Exercises::epoch(), waves))
         return;
     frame.compute("light in the volume", {.reads = {field.density(), transfer_}, .writes = {light_}, .with = {*this}},
                   [&](Compute& pass) { pass.use(make_light_).set("result", light_).dispatch_threads(size); });
@@ -152,10 +160,12 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         past.of.clear();
     // The history is that of this very picture: the same view, volume, knobs and objects.
     ByteWriter of;
-    of(now_, field.number(), transfer_number_, scene_->epoch, epoch());
+    of(now_, field.number(), transfer_number_, scene_->epoch, epoch(), frame.seed);
     past.pictures = of.bytes == past.of ? past.pictures : 0;
     past.of = std::move(of.bytes);
     now_.history = static_cast<float>(past.pictures);
+    now_.seed =
+        65536u * frame.seed + 1024u * static_cast<uint32_t>(frame.samples.index) + static_cast<uint32_t>(past.pictures);
     now_.turn = static_cast<float>(std::fmod(0.6180339887498949 * (past.pictures + frame.samples.index), 1.0));
 
     ComputeAccess access{
@@ -172,7 +182,7 @@ void Volume::draw(Frame& frame, const View& view, Canvas& canvas) {
         pass.set_if_present("volume_blocks", pyramid_.blocks(), nearest_clamp);
         pass.dispatch_threads(view.size);
     });
-    if (method.is("jittered")) ++past.pictures;
+    if (averages()) ++past.pictures;
 }
 
 namespace {

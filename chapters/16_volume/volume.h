@@ -25,6 +25,9 @@ std::vector<glm::vec4> preintegrated_table(const std::vector<glm::vec4>& transfe
 /// above half of a peak of opacity. 1 where there is none.
 float thinnest_layer(const std::vector<glm::vec4>& transfer);
 
+/// Extinction that the transfer function does not exceed, 1/m; above 0.
+float majorant(const std::vector<glm::vec4>& transfer);
+
 /// Drawn after all solid objects; their depth ends its rays. Transparent: it writes no depth. The box of its field
 /// stands around the world's origin, its longest edge 2 m long.
 struct Volume : Drawing {
@@ -60,6 +63,22 @@ struct Volume : Drawing {
                           {1.5f, 1.15f, 0.85f},
                           {glm::vec3(0.0f), glm::vec3(1e4f)},
                           "Irradiance 1 m from the lamp in the middle"};
+    Choice scattering{*this,
+                      "scattering",
+                      {"none", "single", "octaves", "conserving", "walk"},
+                      "none",
+                      "Scattering by the volume: matter emits and reflects as the transfer function says (none); light "
+                      "scattered once (single), also many times by a sum of octaves, or by octaves that share the "
+                      "light out (conserving); random walks (the reference)"};
+    Knob<float> albedo{*this, "albedo", 1.0f, {0.0f, 1.0f}, "Scattered share of the light that matter meets"};
+    Knob<float> g{*this, "g", 0.85f, {-0.95f, 0.95f}, "Mean cosine of the scattering angle"};
+    Knob<glm::vec3> sky{*this,
+                        "sky",
+                        {0.0f, 0.0f, 0.0f},
+                        {glm::vec3(0.0f), glm::vec3(1e4f)},
+                        "Radiance that arrives from all sides and is scattered"};
+    Knob<int> octaves{*this, "octaves", 6, {1, 10}, "Number of octaves of scattered light"};
+    Knob<int> paths{*this, "paths", 4, {1, 64}, "Number of random walks per pixel and picture (scattering walk)"};
     Knob<int> light_steps{*this, "light_steps", 24, {1, 128}, "Number of samples on the way to the light"};
     Choice shading{*this,
                    "shading",
@@ -93,7 +112,7 @@ struct Volume : Drawing {
     Field field{*this, "field"};
 
     void prepare(Gpu&, Scene& loaded) override;
-    bool animated() const override { return wave > 0 || (shell && !field.is_file()) || method.is("jittered"); }
+    bool animated() const override { return wave > 0 || (shell && !field.is_file()) || averages(); }
     void update(Frame& frame) override;
     bool load_proxy(const std::filesystem::path& file, Model&) const override { return is_volume_file(file); }
     Phase draw_phase() const override { return Phase::air; }
@@ -102,9 +121,10 @@ struct Volume : Drawing {
     std::vector<Resource> reads() const override;
 
     const Image& blocks() const { return pyramid_.blocks(); }
-    int pictures(uint32_t view) const;  ///< of the mean last shown by `jittered`
+    int pictures(uint32_t view) const;  ///< of the mean last shown by `jittered` or by walks
 
   private:
+    bool averages() const { return method.is("jittered") || scattering.is("walk"); }
     void make_transfer(Frame& frame);
     void make_tables(Frame& frame);
     void make_light(Frame& frame);

@@ -1,4 +1,5 @@
-// Transmittance from the light to each point of the volume, at half resolution.
+// Transmittance from the light to each point of the volume, or optical depth, at half resolution.
+#include "common/structs.h"
 #include "16_volume/volume_inputs.glsl"
 #include "16_volume/bounds.glsl"
 #include "16_volume/correct_opacity.glsl"
@@ -12,5 +13,9 @@ void main() {
     ivec3 at = ivec3(gl_GlobalInvocationID), size = imageSize(result);
     if (any(greaterThanEqual(at, size))) return;
     vec3 position = ((vec3(at) + 0.5) / vec3(size) * 2.0 - 1.0) * volume_now.half_m * volume_now.to_volume;
+#if VOLUME_SCATTERING == VOLUME_SCATTERING_NONE
     imageStore(result, at, vec4(light_through(position, 0.5, volume.light_steps)));
+#else
+    imageStore(result, at, vec4(min(light_depth(position, 0.5, volume.light_steps), LARGEST_HALF)));
+#endif
 }

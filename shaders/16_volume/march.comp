@@ -6,8 +6,9 @@
 #include "16_volume/composite_front_to_back.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar) uniform VolumeBlock { float glow, shine, threshold, shell_strength, shell_bumps, shell_scale; int light_steps, truth_samples; } volume;
+layout(scalar) uniform VolumeBlock { float glow, shine, threshold, shell_strength, shell_bumps, shell_scale, albedo, g; vec3 sky; int octaves, paths, light_steps, truth_samples; } volume;
 #include "16_volume/shading.glsl"
+#include "16_volume/walk.glsl"
 #include "16_volume/exact_reads.glsl"
 #include "16_volume/exact.glsl"
 #include "16_volume/shell.glsl"
@@ -108,12 +109,14 @@ void main() {
     bool enters = range.x > 0.0;
     if (stored > 0.0) range.y = min(range.y, stretch * distance_along_view(volume_now.rays, stored));
     vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
-#if VOLUME_METHOD == VOLUME_METHOD_EXACT
+#if VOLUME_SCATTERING == VOLUME_SCATTERING_WALK
+    if (range.y > range.x) sum = walks(from, along, range, pixel);
+#elif VOLUME_METHOD == VOLUME_METHOD_EXACT
     if (range.y > range.x) sum = march_exact(from, along, range, volume_now.step_m, volume.truth_samples);
 #else
     if (range.y > range.x) sum = march(from, along, range, pixel, volume_now.step_m);
 #endif
-#if VOLUME_METHOD == VOLUME_METHOD_JITTERED
+#if VOLUME_METHOD == VOLUME_METHOD_JITTERED || VOLUME_SCATTERING == VOLUME_SCATTERING_WALK
     if (volume_now.history > 0.0) sum = mix(imageLoad(marched, pixel), sum, 1.0 / (volume_now.history + 1.0));
     imageStore(marched, pixel, sum);
 #endif

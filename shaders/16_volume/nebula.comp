@@ -1,4 +1,4 @@
-// A nebula: ridges of warped noise, wound around a hot core, in a ball.
+// A nebula: ridges of warped noise, wound around a hot core, in a ball. Or a cloud: billows above a flat base.
 #include "16_volume/lattice_4d.glsl"
 
 // Smooth noise in three dimensions, and sums of its octaves.
@@ -31,7 +31,26 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(r16f) writeonly uniform image3D result;
 layout(scalar) uniform NebulaBlock { int variety; } nebula;
 
-float nebula_density(vec3 at) {
+#if NEBULA_SHAPE == NEBULA_SHAPE_CLOUD
+float shape_density(vec3 at) {
+    float radius = length(at);
+    if (radius >= 1.0) return 0.0;
+    int layer = 64 * nebula.variety;
+    vec3 place = at + 0.1 * vec3(noise_3d(2.3 * at, layer), noise_3d(2.3 * at + 17.0, layer + 1), noise_3d(2.3 * at - 23.0, layer + 2));
+    float heaps = 0.5 * octaves_3d(2.4 * place + 5.0, layer + 8, 2);
+    // The creases of |noise| lie deep, and its heaps are round.
+    float billows = 0.0, size = 4.3, height = 0.3;
+    for (int i = 0; i < 4; ++i) {
+        billows += height * (abs(noise_3d(size * place, layer + 16 + i)) - 0.2);
+        size *= 2.07;
+        height *= 0.5;
+    }
+    float body = 0.66 - length(vec3(0.9, 1.25, 0.95) * at + vec3(0.0, 0.25, 0.0)) + heaps + billows;
+    float base = smoothstep(-0.5, -0.36, at.y + 0.25 * heaps + 0.2 * billows);
+    return clamp(8.0 * body, 0.0, 1.0) * base * (1.0 - smoothstep(0.86, 0.98, radius));
+}
+#else
+float shape_density(vec3 at) {
     float radius = length(at);
     if (radius >= 1.0) return 0.0;
     int layer = 64 * nebula.variety;
@@ -48,9 +67,10 @@ float nebula_density(vec3 at) {
     float heart = 0.9 * exp(-34.0 * radius * radius);
     return clamp((1.25 * strands * mix(0.5, 1.0, disc) + heart * (0.6 + 0.6 * ridge)) * fade, 0.0, 1.0);
 }
+#endif
 
 void main() {
     ivec3 voxel = ivec3(gl_GlobalInvocationID), size = imageSize(result);
     if (any(greaterThanEqual(voxel, size))) return;
-    imageStore(result, voxel, vec4(nebula_density((vec3(voxel) + 0.5) / vec3(size) * 2.0 - 1.0)));
+    imageStore(result, voxel, vec4(shape_density((vec3(voxel) + 0.5) / vec3(size) * 2.0 - 1.0)));
 }

@@ -1,26 +1,18 @@
 // How a sample shines: by itself, and as its place is lit.
 #include "16_volume/gradient.glsl"
 #include "16_volume/light_through.glsl"
+#include "16_volume/unattenuated_light.glsl"
+#include "16_volume/scattering.glsl"
 
-// The light at a place in the volume.
-
-#if VOLUME_LIGHT == VOLUME_LIGHT_VOLUME
-uniform sampler3D volume_light;
-#endif
-
+#if VOLUME_SCATTERING == VOLUME_SCATTERING_NONE
 // Radiance of a white scatterer there, times pi: without emission.
 vec3 light_at(vec3 position) {
 #if VOLUME_LIGHT == VOLUME_LIGHT_NONE
     return vec3(0.0);
+#elif VOLUME_LIGHT == VOLUME_LIGHT_MARCH
+    return unattenuated_light(position) * light_through(position, 0.5, volume.light_steps);
 #else
-    vec3 way = volume_now.light_at - position;
-    // A lamp has a size: nearer than 0.1 m its light does not grow.
-    float fall = volume_now.is_near > 0.0 ? 1.0 / max(dot(way, way), 0.01) : 1.0;
-#if VOLUME_LIGHT == VOLUME_LIGHT_MARCH
-    return volume_now.light * fall * light_through(position, 0.5, volume.light_steps);
-#else
-    return volume_now.light * fall * textureLod(volume_light, to_texture(position), 0.0).r;
-#endif
+    return unattenuated_light(position) * textureLod(volume_light, to_texture(position), 0.0).r;
 #endif
 }
 
@@ -42,3 +34,4 @@ vec3 radiance_at(vec3 position, vec3 along, vec3 color) {
 #endif
     return color * (volume.glow + light_at(lit) * reflected / 3.14159265);
 }
+#endif

@@ -8,6 +8,7 @@ BEGIN_SHARED
 
 const int TRANSFER_TEXELS = 256;  // of the transfer function, over densities from 0 to 1
 const float REFERENCE_M = 0.01f;  // metres: the length for which the transfer function states its opacities
+const float LEAST_TRANSMITTANCE = 1e-3f;  // of REFERENCE_M metres, where light is scattered
 const int BLOCK_VOXELS = 8;       // along an edge of the blocks of density ranges
 const int BLOCK_LEVELS = 3;       // of the pyramid over them: blocks, then 2, then 4 of them along an edge
 
@@ -31,11 +32,13 @@ struct VolumeNow {
     float is_near;       // 1: the light stands at light_at; 0: it is far away
     vec3 light;          // irradiance at 1 m, or of a distant light, without the volume
     float brightest;     // radiance that no sample exceeds, for the early exit
+    float majorant;      // extinction that no density exceeds, 1/m, for random walks
     vec3 wave_phase;     // radians, 0 to 2 pi: of the three waves
     float wave;          // amplitude of each wave, in units of the box; 0: none
     NoiseMoment moment;  // of the shell's noise
     float history;       // pictures in the history
     float turn;          // of the samples within a step, 0 to 1, from picture to picture
+    uint seed;           // of the random walks
 };
 
 END_SHARED

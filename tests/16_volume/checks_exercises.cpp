@@ -249,3 +249,58 @@ CHECK_EXERCISE("16.preintegrate",
         "one piece where front and back are equal; else a number of layers that grows with the entries passed "
         "and with the ratio, and no faster");
 }
+
+CHECK_EXERCISE("16.source_term",
+               "what is not absorbed is scattered: a share of the sky, and of the light by the phase") {
+    const auto right = [](auto in, double cosine, double sky_share) {
+        Row out;
+        const double g = in[18],
+                     phase = (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
+        for (size_t c = 0; c < 3; ++c)
+            out.push_back((1 - in[c]) * in[3 + c] +
+                          in[c] * (sky_share * in[6 + c] + in[9 + c] * std::exp(-in[19]) * phase));
+        return out;
+    };
+    const auto cosine = [](auto in) { return in[12] * in[15] + in[13] * in[16] + in[14] * in[17]; };
+    Probe probe{.include = "16_volume/source_term.glsl",
+                .signature =
+                    "vec3 source_term(vec3 albedo, vec3 emitted, vec3 sky, vec3 irradiance, vec3 to_light, vec3 "
+                    "along, float g, float depth)",
+                .truth = [&](auto in) { return right(in, cosine(in), 1); },
+                .bound = {.absolute = 1e-4, .relative = 1e-4},
+                .hint = [&](auto in, auto out) -> std::string {
+                    const auto is = [&](const Row& row) {
+                        return std::fabs(out[0] - row[0]) < 1e-3 * (1 + std::fabs(row[0])) &&
+                               std::fabs(out[1] - row[1]) < 1e-3 * (1 + std::fabs(row[1]));
+                    };
+                    if (std::fabs(in[18] * cosine(in)) > 0.05 && is(right(in, -cosine(in), 1)))
+                        return "light comes along -to_light and leaves along -along: the light is turned by the angle "
+                               "between these two";
+                    if (in[6] > 0.1 && !is(right(in, cosine(in), 1)) && in[9] == 0)
+                        return "the sky's radiance is the same in all directions, and the integral of the phase "
+                               "function is 1";
+                    return "";
+                }};
+    const auto put = [](Row& row, const glm::dvec3& v) { row.insert(row.end(), {v.x, v.y, v.z}); };
+    Random random(8);
+    const auto direction = [&] {
+        const double z = random.uniform(-1, 1), around = random.uniform(0, 2 * std::numbers::pi);
+        return glm::dvec3(std::sqrt(1 - z * z) * std::cos(around), std::sqrt(1 - z * z) * std::sin(around), z);
+    };
+    const auto color = [&](double most) {
+        return glm::dvec3(random.uniform(0, most), random.uniform(0, most), random.uniform(0, most));
+    };
+    for (int i = 0; i < 300; ++i) {
+        Row row;
+        put(row, color(1));
+        put(row, i % 3 ? glm::dvec3(0) : color(2));
+        put(row, i % 3 == 1 ? glm::dvec3(0.2) + color(2) : glm::dvec3(0));
+        put(row, i % 3 == 2 ? color(9) : i % 3 == 1 ? glm::dvec3(0) : color(2));
+        put(row, direction());
+        put(row, direction());
+        row.push_back(random.uniform(-0.8, 0.9));
+        row.push_back(i % 2 ? random.uniform(0, 6) : 0.0);
+        probe.inputs.push_back(row);
+    }
+    check.probe(probe);
+}
