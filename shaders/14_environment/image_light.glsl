@@ -3,7 +3,6 @@
 #include "14_environment/box_project.glsl"
 #include "14_environment/ggx.glsl"
 #include "14_environment/image_light_data.h"
-#include "14_environment/schlick_roughness.glsl"
 
 uniform samplerCube image_light_radiance;     // all levels: means of 2x2 texels
 uniform samplerCube image_light_prefiltered;  // all levels: by roughness
@@ -65,7 +64,7 @@ vec3 diffuse_light(vec3 position, vec3 normal) {
     return environment_scale.intensity * light;
 }
 
-// A and B of 14_environment/split_sum_sample.glsl.
+// A and B of 14.environment_brdf.
 vec2 split_sum_at(float n_dot_v, float alpha) {
     vec2 size = vec2(textureSize(image_light_table, 0));
     return textureLod(image_light_table, (vec2(n_dot_v, alpha) * (size - 1.0) + 0.5) / size, 0.0).rg;
@@ -76,6 +75,14 @@ vec2 split_sum_at(float n_dot_v, float alpha) {
 vec3 dominant_direction(vec3 normal, vec3 mirrored, float alpha) {
     float smooth_share = clamp(1.0 - alpha, 0.0, 1.0);
     return mix(normal, mirrored, smooth_share * (sqrt(smooth_share) + alpha));
+}
+
+// Reflectance at n·v of a rough surface. The power: C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering",
+// 1994. The limit at grazing angles, where most facets are not seen: S. Lagarde, "Adopting a physically based shading model",
+// 2011.
+vec3 schlick_roughness(float n_dot_v, vec3 f0, float roughness) {
+    float grazing = clamp(1.0 - n_dot_v, 0.0, 1.0), square = grazing * grazing;
+    return f0 + (max(vec3(1.0 - roughness), f0) - f0) * square * square * grazing;
 }
 
 struct FromAround {

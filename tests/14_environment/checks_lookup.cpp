@@ -1,4 +1,4 @@
-// Checks of the exercises about directions and reflectances: values against double precision.
+// Checks of the exercises about directions: values against double precision.
 #include <fmt/core.h>
 
 #include "14_environment/truth.h"
@@ -63,42 +63,6 @@ CHECK_EXERCISE("14.direction_to_equirect",
     poles.truth = [](auto in) { return Row{0.5, in[1] > 0 ? 0.0 : 1.0}; };
     poles.hint = nullptr;
     check.probe(poles);
-}
-
-CHECK_EXERCISE("14.schlick_roughness", "f0 + (max(1 - roughness, f0) - f0) * (1 - n·v)^5, each colour on its own") {
-    Probe probe{.include = "14_environment/schlick_roughness.glsl",
-                .signature = "vec3 schlick_roughness(float n_dot_v, vec3 f0, float roughness)",
-                .inputs = {{1, 0.04, 0.04, 0.04, 0.5},
-                           {0, 0.04, 0.04, 0.04, 0},
-                           {0, 0.04, 0.04, 0.04, 1},
-                           {0, 0.9, 0.6, 0.2, 0.5},
-                           {1.0000001, 0.5, 0.5, 0.5, 0},
-                           {-1e-7, 0.5, 0.5, 0.5, 0},
-                           {-0.1, 0.04, 0.3, 1, 0.3},
-                           {1.1, 0.04, 0.3, 1, 0.3},
-                           {0, 0, 0, 0, 0}},
-                .truth =
-                    [](auto in) {
-                        Row row;
-                        const double power = std::pow(std::clamp(1 - in[0], 0.0, 1.0), 5);
-                        for (size_t c = 1; c < 4; ++c)
-                            row.push_back(in[c] + (std::max(1 - in[4], in[c]) - in[c]) * power);
-                        return row;
-                    },
-                .bound = {.absolute = 2e-6, .relative = 2e-5},
-                .hint = [](auto in, auto out) -> std::string {
-                    if (in[0] < 0 || in[0] > 1) return "clamp 1 - n·v to 0 to 1: rounding may lead a little outside";
-                    const double power = std::pow(1 - in[0], 5);
-                    if (in[4] > 0 && std::fabs(out[0] - (in[1] + (1 - in[1]) * power)) < 1e-4)
-                        return "f90 is 1 for a smooth surface only";
-                    if (in[1] > 1 - in[4] && out[0] < in[1]) return "f90 is never less than f0";
-                    return "";
-                }};
-    Random random;
-    for (int i = 0; i < 300; ++i)
-        probe.inputs.push_back({random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1),
-                                random.uniform(0, 1)});
-    check.probe(probe);
 }
 
 CHECK_EXERCISE(

@@ -1,7 +1,8 @@
-// Checks of the exercises that sum: 14.sh_project, and 14.split_sum_table with a whole workgroup.
+// Checks of the exercises that sum: 14.sh_project, 14.environment_brdf, and 14.split_sum_table with a whole workgroup.
 #include <fmt/core.h>
 
 #include <bit>
+#include <map>
 
 #include "14_environment/exercises.h"
 #include "14_environment/truth.h"
@@ -70,6 +71,68 @@ CHECK_EXERCISE("14.sh_project",
             return "";
         });
     }
+}
+
+CHECK_EXERCISE(
+    "14.environment_brdf",
+    "the integrand over the density of l; D, v·h and n·v cancel if you draw the half vectors that are visible") {
+    constexpr int samples = 1024;
+    // Grazing views last: there the choice of half vectors matters most.
+    const double cosines[] = {0.7, 1, 0.3, 0.05, 0.001}, alphas[] = {0.3, 1, 0.05, 0.001};
+    Probe probe{.include = "14_environment/environment_brdf.glsl",
+                .signature = "vec2 environment_brdf(vec2 random, float n_dot_v, float alpha)"};
+    std::vector<glm::dvec2> cases;
+    Random random;
+    for (const double n_dot_v : cosines)
+        for (const double alpha : alphas) {
+            if (n_dot_v < 0.05 && alpha < 0.05) continue;  // beyond the reference's steps
+            cases.emplace_back(static_cast<float>(n_dot_v), static_cast<float>(alpha));
+            const double shift = random.uniform(0, 1);
+            for (int i = 0; i < samples; ++i) {
+                double mirrored = shift;  // the digits of i behind the point
+                for (int digit = 0; digit < 10; ++digit) mirrored += (i >> digit & 1) * std::exp2(-digit - 1);
+                probe.inputs.push_back({static_cast<float>((i + 0.5) / samples),
+                                        std::min(static_cast<float>(mirrored - std::floor(mirrored)), 0.9999999f),
+                                        cases.back().x, cases.back().y});
+            }
+        }
+    const Table got = run_probe(check_device(), probe, 2);
+    for (size_t which = 0; which < cases.size(); ++which) {
+        const double n_dot_v = cases[which].x, alpha = cases[which].y;
+        glm::dvec2 mean(0);
+        for (size_t i = which * samples; i < (which + 1) * samples; ++i) {
+            if (!std::isfinite(got[i][0]) || !std::isfinite(got[i][1])) {
+                check.expect(false, call_text(probe, probe.inputs[i]) + " gave " + result_text(probe, got[i]),
+                             "light below the surface counts as 0");
+                return;
+            }
+            mean += glm::dvec2(got[i][0], got[i][1]) / double(samples);
+        }
+        const double b = truth::white_reflection(n_dot_v, alpha, 0);
+        const glm::dvec2 right(truth::white_reflection(n_dot_v, alpha, 1) - b, b);
+        const auto is = [&](glm::dvec2 v) {
+            return glm::all(glm::lessThanEqual(glm::abs(mean - v), glm::dvec2(0.004)));
+        };
+        std::string hint;
+        if (is({right.y, right.x})) hint = "A has the factor 1 - p, B has p";
+        if (is({right.x + right.y, right.y})) hint = "A has the factor 1 - p";
+        if (glm::distance(4.0 * n_dot_v * mean, right) < 0.15)
+            hint = "the solid angle of l is 4 (v·h) times as large as that of h, so its density is smaller";
+        if (n_dot_v < 0.5 && glm::distance(mean, right) < 0.05)
+            hint = "almost right: at grazing angles, what do half vectors that the camera does not see add but noise?";
+        check.expect(is(right),
+                     fmt::format("environment_brdf at n·v = {:.3g} and alpha = {:.3g}: the mean of {} samples is "
+                                 "({:.4f}, {:.4f}), expected ({:.4f}, {:.4f})",
+                                 n_dot_v, alpha, samples, mean.x, mean.y, right.x, right.y),
+                     hint);
+        if (!is(right)) return;
+    }
+    // Undefined operations are found by the probe itself.
+    std::map<Row, Row> results;
+    for (size_t i = 0; i < got.size(); ++i) results[probe.inputs[i]] = got[i];
+    probe.truth = [&](auto in) { return results.at(Row(in.begin(), in.end())); };
+    probe.bound = {.absolute = 1e-4, .relative = 1e-4};
+    check.probe(probe);
 }
 
 CHECK_EXERCISE(
