@@ -1,7 +1,7 @@
 // Reflection of sunlight by a body's surface, by each law, relative to a surface of the same albedo with the sun and
 // the camera overhead: each is 1 there.
 #include "17_planets/body_data.h"
-#include "17_planets/wrapped_terminator.glsl"
+#include "17_planets/lommel_seeliger.glsl"
 #include "common/henyey_greenstein.glsl"
 
 // B. Hapke, "Bidirectional reflectance spectroscopy. 1. Theory", Journal of Geophysical Research 86(B4), 1981, with the
@@ -24,8 +24,11 @@ float hapke_radiance(float mu0, float mu, float cos_phase) {
 }
 
 // [laws]
-// H. von Seeliger, 1887: dark dust that scatters once. Twice µ0 / (µ0 + µ); 0 / 0 where both are 0.
-float lommel_seeliger(float mu0, float mu) { return mu0 > 0.0 ? 2.0 * mu0 / (mu0 + max(mu, 0.0)) : 0.0; }
+// Light that reaches past n·l = 0, down to -w; 1 where the sun is overhead.
+float wrapped_terminator(float cosine, float w, float k) {
+    float lit = (cosine + w) / (1.0 + w);
+    return lit > 0.0 ? pow(lit, k) : 0.0;
+}
 
 // M. Minnaert, Astrophysical Journal 93, 1941: µ0^k µ^(k - 1). Below k = 1 it has no bound at the limb: µ is at least 0.04.
 float minnaert(float mu0, float mu, float k) {

@@ -6,23 +6,54 @@
 
 using namespace lightwalk;
 
-CHECK_EXERCISE("17.wrapped_terminator", "((n·l + w) / (1 + w))^k where that base is above 0, else 0") {
-    Probe probe{
-        .include = "17_planets/wrapped_terminator.glsl",
-        .signature = "float wrapped_terminator(float cosine, float w, float k)",
-        .inputs = {{1, 0.3, 1}, {0, 0.3, 1}, {-0.3, 0.3, 0.5}, {-1, 0.3, 0.5}, {-1, 1, 0.5}, {0, 0, 0.5}, {0.5, 0, 2}},
-        .truth = [](auto in) { return Row{truth::wrapped_terminator(in[0], in[1], in[2])}; },
-        .bound = {.absolute = 1e-4, .relative = 1e-4},
-        .hint = [](auto in, auto out) -> std::string {
-            if (in[0] < -in[1] && out[0] != 0) return "past n·l = -w no light arrives";
-            if (std::fabs(out[0] - std::max(0.0, in[0])) < 1e-6) return "that is Lambert's law: w is not used";
-            if (std::fabs(out[0] - std::pow(std::max(0.0, in[0] + in[1]), in[2])) < 1e-4 && in[1] > 0)
-                return "where the sun is overhead it must be 1: divide by 1 + w before the power";
-            return "";
-        }};
+namespace {
+
+/// Light of dust, as a sum over depths. mu0 is above 0, mu 0 or more.
+double dust_by_depths(double mu0, double mu) {
+    // In the path's own measure, t / mu, which has no end where mu is 0: the first grains are all that is seen there.
+    const double rate = 1 + mu / mu0, end = 40 / rate;
+    const int steps = 400;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i)
+        for (const double at : {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)}) {
+            const double path = (i + at) * end / steps;
+            sum += 0.5 * end / steps * std::exp(-path * mu / mu0) * std::exp(-path);
+        }
+    return sum;
+}
+
+}  // namespace
+
+CHECK_EXERCISE(
+    "17.lommel_seeliger",
+    "the integral of exp(-t / mu0) exp(-t / mu) dt / mu over t from 0 on: one exponential, of t (1 / mu0 + 1 / mu)") {
+    const double overhead = dust_by_depths(1, 1);
+    const auto dust = [=](double mu0, double mu) {
+        return mu0 > 0 ? dust_by_depths(mu0, std::max(mu, 0.0)) / overhead : 0;
+    };
+    Probe probe{.include = "17_planets/lommel_seeliger.glsl",
+                .signature = "float lommel_seeliger(float mu0, float mu)",
+                .truth = [=](auto in) { return Row{dust(in[0], in[1])}; },
+                .bound = {.absolute = 1e-4},
+                .hint = [=](auto in, auto out) -> std::string {
+                    const double mu0 = in[0], mu = in[1], right = dust(mu0, mu);
+                    const auto is = [&](double other) { return std::fabs(out[0] - other) < 1e-4; };
+                    if (mu0 <= 0) return "the sun is not up: no light gets in";
+                    if (is(0.5 * right)) return "overhead, mu0 = mu = 1, it must be 1: divide by the sum's value there";
+                    if (mu <= 0) return "at mu = 0 the camera sees the first grains alone, and the sum has the limit 2";
+                    if (is(mu0)) return "that is Lambert's law, of light that is scattered often";
+                    if (is(right * mu)) return "the camera's ray is dt / mu long, and not dt, between two depths";
+                    if (is(right * mu / mu0))
+                        return "sun and camera are exchanged: the ray that is dt / mu long is the camera's";
+                    if (is(mu0 / mu) || is(1)) return "light is weakened twice: on its way in, and on its way out";
+                    return "";
+                }};
+    for (const double mu0 : {1.0, 0.5, 1e-3, 1e-30, 0.0, -1e-3, -1.0})
+        for (const double mu : {1.0, 0.25, 1e-3, 1e-30, 0.0, -1e-3, -1.0}) probe.inputs.push_back({mu0, mu});
     Random random(1);
     for (int i = 0; i < 300; ++i)
-        probe.inputs.push_back({random.uniform(-1, 1), random.uniform(0, 1), random.logarithmic(0.4, 4)});
+        probe.inputs.push_back({i % 3 ? random.uniform(0, 1) : random.uniform(-1, 1),
+                                i % 5 ? random.uniform(0, 1) : random.uniform(-1, 1)});
     check.probe(probe);
 }
 
