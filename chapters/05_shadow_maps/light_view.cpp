@@ -77,18 +77,23 @@ struct Ball {
 
 Ball ball_around(const Bounds& box) { return {box.center(), 0.5f * glm::length(box.extent())}; }
 
-// [cascade_ball]
-// Bounding sphere of the camera's view between two depths; its size does not depend on the camera's rotation.
+// Distance at which cascade i of `count` ends, metres: F. Zhang et al., "Parallel-Split Shadow Maps for Large-Scale Virtual
+// Environments", VRCIA 2006, section 3.
+float cascade_split(float near_m, float far_m, int i, int count, float lambda) {
+    if (i >= count) return far_m;  // exact, regardless of rounding in powers
+    const float t = static_cast<float>(i) / static_cast<float>(count);
+    const float uniform = near_m + (far_m - near_m) * t;
+    const float logarithmic = near_m * std::pow(far_m / near_m, t);
+    return uniform + lambda * (logarithmic - uniform);
+}
+
+// Bounding sphere of the camera's view between two depths; its size does not depend on the camera's rotation. Aspect ratio
+// of 2 at most, so that cascades do not depend on the window.
 Ball ball_around_slice(const Camera& camera, float near, float far) {
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
-    // Aspect ratio of 2 at most, so that cascades do not depend on the window.
-    const float tan_half = std::tan(0.5f * camera.fov_y_rad), slope_squared = 5.0f * tan_half * tan_half;
-    // Centre at equal distances from the corners of both ends, or at the far end.
-    const float middle = std::min(0.5f * (near + far) * (1.0f + slope_squared), far);
-    const float along = far - middle, across_squared = slope_squared * far * far;
-    return {camera.position + middle * forward, std::sqrt(along * along + across_squared)};
+    const glm::vec2 fitted = fit_slice(std::tan(0.5f * camera.fov_y_rad), 2.0f, near, far);
+    return {camera.position + fitted.x * forward, fitted.y};
 }
-// [/cascade_ball]
 
 // Nearest and farthest distance of the scene along a light's direction, with a gap.
 std::pair<float, float> range_along(const glm::mat4& turn, const Bounds& scene) {
@@ -111,7 +116,7 @@ LightView parallel_view(glm::vec3 direction, Ball ball, const Bounds& scene, con
     const float texel = 2.0f * half_width / static_cast<float>(options.resolution);
     const glm::mat4 turn = look_along(glm::vec3(0.0f), direction, any_across(direction));
     glm::vec3 middle(turn * glm::vec4(ball.center, 1.0f));
-    if (options.snap) middle = glm::vec3(glm::floor(glm::vec2(middle) / texel) * texel, middle.z);
+    if (options.snap) middle = glm::vec3(snap_middle(glm::vec2(middle), texel), middle.z);
     const auto [near, far] = range_along(turn, scene);
     const glm::mat4 move = glm::translate(glm::mat4(1.0f), {-middle.x, -middle.y, 0.0f});
     LightView v{.view = {parallel(half_width, near, far) * move * turn, -near * direction}, .casters{}, .data = {}};

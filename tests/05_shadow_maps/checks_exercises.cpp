@@ -230,41 +230,92 @@ CHECK_EXERCISE("05.penumbra_width", "the light's width, scaled by similar triang
     check.probe(probe);
 }
 
-CHECK_EXERCISE("05.cascade_split", "the weighted mean of two lists: equal steps, and equal factors") {
-    const auto call = [&](float near_m, float far_m, int i, int count, float lambda) {
-        const std::string text = "cascade_split(" + number_text(double(near_m)) + ", " + number_text(double(far_m)) +
-                                 ", " + std::to_string(i) + ", " + std::to_string(count) + ", " +
-                                 number_text(double(lambda)) + ")";
+namespace {
+
+// Radius of the smallest ball with its centre `middle` in front of the camera that holds all corners of the slice.
+double radius_from(double middle, double corner_slope, double near_m, double far_m) {
+    return std::max(std::hypot(middle - near_m, corner_slope * near_m),
+                    std::hypot(far_m - middle, corner_slope * far_m));
+}
+
+// The least of them: by search, since it falls and rises once.
+double least_radius(double corner_slope, double near_m, double far_m) {
+    double from = 0, to = 2 * far_m;
+    for (int i = 0; i < 200; ++i) {
+        const double a = (2 * from + to) / 3, b = (from + 2 * to) / 3;
+        if (radius_from(a, corner_slope, near_m, far_m) > radius_from(b, corner_slope, near_m, far_m))
+            from = a;
+        else
+            to = b;
+    }
+    return radius_from(from, corner_slope, near_m, far_m);
+}
+
+}  // namespace
+
+CHECK_EXERCISE(
+    "05.fit_cascade",
+    "two corners decide, a near and a far one: where on the axis are both equally far away? Then whole texels") {
+    const auto fit = [&](float tan_half, float aspect, float near_m, float far_m) {
+        const std::string text = "fit_slice(" + number_text(double(tan_half)) + ", " + number_text(double(aspect)) +
+                                 ", " + number_text(double(near_m)) + ", " + number_text(double(far_m)) + ")";
+        const double slope = double(tan_half) * std::hypot(1.0, double(aspect)), n = near_m, f = far_m;
+        const double least = least_radius(slope, n, f);
+        glm::vec2 got(0.0f);
         check.call(
             text,
             [&]() -> std::string {
-                const double got = double(cascade_split(near_m, far_m, i, count, lambda));
-                const bool end = i == 0 || i == count;
-                const double right = i == 0       ? double(near_m)
-                                     : i == count ? double(far_m)
-                                                  : truth::cascade_split(near_m, far_m, i, count, lambda);
-                const double allowed = end ? 0 : 1e-4 * right;
-                if (std::fabs(got - right) <= allowed) return "";
-                return text + " gave " + number_text(got) + ", expected " + (end ? "exactly " : "") +
-                       number_text(right);
+                got = fit_slice(tan_half, aspect, near_m, far_m);
+                const std::string gave =
+                    text + " gave " + number_text(double(got.x)) + " and " + number_text(double(got.y));
+                const double needed = radius_from(double(got.x), slope, n, f);
+                if (!(needed <= 1.0001 * double(got.y)))
+                    return gave + ": a corner of the slice is " + number_text(needed) + " from this centre";
+                if (!(double(got.y) <= 1.0001 * least))
+                    return gave + ", but a radius of " + number_text(least) + " is enough";
+                return "";
             },
-            i == 0 || i == count ? "the ends are near_m and far_m to the last bit: else there is a gap between cascades"
-            : lambda == 0        ? "with lambda = 0 all are equally deep"
-            : lambda == 1        ? "with lambda = 1 each ends by one factor farther away than the one before"
-                                 : "");
+            0.5 * (n + f) * (1 + slope * slope) >= f ? "here the far end alone decides, and its middle is the centre"
+                                                     : "");
     };
-    for (const float lambda : {0.0f, 1.0f, 0.5f, 0.25f})
-        for (int count = 1; count <= 4; ++count)
-            for (int i = 0; i <= count; ++i) {
-                call(0.1f, 100.0f, i, count, lambda);
-                call(0.07f, 50.3f, i, count, lambda);
-            }
+    const auto snap = [&](glm::vec2 middle, float texel) {
+        const std::string text = "snap_middle((" + number_text(double(middle.x)) + ", " +
+                                 number_text(double(middle.y)) + "), " + number_text(double(texel)) + ")";
+        check.call(
+            text,
+            [&]() -> std::string {
+                const glm::vec2 got = snap_middle(middle, texel), origin = snap_middle(glm::vec2(0.0f), texel);
+                for (int axis = 0; axis < 2; ++axis) {
+                    const double g = double(got[axis]), m = double(middle[axis]), t = double(texel);
+                    const double moved = g - double(origin[axis]);
+                    const double rounding = 2e-7 * std::fabs(m);
+                    const std::string gave = text + " gave " + number_text(g) + " along axis " + std::to_string(axis);
+                    if (!(std::fabs(g - m) < t + rounding)) return gave + ", a texel or more from where it was";
+                    if (!(std::fabs(moved - std::round(moved / t) * t) <= 1e-4 * t + rounding))
+                        return gave + ", which is " + number_text(moved / t) + " texels from the result for (0, 0)";
+                }
+                return "";
+            },
+            "two results differ by a whole number of texels: then each border of a texel stays where it is");
+    };
+    // Corners at 45 degrees from the axis are where the far end alone begins to decide.
+    for (const float tan_half : {0.1f, 0.41f, 0.5f, 1.0f, 3.0f})
+        for (const float aspect : {2.0f, 1.0f, 0.5f}) {
+            fit(tan_half, aspect, 0.1f, 0.67f);
+            fit(tan_half, aspect, 4.5f, 30.0f);
+            fit(tan_half, aspect, 29.9f, 30.0f);
+            fit(tan_half, aspect, 1e-3f, 1e4f);
+        }
+    for (const float texel : {0.01f, 0.25f, 3.0f})
+        for (const glm::vec2 middle :
+             {glm::vec2(0.0f), {0.1f, 7.3f}, {-0.1f, -7.3f}, {0.75f, -0.75f}, {-900.1f, 250.2f}})
+            snap(middle, texel);
     Random random;
-    for (int n = 0; n < 300; ++n) {
-        const float near_m = static_cast<float>(random.logarithmic(0.01, 1));
-        const float far_m = near_m * static_cast<float>(random.logarithmic(1.5, 1e5));
-        const int count = 1 + n % 4;
-        for (int i = 0; i <= count; ++i) call(near_m, far_m, i, count, static_cast<float>(random.uniform(0, 1)));
+    for (int i = 0; i < 200; ++i) {
+        const float near_m = static_cast<float>(random.logarithmic(0.01, 100));
+        fit(static_cast<float>(random.logarithmic(0.05, 2)), static_cast<float>(random.uniform(0.3, 3)), near_m,
+            near_m * static_cast<float>(random.logarithmic(1.01, 1000)));
+        snap({random.uniform(-1000, 1000), random.uniform(-10, 10)}, static_cast<float>(random.logarithmic(0.01, 5)));
     }
 }
 

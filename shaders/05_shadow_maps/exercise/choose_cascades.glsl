@@ -2,9 +2,9 @@
 // Starter: one large map for every scene.
 
 // [choose_cascades]
-// The sun's shadow map is cut into cascades. Cascade i reaches from split i to split i + 1 of
-// 05.cascade_split, and its texels are as wide as its far end needs: a texel, seen at a depth of d,
-// is split(i + 1) / d * 1080 / size pixels wide in a picture of 1,080 lines.
+// The sun's shadow map is cut into cascades. Cascade i reaches from split i to split i + 1, the
+// lesson's distances, and its texels are as wide as its far end needs: a texel, seen at a depth of
+// d, is split(i + 1) / d * 1080 / size pixels wide in a picture of 1,080 lines.
 //
 // `scene` is one of three:
 // - 0: a cellar, 0.1 m to 100 m, and things to see from 0.1 m on;
