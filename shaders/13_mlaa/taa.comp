@@ -1,7 +1,7 @@
 // Temporal anti-aliasing: the history of each pixel's surface, mixed with the new light.
+#include "13_mlaa/accumulate.glsl"
 #include "13_mlaa/clip_history.glsl"
 #include "13_mlaa/ghost.glsl"
-#include "13_mlaa/keep_or_reject.glsl"
 #include "13_mlaa/picture.glsl"
 #include "13_mlaa/reproject.glsl"
 #include "13_mlaa/ycocg.glsl"
@@ -65,6 +65,13 @@ Motion motion_of(ivec2 pixel, vec2 size, mat3 depths) {
     return Motion(then.xy - at, per_metre(stored) / max(then.z, 1e-6), 1.0, then.z > 0.0);
 }
 // [/motion]
+
+// Whether the surface was visible at `at` in the frame before, whose nine pixels there saw no surface farther than
+// `farthest`. Both are inverse distances, per metre. That they saw farther ones says nothing: all may have missed a wire.
+bool keep_history(vec2 at, vec2 size, float expected, float farthest) {
+    bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, size));
+    return inside && farthest <= 1.05 * expected + 1e-6;
+}
 
 // Catmull-Rom in five bilinear reads, the corners left out (J. Jimenez, 2016).
 vec3 history_at(vec2 at, vec2 size) {
@@ -138,8 +145,9 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
     load_tile(16 * ivec2(gl_WorkGroupID.xy), size);
     if (any(greaterThanEqual(pixel, size))) return;
-    vec3 fresh = tile_light[slot_beside(ivec2(0))], mixed = fresh;
-    float count = 0.0, farthest = 1.0;
+    vec3 fresh = tile_light[slot_beside(ivec2(0))];
+    vec4 mixed = vec4(fresh, 1.0);
+    float farthest = 1.0;
     bool moves = false;
     mat3 depths;
     for (int x = -1; x <= 1; ++x)
@@ -160,19 +168,13 @@ void main() {
             float worth = mix(taa_step.at_rest, taa_step.in_motion, min(speed, 1.0));
             worth = min(worth, 0.125 / max(1.0 - motion.stays, 1e-4));  // until an eighth of its slopes is another
             if (unchanged) worth = most_samples;
-            count = min(abs(kept), max(worth - 1.0, 0.0));
             vec3 old = unchanged || speed < 1e-3 ? texelFetch(history, pixel, 0).rgb : history_at(at, vec2(size));
             old = to_ycocg(old);
             if (!unchanged) old = limit(old, pixel, speed < still && motion.stays >= 1.0 && kept > 0.0);
             moves = !unchanged && speed >= still;
-            float weight = 1.0, old_weight = count;
-#if TAA_WEIGHTS == TAA_WEIGHTS_TONE
-            weight /= 1.0 + fresh.x;
-            old_weight /= 1.0 + old.x;
-#endif
-            mixed = (weight * fresh + old_weight * old) / (weight + old_weight);
+            mixed = accumulate(fresh, old, abs(kept), worth, TAA_WEIGHTS == TAA_WEIGHTS_TONE);
         }
     }
-    imageStore(light, pixel, vec4(to_nearest_half(max(from_ycocg(mixed), 0.0)), moves ? -count - 1.0 : count + 1.0));
+    imageStore(light, pixel, vec4(to_nearest_half(max(from_ycocg(mixed.xyz), 0.0)), moves ? -mixed.w : mixed.w));
     imageStore(behind, pixel, vec4(per_metre(farthest)));
 }

@@ -53,44 +53,71 @@ CHECK_EXERCISE("13.reproject", "Pixels to -1 to 1, the matrix, the division by w
     check.probe(probe);
 }
 
-CHECK_EXERCISE("13.keep_or_reject", "Outside, or behind something: even the farthest of the nine was nearer.") {
-    Probe probe{.include = "13_mlaa/keep_or_reject.glsl",
-                .signature = "bool keep_history(vec2 at, vec2 size, float expected, float farthest)",
-                .inputs = {{0, 0, 80, 60, 0.5, 0.5},
-                           {79.9, 59.9, 80, 60, 0.5, 0.5},
-                           {80, 30, 80, 60, 0.5, 0.5},
-                           {40, 60, 80, 60, 0.5, 0.5},
-                           {-0.1, 30, 80, 60, 0.5, 0.5},
-                           {40, -0.1, 80, 60, 0.5, 0.5},
-                           {40, 30, 80, 60, 0, 0},
-                           {40, 30, 80, 60, 0, 0.1},
-                           {40, 30, 80, 60, 0, 5e-7},
-                           {40, 30, 80, 60, 0, 2e-6},
-                           {40, 30, 80, 60, 0.5, 0},
-                           {40, 30, 80, 60, 0.5, 0.52},
-                           {40, 30, 80, 60, 0.5, 0.53},
-                           {40, 30, 80, 60, 0.5, 0.5256},  // 5.1% of what was expected, 4.9% of what was found
-                           {40, 30, 80, 60, 4, 4.204},
-                           {40, 30, 80, 60, 1, 0.1}},
-                .truth =
-                    [](std::span<const double> in) {
-                        const bool inside = in[0] >= 0 && in[1] >= 0 && in[0] < in[2] && in[1] < in[3];
-                        return Row{double(inside && in[5] <= 1.05 * in[4] + 1e-6)};
-                    },
-                .hint = [](auto in, auto got) -> std::string {
-                    if (in[0] < 0 || in[1] < 0 || in[0] >= in[2] || in[1] >= in[3])
-                        return "There is no history outside of the picture.";
-                    if (in[5] < in[4] && got[0] == 0)
-                        return "The nine samples were farther: they may have missed a thin object. Keep the history.";
-                    if (in[5] > in[4]) return "A larger inverse distance is nearer.";
-                    return "";
-                }};
+CHECK_EXERCISE("13.accumulate",
+               "a mean of n samples and one more: n counts of the old, one of the new, over their sum") {
+    const double infinite = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+    // By the weight of the new sample, of each one of the history, and the number of these.
+    const auto mean = [](std::span<const double> in, double fresh, double old, double count) {
+        Row row;
+        for (size_t c = 0; c < 3; ++c)
+            row.push_back(count > 0 ? (fresh * in[c] + count * old * in[c + 3]) / (fresh + count * old) : in[c]);
+        row.push_back(count + 1);
+        return row;
+    };
+    const auto count_of = [](std::span<const double> in) { return std::min(in[6], std::max(in[7] - 1, 0.0)); };
+    const auto right = [=](std::span<const double> in) {
+        const bool tone = in[8] != 0;
+        return mean(in, tone ? 1 / (1 + in[0]) : 1, tone ? 1 / (1 + in[3]) : 1, count_of(in));
+    };
+    Probe probe{
+        .include = "13_mlaa/accumulate.glsl",
+        .signature = "vec4 accumulate(vec3 fresh, vec3 history, float samples, float most, bool tone)",
+        .truth = right,
+        .bound = {.absolute = 1e-5, .relative = 1e-5},
+        .hint = [=](std::span<const double> in, std::span<const double> got) -> std::string {
+            const auto is = [&](const Row& other) {
+                for (size_t c = 0; c < 4; ++c)
+                    if (!(std::fabs(got[c] - other[c]) <= 1e-5 + 1e-5 * std::fabs(other[c]))) return false;
+                return true;
+            };
+            const double count = count_of(in);
+            if (in[6] == 0)
+                return "without a history the result is the new light, worth one sample; 0 times NaN is NaN";
+            if (in[7] <= 1) return "the result is worth one sample: the new one";
+            if (std::fabs(got[3] - count) < 1e-4) return "the new sample counts, too, in what the result is worth";
+            if (in[6] + 1 > in[7] && std::fabs(got[3] - in[7] - 1) < 1e-4)
+                return "`most` is the worth of the result, which has the new sample in it";
+            if (in[6] + 1 > in[7] && got[3] > in[7] + 1e-4) return "the result is worth `most` samples at most";
+            const double fresh = 1 / (1 + in[0]), old = 1 / (1 + in[3]);
+            if (in[8] != 0 && is(mean(in, 1, 1, count))) return "with `tone`, samples count by 1 / (1 + Y)";
+            if (in[8] != 0 &&
+                (is(mean(in, fresh, 1, count)) || is(mean(in, 1, old, count)) || is(mean(in, fresh, fresh, count))))
+                return "with `tone`, the new sample counts by its own Y, and those of the history by the history's";
+            return "";
+        }};
+    const auto add = [&](glm::dvec3 fresh, glm::dvec3 history, double samples, double most, bool tone) {
+        Row row;
+        append(row, fresh);
+        append(row, history);
+        row.insert(row.end(), {samples, most, double(tone)});
+        probe.inputs.push_back(row);
+    };
+    const glm::dvec3 one(1, 0.25, -0.125), two(3, -0.5, 0.25);
+    for (const bool tone : {false, true}) {
+        for (const double samples : {0.0, 1.0, 3.0, 4.0, 31.0, 1023.0})
+            for (const double most : {0.0, 0.5, 1.0, 1.5, 4.0, 5.0, 1024.0}) add(one, two, samples, most, tone);
+        for (const double old : {infinite, -infinite, not_a_number}) add(one, glm::dvec3(old), 0, 32, tone);
+        add(glm::dvec3(0), two, 3, 32, tone);
+        add(two, glm::dvec3(0), 3, 32, tone);
+    }
     Random random;
-    for (int i = 0; i < 500; ++i) {
-        const double expected = random.logarithmic(1e-3, 10), factor = random.uniform(0.9, 1.2);
-        if (std::abs(factor - 1.05) < 1e-3) continue;
-        probe.inputs.push_back(
-            {random.uniform(-20, 100), random.uniform(-20, 80), 80, 60, expected, expected * factor});
+    const auto light = [&] {
+        return glm::dvec3(random.logarithmic(1e-3, 100), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 fresh = light();
+        add(fresh, light(), std::floor(random.logarithmic(1, 1000)), random.logarithmic(1, 300), i % 2);
     }
     check.probe(probe);
 }
