@@ -211,7 +211,7 @@ struct Water : Drawing, MovingSurface {
                                   .cull = VK_CULL_MODE_NONE});
 };
 
-/// By how much the water that rests at `at` is moved, in double precision: the sum of 15.gerstner.
+/// By how much the water that rests at `at` is moved, in double precision: the sum of gerstner().
 glm::dvec3 moved_by(const std::vector<WaveData>& waves, glm::dvec2 at);
 
 /// Height above a place from which water was moved away: `rounds` of a fixed-point search for the water that came there.

@@ -6,7 +6,7 @@
 
 namespace lightwalk::truth {
 
-/// As exercise 15.gerstner says.
+/// Displacement by one wave, metres, as 15_terrain_water/gerstner.glsl has it.
 inline glm::dvec3 gerstner(glm::dvec2 at, glm::dvec2 k, double amplitude, double steepness, double phase) {
     const double t = glm::dot(k, at) - phase;
     const glm::dvec2 along = k / glm::length(k) * steepness * amplitude * std::cos(t);

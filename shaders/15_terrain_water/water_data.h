@@ -4,7 +4,7 @@
 
 BEGIN_SHARED
 
-// One wave as 15.gerstner takes it.
+// One wave as gerstner() takes it.
 struct WaveData {
     vec2 k;           // 1/m
     float amplitude;  // metres

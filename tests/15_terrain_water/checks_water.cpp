@@ -1,12 +1,16 @@
 // Checks of the exercises about water.
 #include <fmt/core.h>
 
+#include <bit>
 #include <cmath>
+#include <complex>
 
 #include "01_obj/camera_view.h"
 #include "15_terrain_water/exercises.h"
 #include "15_terrain_water/water_truth.h"
+#include "common/check/barriers.h"
 #include "common/check/check.h"
+#include "common/check/workgroup.h"
 
 using namespace lightwalk;
 
@@ -28,24 +32,138 @@ Table waves() {
 
 }  // namespace
 
-CHECK_EXERCISE("15.gerstner", "The water moves along k / |k|, by a cosine, and rises by a sine of the same phase.") {
-    Probe probe{.include = "15_terrain_water/gerstner.glsl",
-                .signature = "vec3 gerstner(vec2 at, vec2 k, float amplitude, float steepness, float phase)",
-                .inputs = waves(),
-                .truth =
-                    [](std::span<const double> in) {
-                        Row row;
-                        append(row, truth::gerstner(two(in), two(in.subspan(2)), in[4], in[5], in[6]));
-                        return row;
-                    },
-                .bound = {.absolute = 1e-5, .relative = 1e-4},
-                .hint = [](auto in, auto got) -> std::string {
-                    if (in[5] == 0 && (got[0] != 0 || got[2] != 0)) return "Without steepness it only rises and falls.";
-                    if (std::hypot(in[2], in[3]) > 1.5 || std::hypot(in[2], in[3]) < 0.5)
-                        return "k is no unit vector: the direction of the wave is k / |k|.";
-                    return "";
-                }};
-    check.probe(probe);
+namespace {
+
+using Complex = std::complex<double>;
+constexpr size_t texels = 256, fields = 2, lines = 4;
+
+// Sums of 256 terms each, added up as they are written.
+std::vector<Complex> transform(const std::vector<Complex>& line) {
+    std::vector<Complex> turns(texels), sums(texels);
+    for (size_t i = 0; i < texels; ++i) turns[i] = std::polar(1.0, 2 * M_PI * double(i) / double(texels));
+    for (size_t n = 0; n < texels; ++n)
+        for (size_t k = 0; k < texels; ++k) sums[n] += line[k] * turns[k * n % texels];
+    return sums;
+}
+
+size_t bits_reversed(size_t i) {
+    size_t all = 0;
+    for (int bit = 0; bit < 8; ++bit) all |= (i >> bit & 1) << (7 - bit);
+    return all;
+}
+
+// A field of a line of a case: a wave alone, then random ones.
+std::vector<Complex> given_line(Random& random, size_t which, size_t line, size_t field) {
+    std::vector<Complex> all(texels);
+    const size_t alone[] = {0, 1, 128, 255, 3, 64, 130, 77};
+    if (which == 0) all[alone[fields * line + field]] = {1, 0.5};
+    for (Complex& one : all)
+        if (which > 0) one = {random.uniform(-1, 1), random.uniform(-1, 1)};
+    return all;
+}
+
+}  // namespace
+
+CHECK_EXERCISE(
+    "15.fourier_lines",
+    "eight steps; in each, a pair's sum and turned difference, a barrier() between all reads and all writes") {
+    // Each thread puts in, and reads back, what others work on.
+    const std::string before = R"(
+#define OCEAN_LINE_GIVEN
+shared vec4 line[1024];
+vec4 turned(vec4 two, uint by) {
+    check_count(stands_for);
+    if (by > 127u) return vec4(1e9);
+    vec2 turn = vec2(cos(6.2831853 * float(by) / 256.0), sin(6.2831853 * float(by) / 256.0));
+    return vec4(two.x * turn.x - two.y * turn.y, two.x * turn.y + two.y * turn.x, two.z * turn.x - two.w * turn.y,
+                two.z * turn.y + two.w * turn.x);
+}
+)";
+    const std::string call = R"(
+for (uint i = 0u; i < 4u; ++i)
+    for (uint c = 0u; c < 4u; ++c)
+        line[256u * i + 255u - local][c] = uintBitsToFloat(given[((case_index * 4u + i) * 256u + 255u - local) * 4u + c]);
+fourier_lines(local);
+for (uint i = 0u; i < 4u; ++i)
+    for (uint c = 0u; c < 4u; ++c) put(4u * i + c, floatBitsToUint(line[256u * i + (local ^ 85u)][c]));
+)";
+    constexpr size_t cases = 3;
+    Random random(15);
+    std::vector<uint32_t> given(cases * lines * texels * 2 * fields);
+    std::vector<std::vector<Complex>> lines_given, lines_right;
+    for (size_t which = 0; which < cases; ++which)
+        for (size_t line = 0; line < lines; ++line)
+            for (size_t field = 0; field < fields; ++field) {
+                const auto one = given_line(random, which, line, field);
+                for (size_t k = 0; k < texels; ++k) {
+                    uint32_t* to = &given[(((which * lines + line) * texels + k) * fields + field) * 2];
+                    to[0] = std::bit_cast<uint32_t>(static_cast<float>(one[k].real()));
+                    to[1] = std::bit_cast<uint32_t>(static_cast<float>(one[k].imag()));
+                }
+                lines_given.push_back(one);
+                lines_right.push_back(transform(one));
+            }
+    const WorkgroupResults results(check_device(), {.include = "15_terrain_water/fourier_lines.glsl",
+                                                    .before = before,
+                                                    .call = call,
+                                                    .given = given,
+                                                    .cases = cases,
+                                                    .puts = 2 * fields * lines,
+                                                    .counts = texels});
+    for (uint32_t which = 0; which < cases; ++which)
+        for (uint32_t order = 0; order < workgroup_orders; ++order) {
+            for (uint32_t line = 0; line < lines; ++line)
+                for (uint32_t field = 0; field < fields; ++field) {
+                    const size_t at = (which * lines + line) * fields + field;
+                    const std::vector<Complex>& right = lines_right[at];
+                    const auto got = [&](size_t n) {
+                        const auto local = static_cast<uint32_t>(n) ^ 85u;
+                        const uint32_t first = 4 * line + 2 * field;
+                        return Complex(double(std::bit_cast<float>(results.at(which, order, local, first))),
+                                       double(std::bit_cast<float>(results.at(which, order, local, first + 1))));
+                    };
+                    const auto is = [&](const std::function<Complex(size_t)>& other) {
+                        for (size_t n = 0; n < texels; ++n)
+                            if (!(std::abs(got(n) - other(n)) < 1e-3)) return false;
+                        return true;
+                    };
+                    size_t wrong = texels;
+                    for (size_t n = texels; n-- > 0;)
+                        if (!(std::abs(got(n) - right[n]) < 1e-3)) wrong = n;
+                    if (wrong == texels) continue;
+                    std::string hint;
+                    if (is([&](size_t n) { return right[(texels - n) % texels]; }))
+                        hint = "that is the sum with e^(-2 pi i k n / 256): the turn goes the other way";
+                    if (is([&](size_t n) { return right[bits_reversed(n)]; }))
+                        hint = "all sums are there, in the order of their numbers' bits reversed";
+                    if (is([&](size_t n) { return right[n] / double(texels); })) hint = "a sum, and no mean";
+                    if (order > 0)
+                        hint =
+                            "with the threads in another order: is there a barrier() between what one thread writes to "
+                            "shared memory and what another reads, and between reads and the next writes?";
+                    const Complex g = got(wrong), r = right[wrong];
+                    check.expect(
+                        false,
+                        fmt::format("fourier_lines with {}: texel {} of line {} has the {} number ({:.6g}, {:.6g}), "
+                                    "expected ({:.6g}, {:.6g})",
+                                    which == 0 ? "a wave in each line" : "random waves", wrong, line,
+                                    field == 0 ? "first" : "second", g.real(), g.imag(), r.real(), r.imag()),
+                        hint);
+                    return;
+                }
+            for (uint32_t thread = 0; thread < texels; ++thread) {
+                const uint32_t turns = results.count(which, order, thread);
+                if (turns <= 16) continue;
+                check.expect(false,
+                             fmt::format("fourier_lines: thread {} called turned() {} times, expected at most 16",
+                                         thread, turns),
+                             "256 threads share the 512 butterflies of a step; each turns one difference");
+                return;
+            }
+            check.expect(true, "");
+        }
+    const std::string wrong = results.barriers();
+    check.expect(wrong.empty(), "fourier_lines: " + wrong, barrier_hint);
 }
 
 CHECK_EXERCISE("15.gerstner_normal",

@@ -3,9 +3,11 @@
 
 // [gerstner_normal]
 // Two functions. The water that rests at (x, z) lies at P(x, z) = (x, 0, z) + the sum of
-// gerstner() over all waves; see 15.gerstner for its parameters.
+// the displacements by all waves. One wave at `at` = (x, z) has the phase t = dot(k, at) - phase:
+// it lifts the water by amplitude * sin(t), and moves it along D = k / |k| by steepness *
+// amplitude * cos(t).
 //
-// gerstner_slopes(): the derivatives of one wave's gerstner(), without the (x, 0, z), as a
+// gerstner_slopes(): the derivatives of one wave's displacement, without the (x, 0, z), as a
 // matrix. The first column is the derivative by x, the third that by z; the second is 0.
 //
 // gerstner_normal(): the unit normal of the surface at a point, along dP/dz cross dP/dx.
