@@ -37,6 +37,13 @@ lightwalk_library(lightwalk_check check judge)
 target_precompile_headers(lightwalk_check REUSE_FROM lightwalk)
 target_link_libraries(lightwalk_check PUBLIC lightwalk)
 
+# A program of these sources, and what it is linked with.
+function(lightwalk_program name sources)
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE ${ARGN})
+  target_precompile_headers(${name} REUSE_FROM lightwalk)
+endfunction()
+
 file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
 if(NOT solutions) # a handout
   target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
@@ -51,10 +58,7 @@ endif()
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/measure/*_main.cpp ${PROJECT_SOURCE_DIR}/common/window/*_main.cpp)
 foreach(main ${mains})
   string(REGEX REPLACE ".*/(.*)_main\\.cpp" "\\1" name ${main})
-  add_executable(${name} ${main})
-  target_precompile_headers(${name} REUSE_FROM lightwalk)
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-  target_link_libraries(${name} PRIVATE lightwalk CLI11::CLI11 glfw PkgConfig::imgui)
+  lightwalk_program(${name} ${main} lightwalk CLI11::CLI11 glfw PkgConfig::imgui)
 endforeach()
 
 # Sets `sources` to the files of a list that are named as sources are: not an editor's lock, a backup, a copy.
@@ -155,10 +159,8 @@ foreach(folder ${folders})
   list(JOIN included " " words)
   string(APPEND links "${chapter} ${words}\n")
   lightwalk_chapter_library(${chapter} ${included})
-  add_executable(${chapter} ${folder}/main.cpp)
-  target_link_libraries(${chapter} PRIVATE chapter_${chapter})
+  lightwalk_program(${chapter} ${folder}/main.cpp chapter_${chapter})
   target_compile_definitions(${chapter} PRIVATE LIGHTWALK_CHAPTER="${chapter}")
-  target_precompile_headers(${chapter} REUSE_FROM lightwalk)
   set_target_properties(${chapter} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/chapters)
   # Every shader is compiled and validated as part of the build, which also fills the cache. The
   # program says in chapter.shaders.d which files it read: only an edit of those compiles them again.

@@ -103,11 +103,10 @@ function(lightwalk_variants name folder library)
                      DEPENDS ${answers} ${solutions} ${PROJECT_SOURCE_DIR}/chapters/${name}/exercises.h
                              ${PROJECT_SOURCE_DIR}/common/course/check/variants.py
                      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
-  add_executable(variants_${name} EXCLUDE_FROM_ALL ${source} ${ARGN})
+  lightwalk_program(variants_${name} "${source};${ARGN}" check_main ${library})
+  set_target_properties(variants_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   lightwalk_compiled_fast(variants_${name})
-  target_precompile_headers(variants_${name} REUSE_FROM lightwalk)
   target_compile_options(variants_${name} PRIVATE -w -g0)
-  target_link_libraries(variants_${name} PRIVATE check_main ${library})
 endfunction()
 
 # tests/common and tests/NN_name: one Catch2 program each, with the chapter's checks.
@@ -117,11 +116,9 @@ function(lightwalk_catch_program name folder library)
   if(NOT sources)
     return()
   endif()
-  add_executable(test_${name} ${sources} ${ARGN})
+  lightwalk_program(test_${name} "${sources};${ARGN}" catch_main lightwalk_check ${library})
   lightwalk_compiled_fast(test_${name})
   set_target_properties(test_${name} PROPERTIES ${together})
-  target_precompile_headers(test_${name} REUSE_FROM lightwalk)
-  target_link_libraries(test_${name} PRIVATE catch_main lightwalk_check ${library})
   # Those of stability are a test of their own, which also keeps their figures.
   list(FILTER sources EXCLUDE REGEX "/test_stability\\.cpp$")
   if(sources)

@@ -4,9 +4,6 @@ set_tests_properties(any_time.19 PROPERTIES LABELS "study;19_ambiance" COST 300 
 lightwalk_test_needs(any_time.19 test_19_ambiance)
 
 # A throw-away chapter behind this one: a world is tried elsewhere than in its chapter (test_worlds.py).
-add_executable(anywhere ${CMAKE_CURRENT_LIST_DIR}/compositions/anywhere.cpp)
-target_link_libraries(anywhere PRIVATE chapter_19_ambiance)
+lightwalk_program(anywhere ${CMAKE_CURRENT_LIST_DIR}/compositions/anywhere.cpp chapter_19_ambiance)
 target_compile_definitions(anywhere PRIVATE LIGHTWALK_CHAPTER="99_anywhere")
 lightwalk_compiled_fast(anywhere)
-target_precompile_headers(anywhere REUSE_FROM lightwalk)
-set_target_properties(anywhere PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
