@@ -2,14 +2,11 @@
 import json
 import math
 import shutil
-import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-
-from window_case import PictureTest  # noqa: E402
-from window_session import BUILD, ROOT, Session, XServer, own_cache  # noqa: E402
+from window_case import PictureTest
+from window_session import BUILD, ROOT, Session, XServer, own_cache
 
 
 class EditorTest(PictureTest):

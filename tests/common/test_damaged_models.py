@@ -1,5 +1,5 @@
 """Each file of the conformance set, cut off and damaged in many ways: drawn, or refused in one line with exit code 2.
-test_damaged_models.py 100 damages each so many times."""
+A number behind the file, 100, damages each so many times."""
 # Builds: 04_surface_maps
 import random
 import re
@@ -9,9 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "common" / "course"))
-from shots.rendering import Drawing  # noqa: E402
-from tree import ROOT  # noqa: E402
+from shots.rendering import Drawing
+from tree import ROOT
 
 NUMBERS = [b"0", b"-1", b"1e30", b"nan", b"65536", b"4294967295", b"99999999999999999999", b""]
 CHAPTER = "04_surface_maps"
@@ -82,7 +81,3 @@ class DamagedModels(unittest.TestCase):
             shutil.copy(file, self.folder / file.name)
         self.assertGreater(counts[0], 0)
         self.assertGreater(counts[2], 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

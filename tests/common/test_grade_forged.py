@@ -5,7 +5,6 @@ import json
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
@@ -293,7 +292,3 @@ class Trials(unittest.TestCase):
             for words in re.findall(r"^TRIAL\((.*?)\);", header.read_text(), re.S | re.M):
                 self.assertRegex(words, r'^"[\w.]+",\s*(std::vector<RecordedFrame>|RecordedFrame),', header)
         self.assertTrue(set(PLACES) > {"02.record_mist"})
-
-
-if __name__ == "__main__":
-    sys.exit(unittest.main())
