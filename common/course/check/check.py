@@ -206,12 +206,16 @@ def check(chapter: str, exercise: str) -> dict:
     return result | {"chapter": chapter, "file": relative(exercises(chapter)[exercise])}
 
 
+def add_note(result: dict, words: str):
+    result["note"] = "; ".join(filter(None, (result.get("note"), words)))
+
+
 def note_what_grading_refuses(path: Path, result: dict):
     try:
         if path.suffix == ".glsl":
             plain(path.read_bytes(), path)
     except Refused as why:
-        result["note"] = "; ".join(filter(None, (result.get("note"), f"handed in like this it would be refused: {why}")))
+        add_note(result, f"handed in like this it would be refused: {why}")
 
 
 def compiler_said(chapter: str, exercise: str) -> str:
@@ -287,8 +291,7 @@ def check_pictures(chapter: str, exercise: str, result: dict):
             waiting = still_open(chapter, exercise)
         if waiting:
             more = f" and of {len(waiting) - 3} more" if len(waiting) > 3 else ""
-            later = f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right"
-            result["note"] = "; ".join(filter(None, (result.get("note"), later)))
+            add_note(result, f"its picture is compared once the numbers of {', '.join(waiting[:3])}{more} are right")
             return
     build([chapter, "compare"])
     for shot in wanted:
@@ -296,8 +299,7 @@ def check_pictures(chapter: str, exercise: str, result: dict):
             why = wrong_picture(chapter, exercise, shot)
         except Crashed as failure:
             if exercises(chapter)[exercise].suffix == ".glsl":  # C++ of a student's crashes by itself
-                note = f"judged by its numbers alone: there is no picture of {shot['name']}, with which the driver crashed"
-                result["note"] = "; ".join(filter(None, (result.get("note"), note)))
+                add_note(result, f"judged by its numbers alone: there is no picture of {shot['name']}, with which the driver crashed")
                 continue
             why = str(failure)
         if why:

@@ -20,7 +20,7 @@ from pages.quotes import FENCE, LINK, MARKER, QUOTE, check_quotes, lessons
 from shots.golden import measured_distances
 from test.lesson_commands import wrong_words
 from test.order import check_order
-from tree import ROOT, chapters, exercises, files, has_solutions, lesson_pages, relative, say, shots
+from tree import ROOT, chapters, exercises, files, has_solutions, lesson_pages, relative, say, shots, slug
 
 # An environment variable where code reads it.
 VARIABLE = re.compile(r"[\"'](LIGHTWALK_[A-Z_]+)[\"']|\b(LIGHTWALK_[A-Z_]+)=")
@@ -33,16 +33,8 @@ PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home",
 
 def prose(name: Path) -> list[tuple[int, str]]:
     """(line number, text) of a Markdown file without its code."""
-    found, fence = [], None
-    for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
-        match = FENCE.match(line)
-        if fence:
-            fence = None if line.strip() == fence else fence
-        elif match:
-            fence = match[1]
-        else:
-            found.append((number, re.sub(r"`[^`]*`", "", line)))
-    return found
+    return [(number, re.sub(r"`[^`]*`", "", line)) for start, language, lines in blocks(name) if language == "text"
+            for number, line in enumerate(lines, start)]
 
 
 def anchors(name: Path) -> set[str]:
@@ -50,8 +42,7 @@ def anchors(name: Path) -> set[str]:
     found = set()
     text = (ROOT / name).read_text(encoding="utf-8")
     for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
-        title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title)
-        base = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+        base = slug(re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title))
         anchor, count = base, 0
         while anchor in found:
             count += 1
