@@ -10,17 +10,14 @@ from drawing import (BLUE, FAINT, GREEN, GREY, INK, ORANGE, PALE_BLUE, PALE_GREE
 def draw_barrier(drawing: Drawing):
     p = drawing.panel((150, 50), 1)
     for y, waits in ((190, False), (60, True)):
-        p.box((0, y), (300, y + 44), BLUE, THIN, fill=PALE_BLUE)
-        p.text((150, y + 22), "draw writes *picture*", BLUE, SMALL, rim=False)
-        left = 470 if waits else 160
-        p.box((left, y - (0 if waits else 56) ), (left + 250, y - (0 if waits else 56) + 44), ORANGE, THIN, fill=PALE_ORANGE)
-        p.text((left + 125, y - (0 if waits else 56) + 22), "copy reads *picture*", ORANGE, SMALL, rim=False)
+        p.box((0, y), (300, y + 44), BLUE, THIN, fill=PALE_BLUE, label="draw writes *picture*")
+        left, low = (470, y) if waits else (160, y - 56)
+        p.box((left, low), (left + 250, low + 44), ORANGE, THIN, fill=PALE_ORANGE, label="copy reads *picture*")
     p.text((-14, 212), "without", RED, SMALL, anchor="end")
     p.text((-14, 82), "barrier", INK, SMALL, anchor="end")
     p.box((160, 178), (300, 190), None, fill=PALE_RED)
     p.text((330, 212), "both at once: the copy may read old pixels", RED, SMALL, anchor="start")
-    p.box((318, 52), (452, 112), RED, THIN, fill=PALE_RED)
-    p.text((385, 82), "flush caches,\nnew layout", RED, 16, rim=False)
+    p.box((318, 52), (452, 112), RED, THIN, fill=PALE_RED, label="flush caches,\nnew layout", size=16)
     p.text((150, 26), "stage: color output\naccess: write", BLUE, 16)
     p.text((595, 26), "stage: copy\naccess: read", ORANGE, 16)
     p.arrow((0, -28), (730, -28), GREY, width=THIN)
@@ -59,8 +56,7 @@ def draw_depth(drawing: Drawing):
             if title == "colour":
                 q.box((x, low), (x + 0.8, high), INK, THIN, fill=PALE_ORANGE if near else PALE_GREEN)
             else:
-                q.box((x, low), (x + 0.8, high), INK, THIN)
-                q.text((x + 0.4, (low + high) / 2), "3.2 m" if near else "5.6 m", BLUE, SMALL, rim=False)
+                q.box((x, low), (x + 0.8, high), width=THIN, label="3.2 m" if near else "5.6 m", ink=BLUE)
     q.text((1.05, -0.25), "what the two images keep", GREY, SMALL)
 
 
@@ -107,8 +103,7 @@ def draw_memory(drawing: Drawing):
     p = drawing.panel()
 
     def box(x, y, wide, high, text, fill, color=INK, size=SMALL):
-        p.box((x, y), (x + wide, y + high), color, THIN, fill=fill)
-        p.text((x + wide / 2, y + high / 2), text, color, size, rim=False)
+        p.box((x, y), (x + wide, y + high), color, THIN, fill=fill, label=text, size=size)
 
     box(30, 240, 190, 110, "CPU\nyour C++", PALE_GREY, size=22)
     box(760, 240, 210, 110, "GPU\nyour shaders", PALE_GREEN, GREEN, 22)
@@ -173,8 +168,7 @@ def draw_pipeline(drawing: Drawing):
             third.dot((x + 0.5, y + 0.5), BLUE if inside(x + 0.5, y + 0.5) else FAINT, radius_px=2.5)
     hidden = {(x, y) for x in (3, 4, 5) for y in (2, 3, 4, 5)}
     fourth = screen(drawing, lefts[3], 100, lambda x, y: PALE_BLUE, False, hidden)
-    fourth.box((3, 2), (6, 5), ORANGE, 2.2, fill=PALE_ORANGE)
-    fourth.text((4.5, 3.5), "nearer", ORANGE, SMALL, rim=False)
+    fourth.box((3, 2), (6, 5), ORANGE, 2.2, fill=PALE_ORANGE, label="nearer")
     last = screen(drawing, lefts[4], 100, lambda x, y: f"#{40 + 34 * x:02x}{120 + 22 * y:02x}60", False, hidden)
     last.box((3, 2), (6, 5), None, fill=PALE_ORANGE)
     for x in (3, 4, 5):
@@ -318,17 +312,14 @@ def draw_two_frames(drawing: Drawing):
     for i in range(4):
         color, fill = COLORS[i % 2]
         begin = i * step
-        p.box((begin, rows["CPU"]), (begin + record, rows["CPU"] + 40), color, THIN, fill=fill)
-        p.text((begin + record / 2, rows["CPU"] + 20), f"record {i}", color, SMALL, rim=False)
+        p.box((begin, rows["CPU"]), (begin + record, rows["CPU"] + 40), color, THIN, fill=fill, label=f"record {i}")
         start = begin + record + 12
         if start + gpu < 870:
-            p.box((start, rows["GPU"]), (start + gpu, rows["GPU"] + 40), color, THIN, fill=fill)
-            p.text((start + gpu / 2, rows["GPU"] + 20), f"draw {i}", color, SMALL, rim=False)
+            p.box((start, rows["GPU"]), (start + gpu, rows["GPU"] + 40), color, THIN, fill=fill, label=f"draw {i}")
             p.arrow((begin + record, rows["CPU"] + 4), (start + 4, rows["GPU"] + 40), GREY, width=THIN)
             shown = start + gpu + 12
             if shown + 130 < 870:
-                p.box((shown, rows["screen"]), (shown + 150, rows["screen"] + 40), color, THIN, fill=PALE_GREEN)
-                p.text((shown + 75, rows["screen"] + 20), f"show {i}", color, SMALL, rim=False)
+                p.box((shown, rows["screen"]), (shown + 150, rows["screen"] + 40), color, THIN, fill=PALE_GREEN, label=f"show {i}")
                 p.arrow((start + gpu - 4, rows["GPU"]), (shown + 4, rows["screen"] + 40), PURPLE, width=THIN)
         if i >= 2:
             ended = (i - 2) * step + record + 12 + gpu
@@ -388,8 +379,7 @@ HIGH = 44
 def draw_vulkan_objects(drawing: Drawing):
     p = drawing.panel((0, 0), 1)
     for name, (left, bottom, width, color, fill) in BOXES.items():
-        p.box((left, bottom), (left + width, bottom + HIGH), color, THIN, fill=fill)
-        p.text((left + width / 2, bottom + HIGH / 2), name, color, SMALL, rim=False)
+        p.box((left, bottom), (left + width, bottom + HIGH), color, THIN, fill=fill, label=name)
 
     def side(name: str, other: str):
         left, bottom, width, *_ = BOXES[name]
@@ -419,8 +409,7 @@ def draw_descriptors(drawing: Drawing):
         p.text((103, -44), words, GREY, SMALL)
         for name, (color, pale) in colors.items():
             y = heights[name]
-            p.box((172, y - 18), (208, y + 18), color, THIN, fill=pale)
-            p.text((190, y), name, color, SMALL, rim=False)
+            p.box((172, y - 18), (208, y + 18), color, THIN, fill=pale, label=name)
         entries = {"a": 0, "b": 1, "c": 5}
         middle = {name: 206 - 22 * i for name, i in entries.items()}
         if title == "a set per texture":

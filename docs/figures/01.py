@@ -192,12 +192,10 @@ def draw_weld(drawing: Drawing):
         x = 95 + 84 * i + 22 * face
         color, fill = ((BLUE, PALE_BLUE), (GREEN, PALE_GREEN), (ORANGE, PALE_ORANGE))[face]
         p.arrow((x, 262), (where[triple] + 51, 142), color, width=THIN)
-        p.box((x - 40, 262), (x + 40, 300), color, THIN, fill=fill)
-        p.text((x, 281), triple, color, SMALL, rim=False)
+        p.box((x - 40, 262), (x + 40, 300), color, THIN, fill=fill, label=triple)
         if i % 3 == 1:
             p.text((x, 320), f"face {face + 1}", color, SMALL)
     for i, triple in enumerate(vertices):
         left = where[triple]
-        p.box((left, 100), (left + 102, 142), width=THIN, fill="#ffffff")
-        p.text((left + 51, 121), triple, size=SMALL, rim=False)
+        p.box((left, 100), (left + 102, 142), width=THIN, fill="#ffffff", label=triple)
         p.text((left + 51, 72), f"vertex {i}", GREY, SMALL)

@@ -38,13 +38,11 @@ FILLS = (PALE_BLUE, PALE_GREEN, PALE_ORANGE)
 def row(p, y: float, shares: list[tuple[float, float]]):
     """Seven old texels, over them three new ones, each from where to where it takes."""
     for i in range(7):
-        p.box((i, y), (i + 1, y + 0.62), INK, 2)
-        p.text((i + 0.5, y + 0.31), str(i), GREY, SMALL, rim=False)
+        p.box((i, y), (i + 1, y + 0.62), INK, 2, label=str(i), ink=GREY)
     for i, (first, last) in enumerate(shares):
         p.line([(first, y + 0.62), (last, y + 0.62), (7 * (i + 1) / 3, y + 1.35), (7 * i / 3, y + 1.35)], None,
                fill=FILLS[i])
-        p.box((7 * i / 3, y + 1.35), (7 * (i + 1) / 3, y + 1.97), INK, 2, fill=FILLS[i])
-        p.text((7 * (i + 0.5) / 3, y + 1.66), f"new {i}", INK, SMALL, rim=False)
+        p.box((7 * i / 3, y + 1.35), (7 * (i + 1) / 3, y + 1.97), INK, 2, fill=FILLS[i], label=f"new {i}")
 
 
 @figure("07_weights", 900, 560,

@@ -173,8 +173,12 @@ class Panel:
         self.line(points, color, width, dash)
         self.arrow(points[-1], tip, color, width=width)
 
-    def box(self, low: Point, high: Point, color=INK, width=THICK, dash=False, fill=None):
+    def box(self, low: Point, high: Point, color=INK, width=THICK, dash=False, fill=None, label="", ink=None,
+            size=SMALL):
+        """Its label stands in the middle, in the colour `ink`, else that of the outline."""
         self.line([low, (high[0], low[1]), high, (low[0], high[1])], color, width, dash, True, fill)
+        if label:
+            self.text(between(low, high), label, ink or color, size, rim=False)
 
     def circle(self, center: Point, radius: float, color=INK, width=THICK, dash=False, fill=None):
         """The radius is in units."""
