@@ -1,12 +1,10 @@
 """The need rule of chapter 01, by measuring: its choice reads every float within the budget, and takes about as long as
 the fastest such loader. LIGHTWALK_BUILD names the build folder, by default build/ in the tree."""
 import json
-import pathlib
 import statistics
 import subprocess
-import tempfile
-import unittest
 
+from folder_case import FolderCase
 from test.results import table
 from tree import BUILD, ROOT, chapter_program, say
 
@@ -15,7 +13,7 @@ BUDGETS_ULP = [0, 1]
 MOST = 1.5  # times the fastest's time, in the median: two measurements of times that two threads share with others
 
 
-class NeedTest(unittest.TestCase):
+class NeedTest(FolderCase):
     def run_chapter(self, *options) -> str:
         done = subprocess.run([str(word) for word in (chapter_program("01_obj"), *options)], cwd=ROOT,
                               capture_output=True, text=True, timeout=300)
@@ -30,11 +28,10 @@ class NeedTest(unittest.TestCase):
 
     def studied(self) -> list:
         """Every loader's rate and error on every file."""
-        with tempfile.TemporaryDirectory() as folder:
-            request, result = pathlib.Path(folder, "request.json"), pathlib.Path(folder, "result.json")
-            request.write_text(json.dumps({"title": "", "rounds": 5, "scenes": [f"assets/models/{name}.obj" for name in FILES]}))
-            self.run_chapter("--study", result, "--study-file", request)
-            return json.loads(result.read_text())["points"]
+        request, result = self.folder / "request.json", self.folder / "result.json"
+        request.write_text(json.dumps({"title": "", "rounds": 5, "scenes": [f"assets/models/{name}.obj" for name in FILES]}))
+        self.run_chapter("--study", result, "--study-file", request)
+        return json.loads(result.read_text())["points"]
 
     def test_what_it_picks_is_within_the_budget_and_fast(self):
         rows, ratios, points = [], [], self.studied()

@@ -20,8 +20,7 @@ NO_SURROUNDINGS = ("bloom.method=none", "around.intensity=0")
 class Compositions(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="lightwalk_compositions_")
-        cls.addClassCleanup(cls.folder.cleanup)
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk_compositions_")))
         cls.drawings = {program: Drawing(BUILD / "tests" / program) for program in PROGRAMS}
         for drawing in cls.drawings.values():
             cls.addClassCleanup(drawing.close)
@@ -30,7 +29,7 @@ class Compositions(unittest.TestCase):
     def draw(self, program: str, scene: str, *options) -> Path:
         key = (program, scene, *options)
         if key not in self.pictures:
-            picture = Path(self.folder.name, f"{len(self.pictures)}.png")
+            picture = self.folder / f"{len(self.pictures)}.png"
             words = ["--scene", SCENES / f"{scene}.json", "--size", "127x71", *sets(*CHEAP), *options]
             code, wrong, said = self.drawings[program].draw(words, picture)
             said = [line for line in said.splitlines() if line.strip() and not line.startswith("drawing: ")]
@@ -80,6 +79,6 @@ class Compositions(unittest.TestCase):
             with self.subTest(program=program):
                 session = Session(server, BUILD / "tests" / program,
                                   ["--validate", "on", "--scene", str(SCENES / "everything.json"), "--size", "640x360"],
-                                  Path(self.folder.name))
+                                  self.folder)
                 session.key("Escape")
                 self.assertEqual((session.end(), session.errors), (0, []))

@@ -7,13 +7,13 @@ import os
 import resource
 import shutil
 import subprocess
-import tempfile
 import time
 import unittest
 from pathlib import Path
 from unittest import mock
 
 import film
+from folder_case import FolderCase
 from many import shards
 from many.shards import Shard
 from tree import Failure, UsageError
@@ -27,10 +27,7 @@ WHOLE = '#!/bin/sh\nfor last; do :; done\nexec cat >"$last"\n'
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
-class Film(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_film_")))
-
+class Film(FolderCase):
     def write(self, name: str, *options, ffmpeg: str | None = None, scene: Path | str = FILM,
               most_bytes: int | None = None) -> subprocess.CompletedProcess:
         environment = dict(os.environ)

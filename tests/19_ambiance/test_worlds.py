@@ -82,8 +82,7 @@ def film_of(kind: str, scene: Path, shot: dict, method: str | None = None, film_
 class Worlds(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="lightwalk_worlds_")
-        cls.addClassCleanup(cls.folder.cleanup)
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk_worlds_")))
         cls.count = 0
 
     def drawing(self, program: Path | str) -> Drawing:
@@ -93,7 +92,7 @@ class Worlds(unittest.TestCase):
 
     def draw(self, drawing: Drawing, *options) -> Path:
         type(self).count += 1
-        picture = Path(self.folder.name, f"{self.count}.png")
+        picture = self.folder / f"{self.count}.png"
         code, wrong, _ = drawing.draw(["--size", "{}x{}".format(*SIZE), *map(str, options)], picture)
         self.assertEqual((code, wrong), (0, ""), options)
         return picture
@@ -102,7 +101,7 @@ class Worlds(unittest.TestCase):
         return self.draw(drawing, "--shot", shot["name"], *sets(*words_of(shot), "samples=1"))
 
     def film(self, name: str, content: dict) -> Path:
-        file = Path(self.folder.name, f"{name}.film")
+        file = self.folder / f"{name}.film"
         file.write_text(json.dumps(content))
         return file
 
@@ -112,7 +111,7 @@ class Worlds(unittest.TestCase):
         content["knobs"] = {name: value for name, value in content["knobs"].items() if not name.startswith("bloom.")}
         for placed in content["objects"]:
             placed["model"] = str(ROOT / "assets" / placed["model"])
-        file = Path(self.folder.name, Path(scene).name)
+        file = self.folder / Path(scene).name
         file.write_text(json.dumps(content))
         return file
 

@@ -7,11 +7,11 @@ import os
 import pathlib
 import re
 import subprocess
-import tempfile
 import unittest
 
 from PIL import Image
 
+from folder_case import FolderCase
 from tree import BUILD, ROOT
 
 CHAPTERS = {"01": BUILD / "chapters" / "01_obj", "02": BUILD / "chapters" / "02_lambert_phong",
@@ -39,9 +39,8 @@ def radiance(width=64, height=8) -> bytes:
 
 
 @unittest.skipUnless(CHAPTERS["02"].exists() or "LIGHTWALK_BUILD" in os.environ, "the chapters are not built")
-class BadInput(unittest.TestCase):
+class BadInput(FolderCase):
     def setUp(self):
-        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.picture = self.folder / "picture.png"
 
     def write(self, name, content) -> pathlib.Path:

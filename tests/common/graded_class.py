@@ -55,9 +55,7 @@ class Class(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.outside = Path(made.name).resolve()
+        cls.outside = Path(cls.enterClassContext(tempfile.TemporaryDirectory())).resolve()
         cls.folder = cls.outside / "class"
         cls.folder.mkdir()
         cls.fill()

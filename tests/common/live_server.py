@@ -9,7 +9,6 @@ import signal
 import struct
 import subprocess
 import sys
-import time
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -141,15 +140,6 @@ async def receive(socket, timeout_s: float = 20):
     return json.loads(message[4:4 + length]), message[4 + length:]
 
 
-def until(condition, timeout_s: float = 30):
-    """Waits for an external event."""
-    end = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end:
-            raise AssertionError("it did not happen in time")
-        time.sleep(0.05)
-
-
 def is_there(pid: int) -> bool:
     try:
         os.kill(pid, 0)
@@ -176,10 +166,3 @@ class Live(Course):
         cls.write("build/tests/check_01_obj", (cls.root / "programs/tests/check_01_obj").read_text())
         cls.server = Server(cls.root)
         cls.addClassCleanup(cls.server.__exit__)
-
-    @classmethod
-    def write(cls, name: str, text: str):
-        path = cls.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-        path.chmod(0o755 if text.startswith("#!") else 0o644)

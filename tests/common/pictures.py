@@ -4,10 +4,9 @@ it is not build/ in the tree.
 import json
 import os
 import subprocess
-import tempfile
-import unittest
 from pathlib import Path
 
+from folder_case import FolderCase
 from shots.golden import compare
 from shots.rendering import Drawing
 from tree import BUILD, ROOT
@@ -22,7 +21,7 @@ def to_code(linear: float) -> float:
     return 255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
-class ChapterPictures(unittest.TestCase):
+class ChapterPictures(FolderCase):
     """A test with a folder of its own that runs one chapter."""
     chapter = ""
     drawing = None
@@ -38,15 +37,14 @@ class ChapterPictures(unittest.TestCase):
             self.skipTest("a handout has no reference")
         if not self.program.exists() and "LIGHTWALK_BUILD" not in os.environ:
             self.skipTest(f"{self.program} is not built")
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
-    def draw(self, scene: dict | str | Path, *options, size="160x90", name="picture") -> Path:
+    def draw(self, scene: dict | str | Path, *options, size="160x90", name="picture", silent=True) -> Path:
         """A picture of a scene: JSON, the name of one of the course's, or a file."""
         file = self.folder / "scene.json" if isinstance(scene, dict) else ROOT / "assets/scenes" / f"{scene}.json" if isinstance(scene, str) else scene
         if isinstance(scene, dict):
             file.write_text(json.dumps(scene))
         picture = self.folder / f"{name}.png"
-        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture)
+        self.run_program("--scene", file, *options, "--size", size, "--screenshot", picture, silent=silent)
         return picture
 
     def flip(self, expected: Path, actual: Path) -> float:

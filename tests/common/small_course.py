@@ -14,6 +14,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -153,6 +154,23 @@ FILES = {
 }
 
 
+def write(path: Path, text: str):
+    """One that begins with #! is a program."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    if text.startswith("#!"):
+        path.chmod(0o755)
+
+
+def until(condition, timeout_s: float = 30):
+    """Waits for an external event."""
+    end = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError("it did not happen in time")
+        time.sleep(0.05)
+
+
 def make_tree(root: Path):
     shutil.copytree(REAL / "common/course", root / "common/course",
                     ignore=shutil.ignore_patterns("*.h", "*.cpp", "__pycache__"))
@@ -160,10 +178,7 @@ def make_tree(root: Path):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(REAL / name, root / name)
     for name, text in FILES.items():
-        path = root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text.replace("#!PYTHON", f"#!{sys.executable}"))
-        path.chmod(0o755 if text.startswith("#!") else 0o644)
+        write(root / name, text.replace("#!PYTHON", f"#!{sys.executable}"))
     starters = {path.relative_to(root): path.read_bytes() for path in root.glob("*/*/exercise/*")}
     (root / STARTERS).write_text(listed(starters))
 
@@ -199,12 +214,14 @@ class Course(unittest.TestCase):
     def course(self, *words, **options):
         return self.run_program([self.root / "course", *words], **options)
 
+    @classmethod
+    def write(cls, name: str, text: str):
+        write(cls.root / name, text)
+
     def put(self, name: str, text: str = ""):
         """A file of the tree for this test; afterwards it is as before."""
-        path = self.root / name
-        self.restore_afterwards(path)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        self.restore_afterwards(self.root / name)
+        self.write(name, text)
 
     def remove(self, name: str):
         self.restore_afterwards(self.root / name)

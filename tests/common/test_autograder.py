@@ -70,9 +70,7 @@ class Gradescope(unittest.TestCase):
 class Written(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.folder = Path(made.name) / "a"
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory())) / "a"
         subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", cls.folder, "--autograder"], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
 

@@ -73,9 +73,7 @@ def shim(folder: Path) -> Path:
 class Drivers(BadInput):
     @classmethod
     def setUpClass(cls):
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.shim = shim(Path(scratch.name))
+        cls.shim = shim(Path(cls.enterClassContext(tempfile.TemporaryDirectory())))
 
     def playing(self, fault: str, calls: int) -> dict[str, str]:
         # A sanitizer's library wants to be the first of all.

@@ -2,10 +2,9 @@
 # Builds: 07_mipmaps 09_post_effects 11_fractals
 import json
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
+from folder_case import FolderCase
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION, ROOT, Drawing
 
 # Auto exposure carries a history, the hall has mips of many sizes, and the fractals' loops end by uniforms of several blocks.
@@ -14,10 +13,7 @@ SIDES = ("software", "hardware")
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
-class BothSides(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class BothSides(FolderCase):
     def run_program(self, chapter: str, *options):
         done = subprocess.run([BUILD / "chapters" / chapter, "--validate", "on", *map(str, options)], cwd=ROOT, text=True,
                               capture_output=True, stdin=subprocess.DEVNULL, timeout=300)

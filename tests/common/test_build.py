@@ -4,32 +4,30 @@
 import os
 import shutil
 import subprocess
-import tempfile
-import unittest
 from pathlib import Path
+
+from folder_case import FolderCase
 
 REAL = Path(__file__).parents[2]
 
 
-class Ccache(unittest.TestCase):
+class Ccache(FolderCase):
     def test_a_header_changed_after_another_build_is_compiled(self):
         """The same precompiled header was changed in another way before: ccache once took that one."""
         launcher = (REAL / "CMakeLists.txt").read_text().partition("find_program(CCACHE")[2].partition("find_program(MOLD")[0]
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            (folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(small LANGUAGES CXX)\n"
-                                                   f"find_program(CCACHE{launcher}add_executable(small main.cpp)\n"
-                                                   "target_precompile_headers(small PRIVATE <string> ${PROJECT_SOURCE_DIR}/value.h)\n")
-            (folder / "main.cpp").write_text("int main() { return value(); }\n")
-            environment = {**os.environ, "CCACHE_DIR": str(folder / "cache")}
-            header = folder / "value.h"
+        (self.folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(small LANGUAGES CXX)\n"
+                                                    f"find_program(CCACHE{launcher}add_executable(small main.cpp)\n"
+                                                    "target_precompile_headers(small PRIVATE <string> ${PROJECT_SOURCE_DIR}/value.h)\n")
+        (self.folder / "main.cpp").write_text("int main() { return value(); }\n")
+        environment = {**os.environ, "CCACHE_DIR": str(self.folder / "cache")}
+        header = self.folder / "value.h"
 
-            def built(value: int) -> int:
-                header.write_text(f"inline int value() {{ return {value}; }}\n")
-                subprocess.run(["cmake", "--build", folder / "build"], env=environment, check=True, stdout=subprocess.DEVNULL)
-                return subprocess.run([folder / "build/small"]).returncode
-            for other in (2, 3):
-                header.write_text("inline int value() { return 1; }\n")
-                shutil.rmtree(folder / "build", ignore_errors=True)
-                subprocess.run(["cmake", "-S", folder, "-B", folder / "build", "-G", "Ninja"], check=True, stdout=subprocess.DEVNULL)
-                self.assertEqual([built(1), built(other)], [1, other])
+        def built(value: int) -> int:
+            header.write_text(f"inline int value() {{ return {value}; }}\n")
+            subprocess.run(["cmake", "--build", self.folder / "build"], env=environment, check=True, stdout=subprocess.DEVNULL)
+            return subprocess.run([self.folder / "build/small"]).returncode
+        for other in (2, 3):
+            header.write_text("inline int value() { return 1; }\n")
+            shutil.rmtree(self.folder / "build", ignore_errors=True)
+            subprocess.run(["cmake", "-S", self.folder, "-B", self.folder / "build", "-G", "Ninja"], check=True, stdout=subprocess.DEVNULL)
+            self.assertEqual([built(1), built(other)], [1, other])

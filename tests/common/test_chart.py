@@ -8,9 +8,7 @@ import json
 import math
 import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
 import numpy as np
 
@@ -19,13 +17,11 @@ from chart_fixture import STUDY, over_lights, point, study
 from charts.said import between, said_by
 from charts.study_charts import Chart, charts_of
 from charts.study_file import Study, StudyError, load, markdown_table
+from folder_case import FolderCase
 from tree import ROOT
 
 
-class Drawing(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Drawing(FolderCase):
     def figure(self, s, which=0):
         with chart.plt.rc_context(chart.STYLE):
             figure = chart.build_figure(charts_of(s)[which])

@@ -5,23 +5,21 @@ LIGHTWALK_BUILD names the build folder where it is not build/ in the tree.
 # Builds: compare
 import json
 import os
-import pathlib
 import struct
 import subprocess
-import tempfile
 import unittest
 
 from PIL import Image
 
+from folder_case import FolderCase
 from tree import BUILD
 
 COMPARE = BUILD / "compare"
 
 
 @unittest.skipUnless(COMPARE.exists() or "LIGHTWALK_BUILD" in os.environ, f"{COMPARE} is not built")
-class CompareTest(unittest.TestCase):
+class CompareTest(FolderCase):
     def setUp(self):
-        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.a = self.picture("a.png", (64, 48), (100, 120, 140))
         moved = Image.open(self.a).copy()
         moved.putpixel((5, 7), (110, 120, 140))

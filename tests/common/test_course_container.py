@@ -8,7 +8,7 @@ import sys
 import unittest
 from unittest import mock
 
-from small_course import REAL, Course
+from small_course import REAL, Course, write
 
 from test import container
 from test_course_trouble import AS_OTHER, READ_ONLY, can
@@ -24,10 +24,8 @@ class Refusals(Course):
     def only(self, **programs: str) -> str:
         """A PATH on which there are these programs alone: their texts."""
         folder = self.outside / "bin"
-        folder.mkdir(exist_ok=True)
         for name, text in programs.items():
-            (folder / name).write_text(f"#!/bin/sh\n{text}\n")
-            (folder / name).chmod(0o755)
+            write(folder / name, f"#!/bin/sh\n{text}\n")
             self.addCleanup((folder / name).unlink)
         return str(folder)
 

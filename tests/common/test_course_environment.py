@@ -9,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import Course, clean_environment
+from small_course import Course, clean_environment, write
 
 ONE = "chapters/01_obj/exercise/one.cpp"
 
@@ -75,9 +75,7 @@ class Environment(Course):
 
     def test_the_first_python_in_path_is_not_asked(self):
         bad = self.outside / "bad"
-        bad.mkdir()
-        (bad / "python3").write_text("#!/bin/sh\nexit 127\n")
-        (bad / "python3").chmod(0o755)
+        write(bad / "python3", "#!/bin/sh\nexit 127\n")
         shutil.rmtree(self.root / "build", ignore_errors=True)
         self.assertIn("open  01.one", self.course("check", code=1, PATH=f"{bad}:{os.environ['PATH']}"))
 
@@ -158,8 +156,7 @@ class Compilers(unittest.TestCase):
 
     def compiled(self, compiler: str, source: str = "int a;"):
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-        (folder / "cc").write_text(compiler)
-        (folder / "cc").chmod(0o755)
+        write(folder / "cc", compiler)
         (folder / "one.cpp").write_text(source)
         self.made = folder / "one.o"
         script = Path(__file__).resolve().parents[2] / "common/course/build/compile_exercise.sh"

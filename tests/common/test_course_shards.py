@@ -84,8 +84,7 @@ class Study(Course):
     def setUpClass(cls):
         super().setUpClass()
         for name, text in (("programs/chapters/02_lambert", STUDY), ("chapters/02_lambert/study.json", json.dumps(REQUEST))):
-            (cls.root / name).write_text(text)
-            (cls.root / name).chmod(0o755)
+            cls.write(name, text)
 
     def test_study(self):
         out = self.outside

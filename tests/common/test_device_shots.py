@@ -6,13 +6,11 @@ import contextlib
 import io
 import json
 import subprocess
-import tempfile
-import unittest
-from pathlib import Path
 from unittest import mock
 
 from PIL import Image, ImageOps
 
+from folder_case import FolderCase
 from shots import accept, golden
 from test import device
 from tree import UsageError, chapters, exercises, shots
@@ -22,16 +20,13 @@ H200 = {"name": "NVIDIA H200", "type": "discrete", "driver": "NVIDIA 580.159.04"
 LLVMPIPE = {"name": "llvmpipe (LLVM 15.0.6, 256 bits)", "type": "software", "driver": "llvmpipe Mesa 22.3.6", "lacks": ""}
 
 
-class DeviceCase(unittest.TestCase):
+class DeviceCase(FolderCase):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.file = self.folder / "device.json"
         self.replace("test.device.BUILD", self.folder)
 
     def replace(self, name, value):
-        patch = mock.patch(name, value)
-        patch.start()
-        self.addCleanup(patch.stop)
+        self.enterContext(mock.patch(name, value))
 
     def run_device(self, shots=SHOT, name="llvmpipe", against=None):
         """(exit code, what was printed)."""

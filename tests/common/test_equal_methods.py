@@ -1,11 +1,11 @@
 """Methods documented as equal draw equal pictures, in every chapter that has their module, in the first frame after a
 start: reading an earlier frame's results shows as a difference."""
 import json
-import tempfile
 import unittest
 from dataclasses import dataclass
 from pathlib import Path
 
+from folder_case import FolderCase
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, HAS_SOLUTION, ROOT, Drawer, cheap, knobs_of, pixels_beyond, sets, steps
 
 
@@ -107,9 +107,8 @@ def is_default(setting: str, knobs: dict) -> bool:
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
-class EqualMethods(unittest.TestCase):
+class EqualMethods(FolderCase):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.pictures = {}
         self.scene = self.folder / "everything.json"
         self.scene.write_text(json.dumps(EVERYTHING))

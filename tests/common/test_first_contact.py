@@ -50,9 +50,7 @@ def can_mount() -> bool:
 class FirstContact(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory(prefix="lightwalk.")
-        cls.addClassCleanup(made.cleanup)
-        cls.folder = Path(made.name).resolve()
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk."))).resolve()
         cls.folder.chmod(0o755)
         cls.root = cls.folder / "Übung – Course à moi" / "light walk"
         cls.root.parent.mkdir()

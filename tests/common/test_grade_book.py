@@ -8,12 +8,11 @@ import hashlib
 import io
 import json
 import os
-import tempfile
 import time
-import unittest
 from pathlib import Path
 from unittest import mock
 
+from folder_case import FolderCase
 from graded_class import REAL  # (the way to the modules)
 from html_seen import Seen
 from grading import feedback, grade, marks
@@ -50,10 +49,7 @@ def rows_of(text: str) -> list[list[str]]:
     return list(csv.reader(io.StringIO(text, newline="")))
 
 
-class Files(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Files(FolderCase):
     def file(self, text, name="file") -> Path:
         (self.folder / name).write_bytes(text if isinstance(text, bytes) else (text if isinstance(text, str) else json.dumps(text)).encode())
         return self.folder / name

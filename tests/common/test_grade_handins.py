@@ -18,6 +18,7 @@ from pathlib import Path
 
 import graded_class
 import libarchive
+from folder_case import FolderCase
 from graded_class import PLACES, right
 from grading.submission import find, read
 from tree import Failure
@@ -182,10 +183,7 @@ def said_of(folder: Path) -> dict[str, str]:
 
 
 @unittest.skipIf(graded_class.why_not(), graded_class.why_not())
-class HandIns(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class HandIns(FolderCase):
     def put(self, name: str, data: bytes) -> Path:
         (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / name).write_bytes(data)

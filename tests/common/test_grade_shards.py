@@ -11,6 +11,7 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
+from folder_case import FolderCase
 from graded_class import PLACES, right, why_not
 from many import shards
 from many.shards import Shard
@@ -51,10 +52,7 @@ class Cut(unittest.TestCase):
         self.assertEqual(shards.command_words(["grade", "--shard=1/2", "x"]), "./course grade x")
 
 
-class Merge(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Merge(FolderCase):
     def write(self, number, of=3, head=None, entries=None, name="", **files) -> Path:
         shard = Shard(number, of)
         file = shards.file_of(self.folder / name, "film", shard)
@@ -126,9 +124,7 @@ class Graded(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        made = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(made.cleanup)
-        cls.outside = Path(made.name).resolve()
+        cls.outside = Path(cls.enterClassContext(tempfile.TemporaryDirectory())).resolve()
         cls.folder = cls.outside / "class"
         lambert = right("02.lambert")
         for i in range(12):
@@ -136,9 +132,7 @@ class Graded(unittest.TestCase):
             path.parent.mkdir(parents=True)
             path.write_text(lambert.replace("max(", "min(") if i % 4 == 1 else lambert + f"// {i % 3}\n")
         (cls.folder / "nothing").mkdir()
-        wanted = mock.patch("grading.grade.exercises", lambda chapter: {"02.lambert": None})
-        wanted.start()
-        cls.addClassCleanup(wanted.stop)
+        cls.enterClassContext(mock.patch("grading.grade.exercises", lambda chapter: {"02.lambert": None}))
 
     def course(self, *words, code=0) -> str:
         """Output of ./course grade."""

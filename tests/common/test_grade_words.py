@@ -9,6 +9,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from folder_case import FolderCase
 from graded_class import OF, PLACES, REAL, right, why_not
 from grading import sandbox
 from grading.alike import added, alike, runs_of
@@ -239,12 +240,9 @@ class Words(unittest.TestCase):
 
 
 @unittest.skipIf(why_not(), why_not())
-class Crash(unittest.TestCase):
+class Crash(FolderCase):
     """A driver that crashes with a shader with correct numbers: its own fault or the student's purpose, so the grader is told, and
     there is no mark until then."""
-
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def drawn(self, codes, name: str) -> str | None:
         """Pictures' verdict on a source for which drawing one shot after the other ended so."""

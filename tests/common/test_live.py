@@ -12,8 +12,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from live_server import DRAW, Live, Server, frame, is_there, receive, until
-from small_course import clean_environment
+from live_server import DRAW, Live, Server, frame, is_there, receive
+from small_course import clean_environment, until
 
 from live import programs, serve
 

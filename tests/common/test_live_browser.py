@@ -8,8 +8,8 @@ from pathlib import Path
 
 from browser import Browser
 from live_page import LivePage
-from live_server import is_there, until
-from small_course import REAL
+from live_server import is_there
+from small_course import REAL, until
 
 CHAPTER, EXERCISE = "02_lambert_phong", "02.lambert"
 FILE = f"shaders/{CHAPTER}/exercise/lambert.glsl"

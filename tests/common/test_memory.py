@@ -2,10 +2,10 @@
 of both runs is compared."""
 import os
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
+from folder_case import FolderCase
 from picture_drawing import BUILD, BUILT, CHAPTERS, ROOT
 
 FEW, MANY = 8, 40
@@ -31,10 +31,9 @@ def kept_mb(chapter: str, picture: Path) -> float:
 
 @unittest.skipUnless(BUILT, "the chapters are not built")
 @unittest.skipIf("LSAN_OPTIONS" in os.environ, "a sanitizer keeps what was freed")
-class MemoryTest(unittest.TestCase):
+class MemoryTest(FolderCase):
     def test_frames_keep_nothing(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for chapter in TRIED:
-                with self.subTest(chapter=chapter):
-                    self.assertTrue(any(kept_mb(chapter, Path(folder, "picture.png")) < BOUND_MB for _ in range(3)),
-                                    f"at least {BOUND_MB} MB a frame, three times of three")
+        for chapter in TRIED:
+            with self.subTest(chapter=chapter):
+                self.assertTrue(any(kept_mb(chapter, self.folder / "picture.png") < BOUND_MB for _ in range(3)),
+                                f"at least {BOUND_MB} MB a frame, three times of three")

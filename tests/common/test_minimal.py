@@ -3,10 +3,10 @@ the lesson shows whole. The shaders' functions are tested in tests/minimal and b
 
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
+from folder_case import FolderCase
 from tree import BUILD, ROOT, chapters
 
 FOLDER = ROOT / "docs" / "minimal"
@@ -29,7 +29,7 @@ def said(name: str, given: str = "") -> dict[str, float]:
     return {words[i]: float(words[i + 1]) for i in range(0, len(words), 2)}
 
 
-class Minimal(unittest.TestCase):
+class Minimal(FolderCase):
     def test_every_chapter_has_one_that_its_lesson_shows_whole(self):
         for chapter in chapters():
             with self.subTest(chapter):
@@ -50,16 +50,15 @@ class Minimal(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("glslangValidator") and shutil.which("spirv-val"), "no compiler of GLSL here")
     def test_the_shaders_compile_to_valid_spirv(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for path in sources():
-                if path.suffix == ".cpp":
-                    continue
-                with self.subTest(path.name):
-                    made = Path(folder, "made.spv")
-                    for command in (["glslangValidator", "-V", "--target-env", "vulkan1.3", path, "-o", made],
-                                    ["spirv-val", "--target-env", "vulkan1.3", made]):
-                        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-                        self.assertEqual(done.returncode, 0, done.stdout)
+        for path in sources():
+            if path.suffix == ".cpp":
+                continue
+            with self.subTest(path.name):
+                made = self.folder / "made.spv"
+                for command in (["glslangValidator", "-V", "--target-env", "vulkan1.3", path, "-o", made],
+                                ["spirv-val", "--target-env", "vulkan1.3", made]):
+                    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                    self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_01_reads_a_cube(self):
         self.assertEqual(said("01_obj", CUBE), {"vertices": 24, "triangles": 12, "volume": 8})

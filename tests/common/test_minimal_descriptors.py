@@ -4,10 +4,8 @@ import json
 import os
 import re
 import subprocess
-import tempfile
-import unittest
-from pathlib import Path
 
+from folder_case import FolderCase
 from tree import BUILD, ROOT
 
 # Builds: minimal_00_descriptors
@@ -23,16 +21,15 @@ def run(*arguments) -> subprocess.CompletedProcess:
                           stderr=subprocess.STDOUT, text=True, timeout=120, env=environment)
 
 
-class Descriptors(unittest.TestCase):
+class Descriptors(FolderCase):
     def test_each_way_draws_the_picture_and_is_timed_and_validation_is_silent(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "times.json")
-            done = run(BUILD / "minimal", 2500, 3, file)
-            self.assertEqual(done.returncode, 0, done.stdout)
-            lines = done.stdout.splitlines()
-            self.assertEqual(len(lines), 2 + len(WAYS), done.stdout)
-            self.assertIn(", 2500 draws, 1024 textures, 3 rounds, load ", lines[0].replace(";", ","))
-            points = json.loads(file.read_text())["points"]
+        file = self.folder / "times.json"
+        done = run(BUILD / "minimal", 2500, 3, file)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), 2 + len(WAYS), done.stdout)
+        self.assertIn(", 2500 draws, 1024 textures, 3 rounds, load ", lines[0].replace(";", ","))
+        points = json.loads(file.read_text())["points"]
         self.assertEqual([point["method"] for point in points], list(WAYS))
         for point, line in zip(points, lines[2:]):
             self.assertTrue(line.startswith(point["method"]), line)

@@ -4,10 +4,9 @@ that validation names as the page says."""
 import os
 import re
 import subprocess
-import tempfile
-import unittest
 from pathlib import Path
 
+from folder_case import FolderCase
 from x_server import XServer
 from tree import BUILD, ROOT
 
@@ -39,9 +38,9 @@ def run(program: Path, *arguments, display: str = "") -> subprocess.CompletedPro
                           timeout=120, env=environment)
 
 
-def patched(folder: str, name: str) -> Path:
+def patched(folder: Path, name: str) -> Path:
     """The program with the changes of NAME.patch."""
-    source, program = Path(folder, f"{name}.cpp"), Path(folder, name)
+    source, program = folder / f"{name}.cpp", folder / name
     subprocess.run(["patch", "-s", "-o", source, FOLDER / "00_vulkan.cpp", FOLDER / f"{name}.patch"], check=True)
     subprocess.run(["c++", "-std=c++20", "-I", FOLDER, source, "-o", program, "-lvulkan", "-lglfw"], check=True)
     return program
@@ -52,7 +51,7 @@ def codes(said: str) -> list[str]:
     return re.findall(r"\[ ?((?:VUID|SYNC|UNASSIGNED)[\w-]+) ?\]", said)
 
 
-class Vulkan(unittest.TestCase):
+class Vulkan(FolderCase):
     def test_each_file_is_short_and_its_parts_are_quoted(self):
         for name, most in (("00_vulkan.cpp", 400), ("00_window.h", 150), ("00_timing.h", 60)):
             text = (FOLDER / name).read_text()
@@ -61,11 +60,10 @@ class Vulkan(unittest.TestCase):
                 self.assertIn(f"<!-- quote: docs/minimal/{name}#{part} -->", PAGE)
 
     def test_the_picture_is_the_triangle_and_validation_is_silent(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "triangle.ppm")
-            done = run(PROGRAMS / "00_vulkan", file)
-            self.assertEqual((done.returncode, done.stdout), (0, ""))
-            self.assert_triangles(file, lambda near, _: near if min(near) > 0 else BACKGROUND)
+        file = self.folder / "triangle.ppm"
+        done = run(PROGRAMS / "00_vulkan", file)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.assert_triangles(file, lambda near, _: near if min(near) > 0 else BACKGROUND)
 
     def assert_triangles(self, file: Path, colour):
         """`colour` of a pixel follows from its weights in the triangle, and in one that stands on its head."""
@@ -87,11 +85,10 @@ class Vulkan(unittest.TestCase):
         self.assertTrue(0 < low <= median <= high, done.stdout)
 
     def test_the_depth_buffer_hides_what_is_farther_and_was_drawn_later(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "depth.ppm")
-            done = run(patched(folder, "00_depth"), file)
-            self.assertEqual((done.returncode, done.stdout), (0, ""))
-            self.assert_triangles(file, lambda near, far: near if min(near) > 0 else (1, 1, 1) if min(far) > 0 else BACKGROUND)
+        file = self.folder / "depth.ppm"
+        done = run(patched(self.folder, "00_depth"), file)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.assert_triangles(file, lambda near, far: near if min(near) > 0 else (1, 1, 1) if min(far) > 0 else BACKGROUND)
 
     def test_the_window_shows_it_and_validation_is_silent(self):
         server = XServer()
@@ -122,12 +119,11 @@ class Vulkan(unittest.TestCase):
             self.assertRegex(done.stdout, f"^error: {words}[^\n]*\n$")
 
     def test_validation_names_each_mistake_of_the_broken_program(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = run(patched(folder, "00_broken"), Path(folder, "broken.ppm"))
-            self.assertEqual(done.returncode, 1)
-            found = codes(done.stdout)
-            same = run(PROGRAMS / "00_vulkan", Path(folder, "right.ppm"))
-            self.assertEqual(same.returncode, 0)
+        done = run(patched(self.folder, "00_broken"), self.folder / "broken.ppm")
+        self.assertEqual(done.returncode, 1)
+        found = codes(done.stdout)
+        same = run(PROGRAMS / "00_vulkan", self.folder / "right.ppm")
+        self.assertEqual(same.returncode, 0)
         named = set(codes(PAGE))
         self.assertGreaterEqual(len(named), 4)
         if "SYNC-HAZARD-READ-AFTER-WRITE" in found:  # the names of some rules change from release to release

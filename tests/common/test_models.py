@@ -1,24 +1,21 @@
-"""The conformance set: each property that a model file can state is drawn, named as left out, or refused."""
+"""The conformance set, as ./course run --models draws it: each property that a model file can state is drawn, named as left out, or refused."""
 # Builds: 04_surface_maps
 import json
 import os
-import pathlib
-import tempfile
-import unittest
 
 import models
+from folder_case import FolderCase
 from tree import chapter_program
 
 os.environ.setdefault("GALLIVM_PERF", "nopt")
 
 
-class Conformance(unittest.TestCase):
+class Conformance(FolderCase):
     def test_all(self):
         self.assertTrue(chapter_program(models.CHAPTER).exists(), "build it first")
-        with tempfile.TemporaryDirectory() as folder:
-            for result in models.verdicts([], pathlib.Path(folder)):
-                with self.subTest(result["name"], says=result["says"]):
-                    self.assertEqual(result["wrong"], "")
+        for result in models.verdicts([], self.folder):
+            with self.subTest(result["name"], says=result["says"]):
+                self.assertEqual(result["wrong"], "")
 
     def test_list(self):
         """--list model says what was read and what was left out."""

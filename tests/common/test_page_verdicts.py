@@ -2,11 +2,11 @@
 build/report/verdicts.md has both."""
 
 import json
-import tempfile
 import unittest
 from pathlib import Path
 
 from browser import WHY_NONE, Browser
+from folder_case import FolderCase
 
 from check.variants import Variant, variants
 from pages import in_browser
@@ -51,15 +51,14 @@ def table(rows: list[dict]) -> str:
 
 
 @unittest.skipIf(WHY_NONE, WHY_NONE)
-class Verdicts(unittest.TestCase):
+class Verdicts(FolderCase):
     def test_every_answer_has_the_verdict_of_the_check(self):
-        with tempfile.TemporaryDirectory() as folder:
-            fit = in_browser.write(Path(folder))
-            self.assertGreaterEqual(len(fit), LEAST)
-            rows = compared(Path(folder), fit[::8])
-            endless = Variant("lambert.endless.glsl", "", "wrong: a loop",
-                              "float lambert(vec3 n, vec3 l) { float s = 0.0; while (true) s += 1.0; return s; }")
-            loop, = said(Path(folder), [("02.lambert", endless)], lambda: Browser(webgl=True))
+        fit = in_browser.write(self.folder)
+        self.assertGreaterEqual(len(fit), LEAST)
+        rows = compared(self.folder, fit[::8])
+        endless = Variant("lambert.endless.glsl", "", "wrong: a loop",
+                          "float lambert(vec3 n, vec3 l) { float s = 0.0; while (true) s += 1.0; return s; }")
+        loop, = said(self.folder, [("02.lambert", endless)], lambda: Browser(webgl=True))
         write_atomically(BUILD / "report" / "verdicts.md", table(rows))
         self.assertGreater(len(rows), 2 * len(fit[::8]))
         self.assertEqual([row for row in rows if not row["same_verdict"]], [])

@@ -91,7 +91,6 @@ class SmallCourse(Course):
     def test_open_says_what_is_missing(self):
         self.put("bin/xdg-open", "#!/bin/sh\ntest -f \"$1\" && echo $1 > $(dirname $0)/opened\n")
         opener = self.root / "bin/xdg-open"
-        opener.chmod(0o755)
         self.addCleanup(lambda: (self.root / "bin/opened").unlink(missing_ok=True))
         self.course("docs", "--open", PATH=f"{opener.parent}:{os.environ['PATH']}")
         self.assertEqual((self.root / "bin/opened").read_text().strip(), str(self.site / "index.html"))

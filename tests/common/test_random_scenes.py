@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from folder_case import FolderCase
 from shots.rendering import Drawing, run_program
 from tree import BUILD
 
@@ -123,7 +124,7 @@ def draw(program, seed, folder) -> tuple:
 
 
 @unittest.skipUnless(CHAPTERS, "the chapters are not built")
-class RandomScenes(unittest.TestCase):
+class RandomScenes(FolderCase):
     def test_no_chapter_has_anything_to_say(self):
         for seed in range(FEW):
             program = CHAPTERS[seed * len(CHAPTERS) // FEW]
@@ -137,27 +138,25 @@ class RandomScenes(unittest.TestCase):
         scene = {"objects": [{"model": "models/ground.obj", "material": {"maps": {
             "height": "textures/lava_height.png", "opacity": "textures/squares.png"}}}],
                  "lights": [{"type": "directional", "direction": [0.3, -1, 0.2], "shadow": True}]}
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "scene.json").write_text(json.dumps(scene))
-            for chapter, *options in (("05_shadow_maps", "--scene", f"{folder}/scene.json", "--set", "maps.mesh=displaced", "--set", "maps.subdivide=2"),
-                                      ("15_terrain_water", "--scene", "scenes/pool.json", "--set", "water.reflection=rays")):
-                done = run(BUILD / "chapters" / chapter, folder, *options)
-                self.assertEqual((done.returncode, done.stderr), (0, ""), chapter)
+        (self.folder / "scene.json").write_text(json.dumps(scene))
+        for chapter, *options in (("05_shadow_maps", "--scene", f"{self.folder}/scene.json", "--set", "maps.mesh=displaced", "--set", "maps.subdivide=2"),
+                                  ("15_terrain_water", "--scene", "scenes/pool.json", "--set", "water.reflection=rays")):
+            done = run(BUILD / "chapters" / chapter, self.folder, *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), chapter)
 
     def test_nothing_at_all(self):
         """Every view of a scene without objects: resources that were never made are not read."""
         views = {"08": ["picture", "cut_out", "spread", "level"],
                  "12": ["picture", "irradiance", "level", "stretch", "occlusion", "thickness"],
                  "13": ["picture", "edges"]}
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
-            for program in CHAPTERS:
-                with Drawing(program) as drawing:
-                    for view in views.get(program.name[:2], [""]):
-                        with self.subTest(program=program.name, view=view):
-                            options = ["--scene", f"{folder}/scene.json", "--size", SIZE]
-                            options += ["--set", f"show={view}"] if view else []
-                            options += ["--world", "head"] if program.name[:2] == "13" else []
-                            code, wrong, said = drawing.draw(options, Path(folder, "picture.png"))
-                            said = [line for line in said.splitlines() if not line.startswith("drawing: ")]
-                            self.assertEqual((code, wrong, said), (0, "", []))
+        (self.folder / "scene.json").write_text('{"lights": [{"type": "directional", "shadow": true}]}')
+        for program in CHAPTERS:
+            with Drawing(program) as drawing:
+                for view in views.get(program.name[:2], [""]):
+                    with self.subTest(program=program.name, view=view):
+                        options = ["--scene", f"{self.folder}/scene.json", "--size", SIZE]
+                        options += ["--set", f"show={view}"] if view else []
+                        options += ["--world", "head"] if program.name[:2] == "13" else []
+                        code, wrong, said = drawing.draw(options, self.folder / "picture.png")
+                        said = [line for line in said.splitlines() if not line.startswith("drawing: ")]
+                        self.assertEqual((code, wrong, said), (0, "", []))

@@ -2,13 +2,12 @@
 # Builds: nothing
 
 import json
-import tempfile
 import unittest
-from pathlib import Path
 
 from PIL import Image
 
 from browser import WHY_NONE, Browser
+from folder_case import FolderCase
 from pages.page import chart_uri, data_uri
 from pages.report import write_report
 from tree import ROOT
@@ -29,9 +28,8 @@ def metrics(mean, p99, steps):
             "nan": {"reference": 0, "test": 0}, "inf": {"reference": 0, "test": 0}}
 
 
-class ReportCase(unittest.TestCase):
+class ReportCase(FolderCase):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.results = self.folder / "results"
         self.results.mkdir()
         self.page = self.folder / "report" / "index.html"

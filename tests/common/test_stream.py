@@ -9,6 +9,7 @@ from pathlib import Path
 
 from PIL import Image, ImageChops
 
+from folder_case import FolderCase
 from shots.rendering import Drawing, render, render_many
 from tree import BUILD, ROOT, Failure
 
@@ -75,11 +76,10 @@ class Stream(unittest.TestCase):
         self.picture()
 
 
-class Many(unittest.TestCase):
+class Many(FolderCase):
     """Pictures of one process: a failure affects one of them alone. test_warm.py compares them with those of a cold start."""
 
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.chapter = PROGRAM.name
 
     def test_what_is_wrong_with_one(self):

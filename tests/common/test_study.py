@@ -6,9 +6,8 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
-from small_course import INTERRUPTIBLE, Course
+from small_course import INTERRUPTIBLE, Course, until
 
 from charts.study import device_slug
 
@@ -40,8 +39,7 @@ class Study(Course):
         super().setUpClass()
         for name, text in (("programs/chapters/01_obj", CHAPTER), ("tests/01_obj/make_grid.py", MAKE_GRID),
                            ("chapters/01_obj/study.json", json.dumps(STUDY))):
-            (cls.root / name).write_text(text)
-            (cls.root / name).chmod(0o755)
+            cls.write(name, text)
 
     def result(self, name="docs/studies/01_obj.h200.json"):
         return json.loads((self.root / name).read_text())
@@ -93,9 +91,7 @@ class Study(Course):
         clean = {name: value for name, value in os.environ.items() if name != "LIGHTWALK_BUILD"}
         course = subprocess.Popen([self.root / "course", "study", "01"], stdout=subprocess.PIPE, text=True,
                                   stderr=subprocess.STDOUT, env=clean, **INTERRUPTIBLE)
-        end = time.monotonic() + 30
-        while not partial.exists() and time.monotonic() < end:
-            time.sleep(0.05)
+        until(partial.exists)
         os.killpg(course.pid, signal.SIGINT)
         printed, _ = course.communicate(timeout=60)
         self.assertEqual(course.returncode, 130, printed)

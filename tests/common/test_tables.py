@@ -9,6 +9,7 @@ from unittest import mock
 
 from charts import measured, study, timings
 from check import lesson_tests
+from folder_case import FolderCase
 from pages import advice, tables
 from pages.quotes import lessons
 from tree import ROOT, chapters, shots
@@ -35,9 +36,7 @@ class Tables(unittest.TestCase):
         self.root = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_tables_")))
         (self.root / "studies.json").write_text(json.dumps(STUDY))
         tables.load.cache_clear()
-        patch = mock.patch.object(tables, "ROOT", self.root)
-        patch.start()
-        self.addCleanup(patch.stop)
+        self.enterContext(mock.patch.object(tables, "ROOT", self.root))
         self.addCleanup(tables.load.cache_clear)
 
     def wrong_of(self, text: str) -> list[str]:
@@ -132,7 +131,7 @@ class Lessons(unittest.TestCase):
         self.assertTrue(lesson_tests.SENTENCE.search('the shadow is gone (`"peter-panning: a bias*"`).'))
 
 
-class Measured(unittest.TestCase):
+class Measured(FolderCase):
     FILES = {"chapters/01_a/a.cpp": "int a = 1; // one\n", "shaders/01_a/b.glsl": "float b;\n", "chapters/02_c/c.cpp": "int c;",
              "shaders/01_a/exercise/b.glsl": "0", "chapters/01_a/study.json": '{"title": "A b", "scenes": ["assets/scenes/s.json"]}',
              "assets/scenes/s.json": "{}"}
@@ -170,19 +169,18 @@ class Measured(unittest.TestCase):
             self.assertIn("measured", json.loads(path.read_text()), path.name)
 
     def test_errors_are_measured_again_without_the_times(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "a.json")
-            old = {"device": "d", "driver": "e", "command": "c", "measured": "0",
-                   "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 1}, "time_ms": {"median": 5}}]}
-            file.write_text(json.dumps(old))
-            new = {"chapter": chapters()[0], "device": "f", "driver": "g", "command": "h", "measured": measured.here(chapters()[0]),
-                   "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
-            both = study.errors_into(file, new)
-            self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
-            file.write_text(json.dumps(both))  # a page still marks the times
-            self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, True))
-            file.write_text(json.dumps(both | {"errors_measured": "0"}))
-            self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, False))
+        file = self.folder / "a.json"
+        old = {"device": "d", "driver": "e", "command": "c", "measured": "0",
+               "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 1}, "time_ms": {"median": 5}}]}
+        file.write_text(json.dumps(old))
+        new = {"chapter": chapters()[0], "device": "f", "driver": "g", "command": "h", "measured": measured.here(chapters()[0]),
+               "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
+        both = study.errors_into(file, new)
+        self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
+        file.write_text(json.dumps(both))  # a page still marks the times
+        self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, True))
+        file.write_text(json.dumps(both | {"errors_measured": "0"}))
+        self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, False))
 
 
 class Realisations(unittest.TestCase):

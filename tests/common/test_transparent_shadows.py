@@ -1,12 +1,11 @@
 """Shadows of transparent surfaces: the transmittance of sheets is a product, by colour, in every chapter that draws
 transparent surfaces, for any drawing of the others; an object before a sheet has none of its shadow."""
 import json
-import tempfile
 import unittest
-from pathlib import Path
 
 from PIL import Image
 
+from folder_case import FolderCase
 from picture_drawing import BUILT, HAS_SOLUTION, Drawer, sets, thing
 
 RED, GREEN = ([0.9, 0.2, 0.1], 0.6), ([0.1, 0.7, 0.3], 0.3)
@@ -38,14 +37,10 @@ def linear(code: int) -> float:
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
-class TransparentShadows(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="lightwalk_transparent_")
-        self.addCleanup(self.folder.cleanup)
-
+class TransparentShadows(FolderCase):
     def shares(self, drawer: Drawer, light: str, sheets: list, *settings: str) -> dict:
         """The share of the light on the floor at places along x, by colour."""
-        file = Path(self.folder.name, "scene.json")
+        file = self.folder / "scene.json"
         found = []
         for these in (sheets, []):
             file.write_text(json.dumps(scene(LIGHTS[light], these)))
@@ -66,7 +61,7 @@ class TransparentShadows(unittest.TestCase):
         for chapter, method in (("05_shadow_maps", "pcf"), ("05_shadow_maps", "evsm"), ("06_deferred", "pcf"),
                                 ("14_environment", "pcf")):
             tones = ("post.tone=clamp",) if chapter[:2] == "14" else ()
-            with Drawer(chapter, Path(self.folder.name)) as drawer:
+            with Drawer(chapter, self.folder) as drawer:
                 for light in LIGHTS:
                     why = f"{chapter} {method} {light}"
                     shares = self.shares(drawer, light, [RED, GREEN], "shadow.transparent=colored",
@@ -81,14 +76,14 @@ class TransparentShadows(unittest.TestCase):
         sheets = [([0.8, 0.1, 0.1], 0, red), ([0.1, 0.8, 0.1], 0, green)]
         product = [a * b for a, b in zip(red, green)]
         for chapter in ("05_shadow_maps", "06_deferred"):
-            with Drawer(chapter, Path(self.folder.name)) as drawer:
+            with Drawer(chapter, self.folder) as drawer:
                 shares = self.shares(drawer, "sun", sheets, "shadow.transparent=colored")
                 self.assert_near(shares[0.5], product, chapter)
                 self.assert_near(shares[-1.0], [share * share for share in product], chapter)
                 self.assert_near(shares[1.5], green, chapter)
 
     def test_none_is_none(self):
-        with Drawer("05_shadow_maps", Path(self.folder.name)) as drawer:
+        with Drawer("05_shadow_maps", self.folder) as drawer:
             for settings in (("shadow.transparent=none",), ("shadow.transparent=colored", "shadow.method=none")):
                 shares = self.shares(drawer, "sun", [RED, GREEN], *settings)
                 for x in (0.5, 1.5, 3.0):  # beside the sheets
@@ -97,10 +92,10 @@ class TransparentShadows(unittest.TestCase):
     def test_a_sheet_is_in_the_shadow_of_what_is_above_it_alone(self):
         """Two sheets of which the lower is nearly opaque: where the upper one's shadow ends on it, it is as bright as alone."""
         lower, upper = ([0.8, 0.8, 0.8], 0.95), GREEN
-        with Drawer("05_shadow_maps", Path(self.folder.name)) as drawer:
+        with Drawer("05_shadow_maps", self.folder) as drawer:
             pictures = []
             for sheets in ([lower], [lower, upper]):
-                file = Path(self.folder.name, "scene.json")
+                file = self.folder / "scene.json"
                 made = scene(LIGHTS["sun"], sheets)
                 if len(sheets) == 2:  # far to the left: its shadow reaches the left half of the lower sheet
                     made["objects"][-1]["position"][0] = -5

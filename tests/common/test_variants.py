@@ -56,9 +56,7 @@ class Chapter(unittest.TestCase):
             self.write(f"chapters/02_sums/{kind}/twice.cpp",
                        f"namespace lightwalk::{kind} {{\nint twice(int a) {{\n    return 2 * a;\n}}\n}}\n")
         for module in (tree, variants):
-            patch = mock.patch.object(module, "ROOT", self.root)
-            patch.start()
-            self.addCleanup(patch.stop)
+            self.enterContext(mock.patch.object(module, "ROOT", self.root))
 
     def write(self, name: str, text: str):
         (self.root / name).parent.mkdir(parents=True, exist_ok=True)

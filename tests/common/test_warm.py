@@ -3,11 +3,11 @@ is toggled and after a shader is edited. test_knobs.py does the same for all kno
 import json
 import os
 import shutil
-import tempfile
 import unittest
 from contextlib import ExitStack
 from pathlib import Path
 
+from folder_case import FolderCase
 from picture_drawing import BUILD, BUILT, CHAPTERS, HAS_SOLUTION, ROOT, Drawer, Live, cheap, sets, steps, thing
 from tree import exercises
 
@@ -53,9 +53,8 @@ EDIT = ("14", ["environment.method=prefiltered"], "14_environment/solution/split
 
 
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "the chapters are not built, or there is no reference")
-class Warm(unittest.TestCase):
+class Warm(FolderCase):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.drawer, self.drawing = None, self.enterContext(ExitStack())
         for name, scene in SCENES.items():
             (self.folder / f"{name}.json").write_text(json.dumps(scene))
