@@ -2,7 +2,7 @@
 
     python3 tests/run.py tests/common/test_live.py [Pictures.test_ten_tabs_are_all_answered ...]
 
-Tests import their neighbours, tests/common and common/course by name.
+Tests import their neighbours, tests/common, common/course and the parts of the conformance set by name.
 """
 
 import importlib
@@ -14,5 +14,5 @@ if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     script, root = Path(sys.argv.pop(1)).resolve(), Path(__file__).resolve().parents[1]
-    sys.path[:1] = [str(folder) for folder in (script.parent, root / "tests/common", root / "common/course")]
+    sys.path[:1] = [str(folder) for folder in (script.parent, root / "tests/common", root / "common/course", root / "assets/conformance")]
     unittest.main(importlib.import_module(script.stem))

@@ -1,6 +1,4 @@
 """Pictures of chapter 02 that must be equal to others."""
-import json
-
 from PIL import Image
 
 from pictures import LINEAR, ChapterPictures, to_code
@@ -32,10 +30,7 @@ class PicturesTest(ChapterPictures):
         """Rows of (r, g, b) codes: one triangle that faces the camera and fills the picture."""
         material = {"diffuse": [0.3, 0.2, 0.1], "specular": [0.01, 0.02, 0.03], "shininess": shininess}
         scene = SCENE | {"objects": [{"model": str(self.folder / "triangle.obj"), "material": material}]}
-        (self.folder / "scene.json").write_text(json.dumps(scene))
-        picture = self.folder / "picture.png"
-        self.run_program("--scene", self.folder / "scene.json", *options, "--size",
-                         f"{scale * WIDTH}x{scale * HEIGHT}", "--screenshot", picture)
+        picture = super().draw(scene, *options, size=f"{scale * WIDTH}x{scale * HEIGHT}")
         image = Image.open(picture).convert("RGB").load()
         return [[image[x, y] for x in range(scale * WIDTH)] for y in range(scale * HEIGHT)]
 
@@ -55,7 +50,7 @@ class PicturesTest(ChapterPictures):
 
     def test_each_part_has_its_own_material_and_texture(self):
         """Under ambient light of 1 and no other a surface shows its colour as it is."""
-        picture, texture = self.folder / "picture.png", Image.new("RGB", (64, 64), (200, 30, 90))
+        texture = Image.new("RGB", (64, 64), (200, 30, 90))
         texture.paste((40, 180, 250), (32, 0, 64, 64))
         texture.save(self.folder / "halves.png")
         (self.folder / "parts.mtl").write_text("newmtl plain\nKd 1 0 1\nKs 0 0 0\n"
@@ -63,13 +58,9 @@ class PicturesTest(ChapterPictures):
         (self.folder / "parts.obj").write_text(
             "mtllib parts.mtl\nv -5 -5 0\nv 0 -5 0\nv 0 5 0\nv -5 5 0\nv 5 -5 0\nv 5 5 0\nvt 0.9 0.5\nvt 0.1 0.5\n"
             "usemtl plain\nf 1/1 2/1 3/1 4/1\nusemtl halves\nf 2/2 5/1 6/1 3/2\n")
-        (self.folder / "parts.json").write_text(json.dumps({
-            "camera": SCENE["camera"], "ambient": [1, 1, 1], "lights": [],
-            "objects": [{"model": str(self.folder / "parts.obj")}]}))
+        scene = {"camera": SCENE["camera"], "ambient": [1, 1, 1], "lights": [], "objects": [{"model": str(self.folder / "parts.obj")}]}
         for method in ("gouraud", "blinn_phong_normalised"):
-            self.run_program("--scene", self.folder / "parts.json", "--size", "64x48", "--method", method,
-                             "--screenshot", picture)
-            image = Image.open(picture).convert("RGB")
+            image = Image.open(super().draw(scene, "--method", method, size="64x48")).convert("RGB")
             self.assertEqual(image.getpixel((8, 24)), (255, 0, 255))
             self.assertEqual(image.getpixel((34, 24)), (200, 30, 90))
 

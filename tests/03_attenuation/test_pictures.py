@@ -1,11 +1,9 @@
 """Pictures of chapter 03: all methods of culling agree to the last bit, and pixels match double precision."""
-import base64
-import json
 import math
-import struct
 
 from PIL import Image
 
+from parts import Gltf
 from pictures import LINEAR, ChapterPictures
 
 METHODS = ("every_light", "per_object", "tiled", "clustered")
@@ -27,18 +25,13 @@ def spot(x, y, z, **keys):
 class PicturesTest(ChapterPictures):
     chapter = "03_attenuation"
 
-    def scene(self, name, lights, camera=ALONG, objects=(FLOOR,), **keys):
-        path = self.folder / f"{name}.json"
-        path.write_text(json.dumps({"camera": camera, "objects": list(objects), "lights": lights,
-                                    "ambient": [0, 0, 0], "background": [0, 0, 0], **keys}))
-        return path
+    @staticmethod
+    def scene(lights, camera=ALONG, objects=(FLOOR,), **keys) -> dict:
+        return {"camera": camera, "objects": list(objects), "lights": lights, "ambient": [0, 0, 0], "background": [0, 0, 0], **keys}
 
-    def draw(self, scene, *options, size=(64, 48), **environment):
+    def draw(self, scene, *options, size=(64, 48)):
         """Rows of (r, g, b) codes."""
-        picture = self.folder / "picture.png"
-        self.run_program("--scene", scene, *options, "--size", f"{size[0]}x{size[1]}", "--screenshot", picture,
-                         **environment)
-        image = Image.open(picture).convert("RGB").load()
+        image = Image.open(super().draw(scene, *options, size=f"{size[0]}x{size[1]}")).convert("RGB").load()
         return [[image[x, y] for x in range(size[0])] for y in range(size[1])]
 
     def places(self):
@@ -51,18 +44,18 @@ class PicturesTest(ChapterPictures):
                       direction=[math.sin(i), math.cos(1.7 * i), math.cos(i)], softness=i / 19) for i in range(20)]
         sun = {"type": "directional", "direction": [0.3, -1, 0.2], "intensity": 0.1}
         things = [FLOOR, ball, post]
-        yield "lights before, behind and at a depth gap", self.scene("gap", ring + [sun] + cones, objects=things), {}
-        yield "range fade", self.scene("fade", cones + ring, objects=things), {"falloff": "range_fade"}
-        yield "the camera in every light", self.scene("inside", [point(0.1, 1.2, 9, range_m=30, intensity=1e5),
-                                                                 spot(0, 1, 9, direction=[0, -0.2, -1], range_m=40),
-                                                                 spot(0, 1, 12, outer_deg=180, range_m=40)]), {}
-        yield "one slice", self.scene("one", ring + cones, objects=things), {"slices": 1}
-        yield "200 slices", self.scene("slices", ring + cones, objects=things), {"slices": 200}
-        yield "from above", self.scene("above", ring + cones, camera=DOWN, objects=things), {}
-        yield "2,500 lights", self.scene("crowd", [sun], objects=things), {"lights": 2500}
-        yield "sun alone", self.scene("sun", [sun]), {}
-        yield "no light", self.scene("none", []), {}
-        yield "nothing to see", self.scene("nothing", ring, objects=[FLOOR | {"position": [0, -50, 40]}]), {}
+        yield "lights before, behind and at a depth gap", self.scene(ring + [sun] + cones, objects=things), {}
+        yield "range fade", self.scene(cones + ring, objects=things), {"falloff": "range_fade"}
+        yield "the camera in every light", self.scene([point(0.1, 1.2, 9, range_m=30, intensity=1e5),
+                                                       spot(0, 1, 9, direction=[0, -0.2, -1], range_m=40),
+                                                       spot(0, 1, 12, outer_deg=180, range_m=40)]), {}
+        yield "one slice", self.scene(ring + cones, objects=things), {"slices": 1}
+        yield "200 slices", self.scene(ring + cones, objects=things), {"slices": 200}
+        yield "from above", self.scene(ring + cones, camera=DOWN, objects=things), {}
+        yield "2,500 lights", self.scene([sun], objects=things), {"lights": 2500}
+        yield "sun alone", self.scene([sun]), {}
+        yield "no light", self.scene([]), {}
+        yield "nothing to see", self.scene(ring, objects=[FLOOR | {"position": [0, -50, 40]}]), {}
 
     def test_culling_changes_no_bit_where_a_falloff_ends(self):
         for label, scene, knobs in self.places():
@@ -78,7 +71,7 @@ class PicturesTest(ChapterPictures):
         lights = [point(0, 0, 0, intensity=1e6), point(0, 1e-9, 1, intensity=1e6), point(1, 1e-3, 0, intensity=1e6),
                   spot(0, 0, 0), spot(2, 0, 0, direction=[0, 1, 0]), point(0, 1, 0, range_m=0),
                   spot(0, 1, 0, inner_deg=0, outer_deg=0), spot(0, 1, 2, inner_deg=180, outer_deg=180, intensity=0)]
-        scene = self.scene("worst", lights, camera=DOWN)
+        scene = self.scene(lights, camera=DOWN)
         for falloff in ("range_fade", "inverse_square_window", "inverse_square"):
             for method in METHODS:
                 self.draw(scene, "--falloff", falloff, "--method", method, size=(63, 47))
@@ -87,40 +80,31 @@ class PicturesTest(ChapterPictures):
         """A box that fills one tile to its borders. Lamps hang in the air beside it, over floor that they do not reach."""
         box = {"model": "models/cube.obj", "position": [0.75, 2, 0.75], "scale": [1.5, 4, 1.5]}
         lamps = [point(-0.5, 3, 0.6, range_m=0.4), point(0.6, 3, -0.5, range_m=0.4)]
-        got = self.draw(self.scene("box", lamps, camera=DOWN, objects=[FLOOR, box]), "--show", "light_count",
+        got = self.draw(self.scene(lamps, camera=DOWN, objects=[FLOOR, box]), "--show", "light_count",
                         "--method", "tiled", size=(32, 32))
         for x, y in ((8, 8), (8, 24), (24, 8)):
             self.assertEqual(got[y][x], (0, 0, 0), (x, y))
 
     def test_a_scene_without_lights_is_drawn_in_silence(self):
         """The key is absent, not empty; validation says nothing of the buffers that hold none."""
-        path = self.folder / "unlit.json"
-        path.write_text(json.dumps({"camera": ALONG, "objects": [FLOOR], "ambient": [0.2, 0.2, 0.2]}))
-        pictures = [self.draw(path, "--method", method, "--validate", "on") for method in METHODS]
+        unlit = {"camera": ALONG, "objects": [FLOOR], "ambient": [0.2, 0.2, 0.2]}
+        pictures = [self.draw(unlit, "--method", method, "--validate", "on") for method in METHODS]
         self.assertEqual(pictures[1:], pictures[:1] * 3)
         self.assertGreater(max(max(row) for row in pictures[0])[0], 50)
 
 
 def gltf_light(path, light, height=1.0, slant=0.0):
     """A matt white square of 4 m below one light of KHR_lights_punctual, seen from above."""
-    points = [(x, 0, z) for x, z in ((-2, 2), (2, 2), (2, -2), (-2, -2))]
-    raw = struct.pack("<12f", *sum(points, ())) + struct.pack("<12f", *(0, 1, 0) * 4) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
-    turn = math.radians(-90 + slant) / 2  # the light shines along -z of its node
-    path.write_text(json.dumps({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}], "extensionsUsed": ["KHR_lights_punctual"],
-        "nodes": [{"mesh": 0}, {"translation": [0, height, 0], "rotation": [math.sin(turn), 0, 0, math.cos(turn)],
-                                "extensions": {"KHR_lights_punctual": {"light": 0}}},
-                  {"camera": 0, "translation": [0, 3, 0], "rotation": [-math.sqrt(0.5), 0, 0, math.sqrt(0.5)]}],
-        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.35, "znear": 0.1, "aspectRatio": 1}}],
-        "extensions": {"KHR_lights_punctual": {"lights": [light]}},
-        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0}]}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-2, 0, -2], "max": [2, 0, 2]},
-                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
-                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
-        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
-                        {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
-        "buffers": [{"byteLength": len(raw), "uri": "data:application/octet-stream;base64," + base64.b64encode(raw).decode()}]}))
+    def turned(degrees):
+        return [math.sin(math.radians(degrees) / 2), 0, 0, math.cos(math.radians(degrees) / 2)]
+    gltf = Gltf({"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}, camera=False).uses("KHR_lights_punctual")
+    gltf.json |= {"scenes": [{"nodes": [0, 1, 2]}], "extensions": {"KHR_lights_punctual": {"lights": [light]}},
+                  "nodes": [{"mesh": 0, "scale": [2, 2, 1], "rotation": turned(-90)},
+                            {"translation": [0, height, 0], "rotation": turned(-90 + slant),  # it shines along -z of its node
+                             "extensions": {"KHR_lights_punctual": {"light": 0}}},
+                            {"camera": 0, "translation": [0, 3, 0], "rotation": turned(-90)}],
+                  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.35, "znear": 0.1, "aspectRatio": 1}}]}
+    gltf.write(str(path))
 
 
 class PunctualTest(ChapterPictures):

@@ -1,12 +1,10 @@
 """Pictures of chapter 04 that must agree with others, or differ by a known amount."""
-import base64
-import json
 import math
 import pathlib
-import struct
 
 from PIL import Image, ImageChops
 
+from parts import Gltf
 from pictures import ROOT, ChapterPictures
 
 TEXTURES = ROOT / "assets" / "textures"
@@ -27,51 +25,28 @@ class PicturesTest(ChapterPictures):
 
     def square(self, name, *, image, material, uv, uv1=None, joint=None, node=None) -> pathlib.Path:
         """A square from -1 to 1 that faces +z, with a camera, a light and one texture. `joint`: a key of rotation."""
-        data, views, accessors = bytearray(), [], []
-
-        def add(numbers, form, component, kind, **more):
-            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": struct.calcsize(f"<{len(numbers)}{form}")})
-            data.extend(struct.pack(f"<{len(numbers)}{form}", *numbers) + bytes(-len(numbers) * struct.calcsize(form) % 4))
-            width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[kind]
-            accessors.append({"bufferView": len(views) - 1, "componentType": component, "type": kind,
-                              "count": len(numbers) // width} | more)
-            return len(accessors) - 1
-
-        corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]
-        attributes = {"POSITION": add(corners, "f", 5126, "VEC3", min=[-1, -1, 0], max=[1, 1, 0]),
-                      "NORMAL": add([0, 0, 1] * 4, "f", 5126, "VEC3"), "TEXCOORD_0": add(uv, "f", 5126, "VEC2")}
-        if uv1:
-            attributes["TEXCOORD_1"] = add(uv1, "f", 5126, "VEC2")
-        nodes = [{"camera": 0, "translation": [0, 0, 4]},
-                 {"extensions": {"KHR_lights_punctual": {"light": 0}}, "rotation": [-0.258, -0.155, 0, 0.954]},
-                 {"mesh": 0} | (node or {})]
-        model = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2]}], "nodes": nodes,
-                 "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
-                 "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3.14}]}},
-                 "textures": [{"source": 0}], "images": [{"uri": image}], "materials": [material]}
+        gltf = Gltf(material, camera=False).texture({"uri": image})
+        attributes = gltf.primitive()["attributes"]
+        attributes |= {f"TEXCOORD_{i}": gltf.floats(one) for i, one in enumerate((uv, uv1)) if one}
+        light = {"extensions": {"KHR_lights_punctual": {"light": 0}}, "rotation": [-0.258, -0.155, 0, 0.954]}
+        gltf.json |= {"nodes": [{"camera": 0, "translation": [0, 0, 4]}, light, {"mesh": 0} | (node or {})],
+                      "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+                      "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3.14}]}}}
         if joint:
-            attributes["JOINTS_0"] = add([0] * 16, "B", 5121, "VEC4")
-            attributes["WEIGHTS_0"] = add([1, 0, 0, 0] * 4, "f", 5126, "VEC4")
-            nodes[2]["skin"] = 0
-            nodes.append(joint)
-            model["scenes"][0]["nodes"].append(3)
-            model["skins"] = [{"joints": [3]}]
+            attributes |= {"JOINTS_0": gltf.accessor(bytes(16), 5121, "VEC4", 4), "WEIGHTS_0": gltf.floats([[1, 0, 0, 0]] * 4)}
+            gltf.json["nodes"][2]["skin"] = 0
+            gltf.json["nodes"].append(joint)
             half = math.sin(math.pi / 4)
-            turn = {"input": add([0, 1], "f", 5126, "SCALAR"),
-                    "output": add([0, 0, 0, 1, 0, 0, half, half], "f", 5126, "VEC4")}
-            channel = {"sampler": 0, "target": {"node": 3, "path": "rotation"}}
-            model["animations"] = [{"channels": [channel], "samplers": [turn]}]
-        model["meshes"] = [{"primitives": [{"attributes": attributes, "material": 0,
-                                            "indices": add([0, 1, 2, 0, 2, 3], "H", 5123, "SCALAR")}]}]
-        uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
-        model |= {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": len(data), "uri": uri}]}
-        (self.folder / name).write_text(json.dumps(model))
+            turn = {"input": gltf.floats([[0], [1]]), "output": gltf.floats([[0, 0, 0, 1], [0, 0, half, half]])}
+            gltf.json |= {"skins": [{"joints": [3]}], "animations": [
+                {"channels": [{"sampler": 0, "target": {"node": 3, "path": "rotation"}}], "samplers": [turn]}]}
+        gltf.json["scenes"] = [{"nodes": list(range(len(gltf.json["nodes"])))}]
+        gltf.write(str(self.folder / name))
         return self.folder / name
 
     def shown(self, model, *options) -> Image.Image:
         """The middle of the square: the ground below a model lies where its pose at 0 s leaves it."""
-        picture = self.folder / "model.png"
-        self.run_program("--scene", model, "--camera-of-file", "1", *options, "--size", "160x160", "--screenshot", picture)
+        picture = self.draw(model, "--camera-of-file", "1", *options, size="160x160", name="model")
         return Image.open(picture).convert("RGB").crop((58, 66, 102, 94))
 
     def largest_difference(self, a, b) -> int:
@@ -87,8 +62,8 @@ class PicturesTest(ChapterPictures):
         return "waves.png"
 
     PLAIN = {"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}
-    UPRIGHT = [0, 1, 1, 1, 1, 0, 0, 0]  # u to the right, v down
-    TURNED = [0, 0, 0, 1, 1, 1, 1, 0]   # by a quarter
+    UPRIGHT = [[0, 1], [1, 1], [1, 0], [0, 0]]  # u to the right, v down
+    TURNED = [[0, 0], [0, 1], [1, 1], [1, 0]]   # by a quarter
 
     def test_normal_map_of_the_second_coordinates(self):
         """Tangents are those of the coordinates that the map has."""
@@ -130,7 +105,7 @@ class PicturesTest(ChapterPictures):
         material = {"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.7], "baseColorTexture": {"index": 0}},
                     "alphaMode": "MASK", "alphaCutoff": 0.6, "extensions": {"KHR_materials_unlit": {}}}
         for repeats in (1, 4, 8, 24):
-            model = self.square("mask.gltf", image="stripes.png", material=material, uv=[repeats * x for x in self.UPRIGHT])
+            model = self.square("mask.gltf", image="stripes.png", material=material, uv=[[repeats * x for x in corner] for corner in self.UPRIGHT])
             pixels = list(self.shown(model).getdata())
             kept = sum(r - (g + b) / 2 for r, g, b in pixels) / (255 * len(pixels))
             with self.subTest(repeats=repeats):

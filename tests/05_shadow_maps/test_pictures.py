@@ -15,13 +15,12 @@ class SkyTest(ChapterPictures):
     chapter = "05_shadow_maps"
 
     def test_no_turn_of_the_camera_shows_a_gap_above_the_horizon(self):
-        scene, file, picture = json.loads(SCENE.read_text()), self.folder / "scene.json", self.folder / "picture.png"
+        scene = json.loads(SCENE.read_text())
         x, y, z = scene["camera"]["position"]
         for side in range(SIDES):
             turn, rise = 2 * math.pi * side / SIDES, math.tan(math.radians(8.5))  # from half a degree above the horizon on
             camera = scene["camera"] | {"fov_deg": 16, "target": [x + math.sin(turn), y + rise, z + math.cos(turn)]}
-            file.write_text(json.dumps(scene | {"camera": camera, "background": [1, 0, 1]}))
-            self.run_program("--scene", file, "--set", "shadow.method=none", "--size", "144x24", "--screenshot", picture)
+            picture = self.draw(scene | {"camera": camera, "background": [1, 0, 1]}, "--set", "shadow.method=none", size="144x24")
             found = {color: count for count, color in Image.open(picture).convert("RGB").getcolors(144 * 24)}
             self.assertGreater(len(found), 100)
             self.assertNotIn(BARE, found, f"{found.get(BARE)} pixels, {360 * side / SIDES:.0f} degrees around")
@@ -93,17 +92,12 @@ class LowPolyTest(ChapterPictures):
             write_smooth(self.folder / f"{name}.obj", *shape)
             objects.append({"model": str(self.folder / f"{name}.obj"), "material": matt,
                             "position": [3 * (i % 4) - 4.5, 1.3, 3.2 * (i // 4) - 3.2]})
-        scene, file = {"ambient": [0.05, 0.05, 0.05], "objects": objects}, self.folder / "scene.json"
+        scene = {"ambient": [0.05, 0.05, 0.05], "objects": objects}
         scene["camera"] = {"position": [3, 9, 12], "target": [0, 0.6, 0], "fov_deg": 36, "near_m": 0.1, "far_m": 100}
         scene["lights"] = [{"type": "directional", "direction": [-0.5, -0.8, -0.45], "intensity": 0.9, "shadow": True}]
-        file.write_text(json.dumps(scene))
-        codes = {}
-        for visibility in ("maps", "rays"):
-            picture = self.folder / f"{visibility}.png"
-            self.run_program("--scene", file, "--set", f"visibility={visibility}", "--size", "360x240",
-                             "--screenshot", picture)
-            codes[visibility] = list(Image.open(picture).convert("L").getdata())
-        off = [abs(a - b) for a, b in zip(codes["maps"], codes["rays"])]
+        maps, rays = (Image.open(self.draw(scene, "--set", f"visibility={visibility}", size="360x240", name=visibility)).convert("L").getdata()
+                      for visibility in ("maps", "rays"))
+        off = [abs(a - b) for a, b in zip(maps, rays)]
         far_off = sum(one > 40 for one in off)
         print(f"maps against rays on {len(SHAPES)} shapes: mean {sum(off) / len(off):.3f} codes, {far_off} pixels above 40")
         self.assertLess(sum(off) / len(off), 0.8)
@@ -124,11 +118,8 @@ class ScaleTest(ChapterPictures):
                             "near_m": 0.05 * scale * away, "far_m": 100 * scale * away}, "lights": [light],
                  "objects": [{"model": "models/plane.obj", "scale": at(9, 1, 9), "material": matt},
                              {"model": "models/cube.obj", "scale": scale, "position": at(0, 0.5, 0), "material": matt}]}
-        (self.folder / "scene.json").write_text(json.dumps(scene))
-        picture = self.folder / "picture.png"
         falloff = "falloff=" + ("range_fade" if scale < 1 else "inverse_square")  # the inverse square has a least distance
-        self.run_program("--scene", self.folder / "scene.json", "--set", falloff, "--set", f"visibility={visibility}", "--size", "120x90",
-                         "--screenshot", picture, silent=False)
+        picture = self.draw(scene, "--set", falloff, "--set", f"visibility={visibility}", size="120x90", silent=False)
         return list(Image.open(picture).convert("L").getdata())
 
     def test_shadows_scale_with_the_scene(self):

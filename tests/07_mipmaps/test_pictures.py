@@ -1,19 +1,11 @@
 """Pictures of chapter 07 that must agree with others, or differ by a known amount; how much they flicker; its bench."""
 import json
-import pathlib
 
 from pictures import ROOT, ChapterPictures
-
-SCENES = ROOT / "assets" / "scenes"
 
 
 class PicturesTest(ChapterPictures):
     chapter = "07_mipmaps"
-
-    def draw(self, scene, *options, size="160x90", name="picture") -> pathlib.Path:
-        picture = self.folder / f"{name}.png"
-        self.run_program("--scene", SCENES / f"{scene}.json", *options, "--size", size, "--screenshot", picture)
-        return picture
 
     def test_levels_take_most_of_the_flicker_away(self):
         asked = {"title": "flicker", "error_metric": "flicker", "stage": "all", "size": [128, 72], "rounds": 1,
@@ -29,13 +21,9 @@ class PicturesTest(ChapterPictures):
 
     def test_without_textures_every_method_draws_the_same(self):
         scene = ROOT / "tests" / "07_mipmaps" / "scenes" / "no_textures.json"
-        pictures = set()
-        for method in ("none", "blit", "single_pass"):
-            picture = self.folder / "bare.png"
-            self.run_program("--scene", scene, "--method", method, "--size", "80x45", "--screenshot", picture)
-            pictures.add(picture.read_bytes())
+        pictures = {self.draw(scene, "--method", method, size="80x45").read_bytes() for method in ("none", "blit", "single_pass")}
         self.assertEqual(len(pictures), 1)
-        self.run_program("--scene", scene, "--show", "level", "--size", "80x45", "--screenshot", self.folder / "level.png")
+        self.draw(scene, "--show", "level", size="80x45")
 
     def test_the_bench_writes_a_study(self):
         out = self.folder / "bench.json"

@@ -1,6 +1,4 @@
 """Chapters draw mirrored objects as they draw others: the same picture, whichever way the triangles wind."""
-import json
-
 from PIL import Image
 
 from pictures import ROOT, ChapterPictures
@@ -15,11 +13,7 @@ class Mirrored(ChapterPictures):
         scene = {"camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fov_deg": 40}, "background": [0, 0, 1],
                  "ambient": [0, 0, 0], "objects": [thing],
                  "lights": [{"type": "directional", "direction": [0, 0, -1], "intensity": 3.1416}]}
-        (self.folder / "scene.json").write_text(json.dumps(scene))
-        picture = self.folder / "picture.png"
-        self.run_program("--scene", self.folder / "scene.json", "--size", "64x64", *options, "--validate", "on",
-                         "--screenshot", picture)
-        return Image.open(picture).convert("RGB")
+        return Image.open(super().draw(scene, *options, "--validate", "on", size="64x64")).convert("RGB")
 
 
 class Lit(Mirrored):
