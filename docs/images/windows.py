@@ -34,13 +34,9 @@ def editor(session: Session):
 
 def timeline(session: Session):
     """The film, stopped and set by its bar to a time after sunset."""
-    since = session.said()
-    session.click("strip.play")
-    session.wait_for_line("film stands", since)
+    session.click("strip.play", says="film stands")
     left, top, right, bottom = session.areas["strip.bar"]
-    since = session.said()
-    session.drag((left + 2, bottom - 8), (round(left + 126 / 212 * (right - left)), bottom - 8))
-    session.wait_for_line(r"film at 12\d.* harbour", since)
+    session.drag((left + 2, bottom - 8), (round(left + 126 / 212 * (right - left)), bottom - 8), says=r"film at 12\d.* harbour")
 
 
 @dataclass

@@ -1,7 +1,6 @@
 """The editor in a window, validated, with a scene of its own: the tests' actions on it."""
 import json
 import math
-import shutil
 import tempfile
 from pathlib import Path
 
@@ -19,8 +18,7 @@ class EditorTest(PictureTest):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_editor_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk_editor_")))
         cls.scene = cls.folder / "built.json"
         cls.scene.write_text(json.dumps(cls.built))
         cls.add_files()
@@ -41,20 +39,12 @@ class EditorTest(PictureTest):
         return session
 
     def saved(self) -> dict:
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.session.wait_for_line(r"saved .*", since)
+        self.session.key("ctrl+s", says=r"saved .*")
         return json.loads(self.scene.read_text())
-
-    def said_after(self, pattern: str, key: str):
-        """A line that a key leads to."""
-        since = self.session.said()
-        self.session.key(key)
-        return self.session.wait_for_line(pattern, since)
 
     def undo(self, times: int = 1, key: str = "ctrl+z", words: str = "undone"):
         for _ in range(times):
-            self.said_after(f"notice {words}: .*", key)
+            self.session.key(key, says=f"notice {words}: .*")
 
     def middle(self) -> tuple[int, int]:
         """Of the picture, in the window."""

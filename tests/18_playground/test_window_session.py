@@ -76,9 +76,7 @@ class Building(EditorTest):
         self.assert_near(cube, [0, 0.5, 0])  # on the ground below the middle of the picture
         self.assert_near(teapot, [0, 0.1, 0.5 + 0.634921])  # before the cube's side that is in the middle
         x, y = self.in_window(EMPTY["camera"], teapot)
-        since = session.said()
-        session.drag((x + 60, y), (x + 150, y))
-        words = self.say(r"dragged (.*) m along x", since)[1]
+        words = session.drag((x + 60, y), (x + 150, y), says=r"dragged (.*) m along x")[1]
         self.assertGreater(float(words), 0.1)
 
         # A click on the teapot's new place picks it; one on the background nothing.

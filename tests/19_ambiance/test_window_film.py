@@ -2,8 +2,6 @@
 
 import json
 import math
-import re
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -19,26 +17,10 @@ STRIP = 116  # pixels of the strip's height
 @unittest.skipUnless(BUILT and HAS_SOLUTION, "needs the programs and the reference solutions")
 class FilmWindow(StartedTest):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_film_window_")))
         self.film = self.folder / "own.film"
         self.film.write_text(FILM.read_text())
         self.session = self.start(BUILD / "chapters" / "19_ambiance", "--validate", "on", "--scene", str(self.film),
                                   "--size", f"{WIDTH}x{HEIGHT}", LIGHTWALK_ROOT=str(ROOT))
-
-    def say(self, pattern: str, since: int) -> re.Match:
-        return self.session.wait_for_line(pattern, since)
-
-    def told(self, what, pattern: str) -> re.Match:
-        """The message after an action."""
-        since = self.session.said()
-        what()
-        return self.say(pattern, since)
-
-    def press(self, key: str, pattern: str) -> re.Match:
-        return self.told(lambda: self.session.key(key), pattern)
-
-    def click(self, place: str, pattern: str) -> re.Match:
-        return self.told(lambda: self.session.click(place), pattern)
 
     def bar_x(self, time_s: float) -> float:
         left, _, right, _ = self.session.areas["strip.bar"]
@@ -47,8 +29,7 @@ class FilmWindow(StartedTest):
     def scrub(self, from_s: float, to_s: float) -> float:
         """The time at which it was left."""
         y = self.session.places["strip.bar"][1]
-        said = self.told(lambda: self.session.drag((round(self.bar_x(from_s)), y), (round(self.bar_x(to_s)), y)),
-                         r"film at ([\d.]+) s (\w+)")
+        said = self.session.drag((round(self.bar_x(from_s)), y), (round(self.bar_x(to_s)), y), says=r"film at ([\d.]+) s (\w+)")
         return float(said[1])
 
     def picture(self) -> bytes:
@@ -59,7 +40,7 @@ class FilmWindow(StartedTest):
         session.wait(lambda: "strip.bar" in session.areas, "the strip")
 
         # It plays from the start; a click stops it, the bar sets it, and the picture is another.
-        self.click("strip.play", "film stands")
+        session.click("strip.play", says="film stands")
         at_s = self.scrub(0.4, 1.0)
         self.assertAlmostEqual(at_s, 1.0, delta=0.02)
         set_ = self.picture()
@@ -74,34 +55,32 @@ class FilmWindow(StartedTest):
             session.wait(lambda: self.picture() == set_, "the picture that was there")
 
         # A frame on and back, with keys and with buttons; frame n is at n / 30.
-        stepped = float(self.press("Right", r"film at ([\d.]+) s set")[1])
+        stepped = float(session.key("Right", says=r"film at ([\d.]+) s set")[1])
         self.assertAlmostEqual(stepped * 30, round(back_s * 30) + 1, delta=0.02)
-        self.assertAlmostEqual(float(self.click("strip.back", r"film at ([\d.]+) s set")[1]), stepped - 1 / 30, delta=0.002)
-        self.assertEqual(self.press("Next", r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
-        self.assertEqual(self.click("strip.next", r"film at ([\d.]+) s (\w+)").groups(), ("3.500", "street"))
-        self.assertEqual(self.click("strip.previous", r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
+        self.assertAlmostEqual(float(session.click("strip.back", says=r"film at ([\d.]+) s set")[1]), stepped - 1 / 30, delta=0.002)
+        self.assertEqual(session.key("Next", says=r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
+        self.assertEqual(session.click("strip.next", says=r"film at ([\d.]+) s (\w+)").groups(), ("3.500", "street"))
+        self.assertEqual(session.click("strip.previous", says=r"film at ([\d.]+) s (\w+)").groups(), ("1.500", "statue"))
 
         # A scene that is looped comes again.
         self.scrub(1.5, 2.6)
-        self.click("strip.loop", "loop statue")
+        session.click("strip.loop", says="loop statue")
         since = session.said()
-        session.key("space")
-        self.say("film plays", since)
-        self.say("loop again", since)
-        self.press("space", "film stands")
-        self.press("l", "loop off")
+        session.key("space", says="film plays")
+        session.wait_for_line("loop again", since)
+        session.key("space", says="film stands")
+        session.key("l", says="loop off")
 
         # Flown by hand, and a key where one stands: one more line in the file, and the rest as it was.
         self.scrub(3.0, 1.25)
         before, text = self.picture(), self.film.read_text()
-        self.press("c", "fly set")
+        session.key("c", says="fly set")
         session.drag((300, 110), (380, 124))
         flown = self.picture()
         self.assertNotEqual(flown, before)
         since = session.said()
-        session.key("k")
-        time_s = float(self.say(r"key placed at ([\d.]+) s", since)[1])
-        self.say("fly off", since)
+        time_s = float(session.key("k", says=r"key placed at ([\d.]+) s")[1])
+        session.wait_for_line("fly off", since)
         film = json.loads(self.film.read_text())
         keys = film["scenes"][0]["camera"]["keys"]
         self.assertEqual(len(keys), 3)
@@ -113,20 +92,20 @@ class FilmWindow(StartedTest):
         session.wait(lambda: not self.difference(self.picture(), flown), "the picture of the place where the camera was")
 
         # And gone again, to the byte; another scene is left alone.
-        self.press("Delete", r"key removed at .*")
+        session.key("Delete", says=r"key removed at .*")
         self.assertEqual(self.film.read_text(), text)
         self.assertNotEqual(self.picture(), flown)
 
         # Foreign edits of the file stay; a file that is no film is not overwritten.
         self.film.write_text(text.replace("{} frames", "{} pictures"))
-        self.press("k", r"key placed at .*")
+        session.key("k", says=r"key placed at .*")
         self.assertIn("{} pictures", self.film.read_text())
         self.film.write_text("{")
-        self.press("k", "not written")
+        session.key("k", says="not written")
         self.assertEqual(self.film.read_text(), "{")
         name = "a street of many houses and lamps"
         self.film.write_text(text.replace('"name": "street"', f'"name": "{name}"'))
-        self.press("F5", "reloaded")
+        session.key("F5", says="reloaded")
 
         # The whole name of a scene is under the pointer.
         self.assertNotIn(f"strip.name.{name}", session.places)

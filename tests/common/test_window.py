@@ -2,10 +2,8 @@
 import json
 import os
 import subprocess
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest, copy_of_course, read_png
 from window_session import BUILD, ROOT, Session
@@ -40,32 +38,24 @@ class Window(WindowTest):
         self.assert_same(read_png(shot)[2], self.start)
 
     def test_f2_toggles_every_exercise(self):
-        since, pressed = self.session.said(), time.monotonic()
-        self.session.key("F2")
-        self.session.wait_for_line("toggle all mine", since)
+        pressed = time.monotonic()
+        self.session.key("F2", says="toggle all mine")
         self.session.wait(lambda: self.session.pixels(0, 60, WIDTH, HEIGHT - 60) != self.start[60 * 3 * WIDTH:],
                           "another picture")
         print(f"\ntoggle to new picture: {time.monotonic() - pressed:.2f} s")
-        since = self.session.said()
-        self.session.key("F2")
-        self.session.wait_for_line("toggle all reference", since)
+        self.session.key("F2", says="toggle all reference")
         self.assert_as_at_the_start()
 
     def test_one_exercise_is_toggled_with_the_mouse(self):
-        since = self.session.said()
-        self.session.click("mine.01.transform")
-        self.session.wait_for_line("toggle 01.transform mine", since)
+        self.session.click("mine.01.transform", says="toggle 01.transform mine")
         self.picture_after(self.start)
-        self.session.click("reference.01.transform")
-        self.session.wait_for_line("toggle 01.transform reference", since)
+        self.session.click("reference.01.transform", says="toggle 01.transform reference")
         self.assert_as_at_the_start()
 
     def test_knob_is_changed_with_the_mouse(self):
         for loader in ("parallel", "textbook"):
-            since = self.session.said()
             self.session.click("knob.loader")
-            self.session.click("option.loader." + loader)
-            self.session.wait_for_line("knob loader " + loader, since)
+            self.session.click("option.loader." + loader, says="knob loader " + loader)
         self.assert_as_at_the_start()
 
     def test_resizes(self):
@@ -126,9 +116,7 @@ class Window(WindowTest):
         self.assert_as_at_the_start()
 
     def test_split_view(self):
-        since = self.session.said()
-        self.session.key("F3")
-        flip = float(self.session.wait_for_line(r"flip (\S+)", since)[1])
+        flip = float(self.session.key("F3", says=r"flip (\S+)")[1])
         self.assertTrue(0.01 < flip < 1.0, flip)
         shown = self.picture_after(self.start)
         # Below the names of the two sides, the right half is the reference.
@@ -140,8 +128,7 @@ class Window(WindowTest):
         # The uncovered part shows the reference, as in the whole picture.
         row = slice(3 * (100 * WIDTH + WIDTH // 4 + 10), 3 * 101 * WIDTH)
         self.assert_same(moved[row], self.start[row])
-        self.session.key("F3")
-        self.session.wait_for_line("split off", since)
+        self.session.key("F3", says="split off")
         self.assert_as_at_the_start()
 
     def test_panel_hides(self):
@@ -170,7 +157,6 @@ class NoDisplay(unittest.TestCase):
 
 class Menu(StartedTest):
     def test_a_tile_says_how_many_exercises_are_solved(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         root = copy_of_course(self.folder)
         (root / "build/live").mkdir(parents=True)
         solved = {"of": digest((ROOT / "shaders/02_lambert_phong/exercise/lambert.glsl").read_bytes()), "ok": True}
@@ -197,7 +183,6 @@ class Menu(StartedTest):
         self.end(menu)
 
     def test_a_chapter_that_is_not_built_shows_how_far_it_is_and_a_click_asks_for_it(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         states = self.folder / "states"
         states.write_text("01_obj ready 0 0\n02_lambert_phong building 3 9\n03_attenuation waiting 0 0\n")
         menu = self.start(BUILD / "menu", "--programs", str(self.folder))

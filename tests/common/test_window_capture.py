@@ -120,9 +120,7 @@ class F11(StartedTest):
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         environment = play(folder) | {"LD_PRELOAD": str(folder / "librenderdoc.so")}  # as RenderDoc starts a program
         session = self.start(CHAPTER, "--size", "64x48", **environment)
-        since = session.said()
-        session.key("F11")
-        path = Path(session.wait_for_line(r"capture (.*)", since)[1])
+        path = Path(session.key("F11", says=r"capture (.*)")[1])
         self.assertRegex(path.name, r"\Alightwalk_01_[\d_-]+\.rdc\Z")
         self.assertEqual(path.read_text(), "RDOC")
         self.assertEqual((folder / "said").read_text().split("\n")[2:-1], ["start", "end"])  # one frame, and no other

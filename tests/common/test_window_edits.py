@@ -39,10 +39,8 @@ class Edits(WindowTest):
         self.session.drag((200, 200), (320, 240))
         self.picture()
         turned = self.screenshot()
-        since = self.session.said()
         before = self.scene.read_text()
-        self.session.key("ctrl+s")
-        self.assertEqual(Path(self.session.wait_for_line(r"saved (.*)", since)[1]), self.scene)
+        self.assertEqual(Path(self.session.key("ctrl+s", says=r"saved (.*)")[1]), self.scene)
         headless = self.folder / "saved.png"
         subprocess.run([CHAPTER, "--screenshot", headless, "--size", f"{WIDTH}x{HEIGHT}", "--scene", self.scene],
                        check=True)
@@ -58,21 +56,15 @@ class Edits(WindowTest):
         self.addCleanup(self.scene.write_text, before)
         edited = json.loads(before) | {"include": [], "ambient": [0.5, 0.25, 0.125]}
         self.scene.write_text(json.dumps(edited))
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.session.wait_for_line("asks before saving .*", since)
+        self.session.key("ctrl+s", says="asks before saving .*")
         self.assertEqual(json.loads(self.scene.read_text()), edited)
-        self.session.key("ctrl+s")
-        self.session.wait_for_line(r"saved .*my_scene.json", since)
+        self.session.key("ctrl+s", says=r"saved .*my_scene.json")
         saved = json.loads(self.scene.read_text())
         self.assertEqual({key: saved[key] for key in edited if key not in ("camera", "knobs")},
                          {key: edited[key] for key in edited if key not in ("camera", "knobs")})
         self.scene.write_text("{broken")
-        since = self.session.said()
-        self.session.key("ctrl+s")
-        self.session.wait_for_line("asks before saving .*", since)
-        self.session.key("ctrl+s")
-        self.session.wait_for_line("not saved", since)
+        self.session.key("ctrl+s", says="asks before saving .*")
+        self.session.key("ctrl+s", says="not saved")
         self.assertEqual(self.scene.read_text(), "{broken")
 
 

@@ -1,12 +1,11 @@
 """The panel's *lesson* and *check* of an exercise. Under Xvfb, validated; ./course is a script that does as told."""
 import json
 import os
-import shutil
 import tempfile
-import time
 import unittest
 from pathlib import Path
 
+from small_course import until, write
 from window_case import CHAPTER, HEIGHT, PANEL, WIDTH, StartedTest, WindowTest
 from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
@@ -44,15 +43,12 @@ def has_text(file: Path) -> bool:
 class Exercises(WindowTest):
     @classmethod
     def setUpClass(cls):
-        cls.bin = Path(tempfile.mkdtemp(prefix="lightwalk_bin_"))
-        cls.addClassCleanup(shutil.rmtree, cls.bin)
+        cls.bin = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk_bin_")))
         for name, text in (("xdg-open", OPENER), ("opener_code", "0")):
-            (cls.bin / name).write_text(text)
-            (cls.bin / name).chmod(0o755)
+            write(cls.bin / name, text)
         cls.environment = {"PATH": f"{cls.bin}:{os.environ['PATH']}"}
         super().setUpClass()
-        (cls.course / "course").write_text(COURSE)
-        (cls.course / "course").chmod(0o755)
+        write(cls.course / "course", COURSE)
 
     def says(self, code: int, text: str):
         (self.course / "says").write_text(text)
@@ -62,9 +58,7 @@ class Exercises(WindowTest):
         self.says(code, "waiting for another\n" + json.dumps({"exercise": exercise} | keys) + "\nbye\n")
 
     def check(self, ending: str, exercise: str = "01.transform"):
-        since = self.session.said()
-        self.session.click(f"check.{exercise}")
-        self.session.wait_for_line(f"check {exercise} {ending}", since)
+        self.session.click(f"check.{exercise}", says=f"check {exercise} {ending}")
 
     def panel(self) -> bytes:
         return self.session.settled(WIDTH, 0, PANEL, HEIGHT)
@@ -139,40 +133,29 @@ class Exercises(WindowTest):
             self.assertTrue(all(map(is_alive, pids)))
             session.key("Escape")
             self.assertEqual(session.end(), 0)
-            until = time.monotonic() + PATIENCE_S
-            while any(map(is_alive, pids)) and time.monotonic() < until:
-                time.sleep(0.05)
-            self.assertFalse(any(map(is_alive, pids)))
+            until(lambda: not any(map(is_alive, pids)), PATIENCE_S)
         finally:
             type(self).session = own
             session.close()
 
     def test_lessons(self):
         pages = self.course / "build" / "docs"
-        since = self.session.said()
-        self.session.click("lesson.01.transform")
-        self.session.wait_for_line("no page 01.transform", since)
+        self.session.click("lesson.01.transform", says="no page 01.transform")
         for name in ("01_obj.html", "open/01.transform.html"):
             (pages / name).parent.mkdir(parents=True, exist_ok=True)
             (pages / name).write_text("<p>")
         for place, page in (("lesson.01.transform", pages / "open/01.transform.html"), ("lesson", pages / "01_obj.html")):
-            since = self.session.said()
-            self.session.click(place)
-            self.session.wait_for_line(f"lesson {page}", since)
+            self.session.click(place, says=f"lesson {page}")
             self.session.wait(lambda: has_text(self.bin / "opened"), "the opener")
             self.assertEqual((self.bin / "opened").read_text().strip(), str(page))
             (self.bin / "opened").unlink()
-        since = self.session.said()
         (self.bin / "opener_code").write_text("3")
-        self.session.click("lesson")
-        self.session.wait_for_line("opener failed 3", since)
+        self.session.click("lesson", says="opener failed 3")
         (self.bin / "opener_code").write_text("0")
         (self.bin / "xdg-open").rename(self.bin / "gone")
         self.addCleanup((self.bin / "gone").rename, self.bin / "xdg-open")
         if not Path("/usr/bin/xdg-open").exists():
-            since = self.session.said()
-            self.session.click("lesson")
-            self.session.wait_for_line(f"no opener {pages}/01_obj.html", since)
+            self.session.click("lesson", says=f"no opener {pages}/01_obj.html")
         self.assert_as_at_the_start()
 
 
@@ -180,6 +163,5 @@ class Exercises(WindowTest):
 class TheRealCheck(StartedTest):
     def test_a_starter_is_open(self):
         session = self.start(CHAPTER, "--size", f"{WIDTH}x{HEIGHT}", "--scene", str(ROOT / "assets/scenes/bunny.json"), LIGHTWALK_BUILD=str(BUILD))
-        session.click("check.01.transform")
-        session.wait_for_line("check 01.transform open", 0)
+        session.click("check.01.transform", says="check 01.transform open")
         self.end(session)

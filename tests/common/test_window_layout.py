@@ -46,9 +46,7 @@ class Layout(StartedTest):
                 self.end(session)
 
     def pixel(self, session: Session, x: int, y: int) -> list:
-        since = session.said()
-        session.move(x, y)
-        return session.wait_for_line(rf"pixel \| {x}, {y}(.*)", since)[1].split(" | ")[1:]
+        return session.move(x, y, says=rf"pixel \| {x}, {y}(.*)")[1].split(" | ")[1:]
 
     def test_the_pixel_under_the_pointer_says_value_depth_object_and_material(self):
         session = self.box("360x300")

@@ -1,8 +1,6 @@
 """The panel's knobs: sections that fold and are remembered, a filter, resets, labels that are never cut. Under Xvfb."""
 import json
 import re
-import tempfile
-from pathlib import Path
 
 from window_case import StartedTest
 from window_session import BUILD, ROOT, Session
@@ -11,9 +9,6 @@ CHAPTER = BUILD / "chapters" / "05_shadow_maps"
 
 
 class Panel(StartedTest):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))  # which remembers
-
     def panel(self) -> Session:
         """Of a scene with little to draw: a frame is soon there."""
         return self.start(CHAPTER, "--size", "300x700", screen=(3840, 2160), scene={"objects": [{"model": str(ROOT / "assets/models/cube.obj")}]})
@@ -45,27 +40,20 @@ class Panel(StartedTest):
         session.type("cutoff")
         session.wait(lambda: "knob.maps.cutoff" in session.areas, "a knob of a folded section")
         self.assertNotIn("reset.maps.cutoff", session.areas)
-        since = session.said()
         session.click("knob.maps.cutoff")  # its middle is its default: to the left of it
         left, top, right, bottom = session.areas["knob.maps.cutoff"]
-        session.drag(((left + right) // 2, (top + bottom) // 2), (left + 12, (top + bottom) // 2))
-        session.wait_for_line(r"knob maps\.cutoff 0(\.0\d*)?", since)
-        since = session.said()
-        session.click("reset.maps.cutoff")
-        session.wait_for_line(r"knob maps\.cutoff 0\.5", since)
-        session.drag(((left + right) // 2, (top + bottom) // 2), (left + 12, (top + bottom) // 2))
-        since = session.said()
-        session.click("reset.maps")
-        session.wait_for_line("reset maps", since)
+        to_the_left = ((left + right) // 2, (top + bottom) // 2), (left + 12, (top + bottom) // 2)
+        session.drag(*to_the_left, says=r"knob maps\.cutoff 0(\.0\d*)?")
+        session.click("reset.maps.cutoff", says=r"knob maps\.cutoff 0\.5")
+        session.drag(*to_the_left)
+        session.click("reset.maps", says="reset maps")
         session.key("Escape")  # leaves the field, not the program
         self.end(session)
 
     def choose(self, session: Session, knob: str) -> str:
         """By the entry "auto" of its menu: the message."""
-        since = session.said()
         session.click("knob." + knob)
-        session.click(f"option.{knob}.auto")
-        said = session.wait_for_line(r"auto (.*)", since)[1]
+        said = session.click(f"option.{knob}.auto", says=r"auto (.*)")[1]
         session.settled(0, 0, *session.geometry()[2:])
         return said
 

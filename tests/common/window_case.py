@@ -10,6 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from folder_case import FolderCase
 from window_session import BUILD, PATIENCE_S, ROOT, Session, XServer
 
 CHAPTER = BUILD / "chapters" / "01_obj"
@@ -39,18 +40,17 @@ def own_scene(folder: Path) -> Path:
     return scene
 
 
-class StartedTest(unittest.TestCase):
+class StartedTest(FolderCase):
     """A window for each test, on a screen of its own."""
 
     def start(self, program: Path, *options, screen=(1400, 900), scene: dict | None = None, **more) -> Session:
-        folder = getattr(self, "folder", None) or Path(self.enterContext(tempfile.TemporaryDirectory()))
         if scene:
-            (folder / "scene.json").write_text(json.dumps(scene))
-            options = ("--scene", str(folder / "scene.json"), *options)
+            (self.folder / "scene.json").write_text(json.dumps(scene))
+            options = ("--scene", str(self.folder / "scene.json"), *options)
         server = XServer(*screen)
         self.addCleanup(server.close)
         self.prepare(server)
-        session = Session(server, program, list(options), folder, **more)
+        session = Session(server, program, list(options), self.folder, **more)
         self.addCleanup(session.close)
         return session
 
@@ -85,8 +85,7 @@ class WindowTest(PictureTest):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(prefix="lightwalk_window_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="lightwalk_window_")))
         cls.course = copy_of_course(cls.folder)
         cls.scene = own_scene(cls.folder)
         cls.server = XServer()
@@ -114,9 +113,7 @@ class WindowTest(PictureTest):
         return self.picture()
 
     def screenshot(self) -> Path:
-        since = self.session.said()
-        self.session.key("F12")
-        return Path(self.session.wait_for_line(r"screenshot (.*)", since)[1])
+        return Path(self.session.key("F12", says=r"screenshot (.*)")[1])
 
     def assert_as_at_the_start(self):
         """Soon: a message over the picture goes away by itself."""

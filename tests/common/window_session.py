@@ -1,5 +1,6 @@
 """A program in a window of a virtual X server: its output, the screen, the mouse and the keyboard."""
 import contextlib
+import functools
 import os
 import re
 import signal
@@ -24,6 +25,16 @@ def own_cache(folder: Path) -> dict[str, str]:
 def keys_of(text: str) -> int:
     """To type it: Shift is one of its own for each letter that needs it."""
     return sum(1 + (letter.isupper() or letter in '~!@#$%^&*()_+{}|:"<>?') for letter in text)
+
+
+def answered(action):
+    """Adds `says` to an action: the first line since then that matches it as a whole is waited for and returned as a match."""
+    @functools.wraps(action)
+    def waiting(self, *words, says: str = "", **options):
+        since = self.said()
+        action(self, *words, **options)
+        return self.wait_for_line(says, since) if says else None
+    return waiting
 
 
 class Session:
@@ -105,6 +116,7 @@ class Session:
     # A window reads its input once a frame, and a frame takes as long as it takes: each step waits until it has been read. A
     # pointer that moved before a key was read would give the key another place.
 
+    @answered
     def key(self, *keys: str):
         """One of them may end the program."""
         with self.arriving(sum(len(key.split("+")) for key in keys)):
@@ -131,6 +143,7 @@ class Session:
         self.xdotool("windowsize", "--sync", self.window, str(width), str(height))
         self.wait(lambda: self.size == (width, height), f"a window of {width}x{height}")
 
+    @answered
     def move(self, x: float, y: float):
         at = (round(x), round(y))
         self.xdotool("mousemove", "--window", self.window, *map(str, at))
@@ -150,11 +163,13 @@ class Session:
         self.xdotool("click", "--repeat", str(abs(notches)), "4" if notches > 0 else "5")
         self.wait(lambda: self.mouse[3] == wheel, f"the wheel at {wheel}")
 
+    @answered
     def click(self, place: str, button: int = 1):
         """And waits until the picture is at rest."""
         self.tap(place, button)
         self.settled(0, 0, *self.geometry()[2:])
 
+    @answered
     def tap(self, place: str, button: int = 1, held: str = ""):
         """`held`: a key held meanwhile. An exercise's widgets are in its row, which is unfolded first."""
         of = re.fullmatch(r"(?:mine|reference|lesson|check|words|hint)\.(\d\d\.\w+)", place)
@@ -182,6 +197,7 @@ class Session:
             if key:
                 self.xdotool("keyup", key)
 
+    @answered
     def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1, held: str = ""):
         self.move(*start)
         self.press(button)
