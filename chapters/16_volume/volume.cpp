@@ -120,7 +120,8 @@ void Volume::make_tables(Frame& frame) {
     frame.upload("preintegrated", preintegrated_, std::as_bytes(std::span(halves)));
 }
 
-// Transmittances, or optical depths for scattering, at half the field's resolution; made again in each frame in which anything it depends on has changed.
+// Transmittances, or optical depths for scattering, at half the field's resolution; made again in each frame in which
+// anything it depends on has changed.
 void Volume::make_light(Frame& frame) {
     const glm::uvec3 size = glm::max((ImageView(field.density()).size() + 1u) / 2u, glm::uvec3(1));
     light_.ensure(frame.gpu.device, {.name = "light in the volume",

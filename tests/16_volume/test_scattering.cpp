@@ -19,12 +19,7 @@ struct OnBox : OnVolume {
     double extinction = 0;
     OnBox() {
         load({4, 4, 4}, [](int, int, int) { return 1.0f; });
-        volume.transfer.set("even");
-        volume.method.set("midpoint");
-        volume.steps.value = 512;
-        volume.glow.value = 0;
-        volume.light.set("march");
-        volume.light_from.set("sun");
+        in_sunlight();
         volume.scattering.set("single");
         volume.g.value = 0;
         camera.fov_y_rad = 0.06f;

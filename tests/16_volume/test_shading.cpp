@@ -11,12 +11,7 @@ constexpr double pi = 3.14159265358979;
 /// White matter in sunlight; y points to the camera.
 struct OnLit : OnVolume {
     OnLit() {
-        volume.transfer.set("even");
-        volume.method.set("midpoint");
-        volume.steps.value = 512;
-        volume.glow.value = 0;
-        volume.light.set("march");
-        volume.light_from.set("sun");
+        in_sunlight();
         volume.shading.set("gradient");
         volume.shine.value = 0;
     }

@@ -49,6 +49,16 @@ struct OnVolume {
     }
     ~OnVolume() { CHECK_NOTHROW(gpu.device.check_validation()); }
 
+    /// Even matter that sends nothing but sunlight, finely sampled.
+    void in_sunlight() {
+        volume.transfer.set("even");
+        volume.method.set("midpoint");
+        volume.steps.value = 512;
+        volume.glow.value = 0;
+        volume.light.set("march");
+        volume.light_from.set("sun");
+    }
+
     /// A volume of `dims` voxels, each value(x, y, z), stored as floats.
     template <class Value>
     void load(glm::ivec3 dims, const Value& value) {

@@ -12,7 +12,7 @@ from check import lesson_tests
 from folder_case import FolderCase
 from pages import advice, tables
 from pages.quotes import lessons
-from tree import ROOT, chapters, shots
+from tree import ROOT, UsageError, chapters, shots
 
 STUDY = {"points": [{"scene": "a, b", "method": "slow", "knobs": {"steps": 8}, "error": {"flip_mean": 0.01234},
                      "time_ms": {"median": 1807.6, "per_pass": {"one": 2, "two": 3}}},
@@ -177,6 +177,9 @@ class Measured(FolderCase):
                "points": [{"scene": "s", "method": "m", "knobs": {}, "error": {"x": 2}, "time_ms": {"median": 9}}]}
         both = study.errors_into(file, new)
         self.assertEqual((both["points"][0]["error"], both["points"][0]["time_ms"], both["device"]), ({"x": 2}, {"median": 5}, "d"))
+        file.write_text(json.dumps(old | {"size": [240, 135]}))
+        with self.assertRaisesRegex(UsageError, "240x135"):
+            study.errors_into(file, new | {"size": [480, 270]})
         file.write_text(json.dumps(both))  # a page still marks the times
         self.assertEqual((measured.is_of_earlier(file), measured.has_old_times_alone(file)), (True, True))
         file.write_text(json.dumps(both | {"errors_measured": "0"}))

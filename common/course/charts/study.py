@@ -196,11 +196,15 @@ def key_of(point: dict) -> str:
 
 
 def errors_into(file: Path, study: dict) -> dict:
-    """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times."""
+    """The study in `file` with the errors of another, and its own times. Points that it lacks have the other's times. Raises
+    UsageError where their pictures have different sizes."""
     try:
         old = json.loads(file.read_text(encoding="utf-8"))
     except OSError:
         return study
+    if old.get("size") != study.get("size"):
+        width, height = old["size"]
+        raise UsageError(f"{relative(file)} has the times of {width}x{height} pixels; add --size {width}x{height}")
     times = {key_of(point): point["time_ms"] for point in old["points"]}
     points = [point | {"time_ms": times.get(key_of(point), point["time_ms"])} for point in study["points"]]
     kept = {key: old[key] for key in ("device", "driver", "command", "measured") if key in old}

@@ -68,7 +68,7 @@ def wrong_of(chapter: str, tenth: bool) -> list[str]:
         if device_slug(study) != "lavapipe" or not {"truth", "size"} <= set(study) or not request.exists():
             continue
         if "errors_measured" not in study and measured.is_of_earlier(file):
-            say(f"{file.stem}: errors of an earlier version; ./course study {chapter[:2]} --errors measures them again")
+            say(f"{file.stem}: errors of an earlier version; {study['command']}, with --errors, measures them again")
             continue
         asked = json.loads(request.read_text(encoding="utf-8"))
         labels = [label for label in map(label_of, asked["scenes"]) if label in study.get("scenes", {}) and chosen(chapter, label, tenth)]
@@ -84,7 +84,7 @@ def wrong_of(chapter: str, tenth: bool) -> list[str]:
 
 def test_of(chapter: str) -> list[str]:
     found = wrong_of(chapter, TENTH)
-    return found + [f"{len(found)} figures are of earlier code; ./course study {chapter[:2]} --errors measures them again"] if found else []
+    return found + [f"{len(found)} figures are of earlier code; the study's own command, with --errors, measures them again"] if found else []
 
 
 TENTH = "--tenth" in sys.argv[2:]
