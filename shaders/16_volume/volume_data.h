@@ -6,11 +6,11 @@
 
 BEGIN_SHARED
 
-const int TRANSFER_TEXELS = 256;  // of the transfer function, over densities from 0 to 1
-const float REFERENCE_M = 0.01f;  // metres: the length for which the transfer function states its opacities
+const int TRANSFER_TEXELS = 256;          // of the transfer function, over densities from 0 to 1
+const float REFERENCE_M = 0.01f;          // metres: the length for which the transfer function states its opacities
 const float LEAST_TRANSMITTANCE = 1e-3f;  // of REFERENCE_M metres, where light is scattered
-const int BLOCK_VOXELS = 8;       // along an edge of the blocks of density ranges
-const int BLOCK_LEVELS = 3;       // of the pyramid over them: blocks, then 2, then 4 of them along an edge
+const int BLOCK_VOXELS = 8;               // along an edge of the blocks of density ranges
+const int BLOCK_LEVELS = 3;               // of the pyramid over them: blocks, then 2, then 4 of them along an edge
 
 // A moment of noise over space and time: whole cells of time and the rest, which the processor parts in double precision.
 struct NoiseMoment {
