@@ -66,12 +66,13 @@ ROWS = [
 # What another test runs, in a file that names it; those of test_course.py and test_live.py with a small course's programs.
 ELSEWHERE = {
     "common/test_newcomer.py": ("run --menu", "fuzz"),
+    "common/test_first_contact.py": ("clean",),
     "common/test_models.py": ("run --models",),
     "19_ambiance/test_film.py": ("run --film", "run --table", "run --page"),
     "common/test_grade_slurm.py": ("run --slurm", "run --shards", "grade --slurm", "grade --shards", "study --slurm", "study --shards"),
     "common/test_course_new.py": ("new",),
     "common/test_live.py": ("serve --address", "serve --behind", "serve --socket", "serve --open"),
-    "common/test_course.py": ("test --all", "test --changed", "test --sanitize", "clean"),
+    "common/test_course.py": ("test --all", "test --changed", "test --sanitize"),
     "common/test_suites.py": ("test --with-changed",),
     "common/test_course_container.py": ("test --on",),
     "common/test_autograder.py": ("handout --rules", "handout --classroom", "handout --prepare", "handout --grade"),
