@@ -29,7 +29,7 @@ def draw_camera(drawing: Drawing):
     p.arrow(at(0, 0, 0), at(1, 0, 0), RED, "*r*, *x*", offset=(20, -12))
     p.arrow(at(0, 0, 0), at(0, 1.1, 0), GREEN, "*u*, *y*", offset=(0, 16))
     p.arrow(at(0, 0, 0), at(0, 0, 2.4), INK)
-    p.text(at(0, 0, 2.4), "*d*, −*z*", INK, offset=(40, -20))
+    p.text(at(0, 0, 2.4), "*d*, −*z*", INK, offset=(4, 40))
     p.dot(at(0, 0, 0), INK, "*c*", offset=(-20, 0))
 
 
@@ -116,9 +116,11 @@ def draw_interpolation(drawing: Drawing):
         p.line([(0, 0), end], RED if i == 2 else GREY, 2 if i == 2 else 1.2, dash=i != 2)
         p.dot(on_screen, BLUE, radius_px=4.5)
         p.dot(end, RED if i == 2 else INK, radius_px=5)
-        u = (far - A[0]) / (B[0] - A[0])
-        p.text(end, {0: "*u* = 0", 2: "*u* = ¼", 4: "*u* = 1"}.get(i, ""), RED if i == 2 else INK, SMALL, offset=(0, -24))
-        assert i != 2 or abs(u - 0.25) < 1e-9
+        q = (far - A[0]) / (B[0] - A[0])
+        label = {0: "*q* = 0, *s* = 1", 2: "*q* = ¼", 4: "*q* = 1, *s* = 3"}.get(i)
+        if label:
+            p.text(end, label, RED if i == 2 else INK, SMALL, offset=(0, -24))
+        assert i != 2 or abs(q - 0.25) < 1e-9
     p.text((2.55, -0.35), "equal steps on the screen,\nunequal steps on the floor", GREY, SMALL)
 
 
