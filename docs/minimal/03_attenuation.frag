@@ -31,11 +31,11 @@ float cone_falloff(float cosine, float cos_inner, float cos_outer) {
 
 // The irradiance (W/m²) of one light at a point of a surface.
 vec3 irradiance(Light light, vec3 point, vec3 normal) {
-    vec3 way = light.position - point;
-    float square = dot(way, way);
+    vec3 offset = light.position - point;
+    float square = dot(offset, offset);
     // Nearly all lights of a large scene end here. Clusters of pixels (the chapter) do not even look at them.
     if (square >= light.range_m * light.range_m) return vec3(0.0);
-    vec3 to_light = way * inversesqrt(max(square, 1e-12));
+    vec3 to_light = offset * inversesqrt(max(square, 1e-12));
     float facing = max(dot(normal, to_light), 0.0);
     float cone = cone_falloff(dot(-to_light, light.direction), light.cos_inner, light.cos_outer);
     return light.intensity * facing * cone * distance_falloff(sqrt(square), light.range_m);
