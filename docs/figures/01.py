@@ -119,7 +119,7 @@ def draw_interpolation(drawing: Drawing):
         q = (far - A[0]) / (B[0] - A[0])
         label = {0: "*q* = 0, *s* = 1", 2: "*q* = ¼", 4: "*q* = 1, *s* = 3"}.get(i)
         if label:
-            p.text(end, label, RED if i == 2 else INK, SMALL, offset=(0, -24))
+            p.text(end, label, RED if i == 2 else INK, SMALL, offset=(-62 if i == 0 else 0, -24))
         assert i != 2 or abs(q - 0.25) < 1e-9
     p.text((2.55, -0.35), "equal steps on the screen,\nunequal steps on the floor", GREY, SMALL)
 
