@@ -68,7 +68,7 @@ def draw_fit(drawing: Drawing):
     for share in (-0.75, -0.25, 0.25):
         p.arrow(of_light(share * radius, radius + 0.3), of_light(share * radius, radius + 0.04), LIGHT, width=THIN)
     p.text((1.75, 0), "slice", BLUE, SMALL, rim=False)
-    p.text(of_light(0, -radius), "light's box without its margin", LIGHT, SMALL, offset=(0, -18))
+    p.text(of_light(0, -radius), "light's box without its margin", LIGHT, SMALL, offset=(110, -34))
     p.dot((middle, 0), GREEN, radius_px=4)
     # The grid of the map's texels.
     q = drawing.panel((590, 95), 34)

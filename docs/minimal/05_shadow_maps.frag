@@ -12,7 +12,7 @@ const vec3 right = vec3(0.51449576, 0.0, -0.85749293);
 float hit(vec3 origin, vec3 direction) {
     float floor_m = direction.y < 0.0 ? -origin.y / direction.y : 1e9;
     float near = dot(center - origin, direction);
-    vec3 beside = origin + near * direction - center;  // not a difference of two large squares: its digits would be lost
+    vec3 beside = origin + near * direction - center;  // large squares would cancel and lose their digits
     float rest = 0.36 - dot(beside, beside);
     float ball_m = rest >= 0.0 && near - sqrt(rest) > 1e-6 ? near - sqrt(rest) : 1e9;
     return min(floor_m, ball_m);
