@@ -75,7 +75,7 @@ def draw_passes(drawing: Drawing):
     p.text((600, 290), "compute, or volumes", GREY, size=18)
     box(520, 70, 150, "emission", PALE_BLUE, PURPLE)
     p.arrow((670, 108), (806, 186), PURPLE)
-    p.text((595, 36), "added where depth is equal", GREY, size=18)
+    p.text((595, 36), "written first, where depth is equal", GREY, size=18)
     p.arrow((105, 186), (105, 120), GREY)
     p.text((105, 92), "forward: lit at once,", GREY, size=18)
     p.text((105, 66), "layer by layer", GREY, size=18)
