@@ -27,8 +27,8 @@ def draw_tiles(drawing: Drawing):
     p.box((x + 1.5, 2.4), (x + 4.7, 5.6), ORANGE, 2, fill=PALE_ORANGE)
     p.text((x + 3.1, 4.45), "16 means\nin a buffer", ORANGE, SMALL, rim=False)
     p.text((x + 3.1, 3.0), "finished: 15", RED, SMALL, rim=False)
-    p.text((13.6, 0.6), "The workgroup that finds 15 of 16 counted is the last one:\nit takes the buffer for a tile and makes "
-                        "levels 7 to 12.", INK, SMALL)
+    p.text((13.6, 0.6), "The workgroup that finds 15 of 16 counted is the last one:\nit treats the buffer as a tile and makes "
+                        "levels 7 and 8.", INK, SMALL)
     p.text((3.2, -0.8), "16 workgroups", GREY, SMALL)
 
 
