@@ -132,4 +132,5 @@ def draw_tables(drawing: Drawing):
     p.arrow((592, 310), (660, 268), INK)
     p.arrow((592, 120), (660, 162), INK)
     p.text((150, 395), "when the air changes", GREEN)
-    p.text((470, 395), "in each frame", BLUE)
+    p.text((470, 395), "when height or sun changes", BLUE)
+    p.text((470, 35), "in each frame", BLUE)
