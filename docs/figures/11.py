@@ -56,12 +56,12 @@ def heights(x: float, erosion: float, octaves: int = 7) -> float:
     return total
 
 
-@figure("11_erosion", 900, 360,
+@figure("11_erosion", 900, 380,
         "Two mountain lines over each other: a plain sum of octaves is rough everywhere, the eroded one is rough on its "
         "heights and in its valleys and smooth on its slopes")
 def draw_erosion(drawing: Drawing):
     for row, (erosion, color, name) in enumerate(((0.0, RED, "fBm: rough everywhere"), (1.0, BLUE, "eroded: steep places are smooth"))):
-        p = drawing.panel((40, 250 - 165 * row), 56)
+        p = drawing.panel((40, 270 - 185 * row), 56)
         p.line([(0, -1.1), (14.6, -1.1)], FAINT, THIN)
         p.curve(lambda x, e=erosion: (x, heights(x, e)), 0, 14.6, color, 2.4, steps=700)
         p.text((14.6, 1.5), name, color if color else INK, SMALL, anchor="end", offset=(0, 12))
