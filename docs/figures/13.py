@@ -32,9 +32,9 @@ def draw_doubling(drawing: Drawing):
 
 
 @figure("13_ends", 900, 230,
-        "The right end of a line of edges, four times. An edge across it above: the outline turns up. Below: down. Both, "
+        "The right end of a line of edges, four times. An edge across it above: the silhouette turns up. Below: down. Both, "
         "where the line ends: no telling. Both, and the line seems to go on: two things touch with their corners, and the "
-        "outlines part")
+        "silhouettes part")
 def draw_ends(drawing: Drawing):
     fills = {"0": PALE_GREY, "1": PALE_BLUE, "2": PALE_ORANGE}
     # Colours of above left, above right, below left, below right.
@@ -69,7 +69,7 @@ LENGTH = 8  # of the line in the middle, pixels
 
 @figure("13_outline", 900, 330,
         "Pixels on both sides of a staircase. The line in the middle is eight pixels long and turns up at its left end and "
-        "down at its right. The outline goes from half a pixel above the line at one end to half a pixel below at the other, "
+        "down at its right. The silhouette goes from half a pixel above the line at one end to half a pixel below at the other, "
         "and through the line in its middle. Triangles lie between the two")
 def draw_outline(drawing: Drawing):
     p = drawing.panel((60, 110), 64)
@@ -90,6 +90,6 @@ def draw_outline(drawing: Drawing):
     p.text((start + 1.5, 0), "1", INK, SMALL, offset=(0, -20), rim=False)
     p.text((start + 2.5, 0), "2", INK, SMALL, offset=(0, -20), rim=False)
     p.text((start + 3.5, 0), "*p* = 3", INK, SMALL, offset=(0, -20), rim=False)
-    p.text((middle + 1.6, 0.5), "the outline", RED, anchor="start")
+    p.text((middle + 1.6, 0.5), "the silhouette", RED, anchor="start")
     p.text((0.4, 1.4), "it turns up here", INK, SMALL)
     p.text((end + 0.6, -1.4), "and down here", INK, SMALL)
