@@ -12,7 +12,7 @@
 // before the call as well, and on return every thread may read all of `line`. All threads must
 // reach each barrier.
 //
-// turned(two, by), with `by` from 0 to 127, returns both complex numbers of `two` times
+// turned(two, by), with a uint `by` from 0 to 127, returns both complex numbers of `two` times
 // e^(2 pi i by / 256). A thread may call it at most 16 times: enough for eight steps of
 // butterflies, in each of which it takes two pairs. Tolerance: 1e-3.
 // [/fourier_lines]
