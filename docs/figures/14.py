@@ -92,3 +92,33 @@ def draw_lobe(drawing: Drawing):
     length = sqrt(x * x + y * y)
     p.arrow((0, 0), (1.15 * x / length, 1.15 * y / length), PURPLE, "*d*")
     p.text((0.9, 0.95), "α = 0.45", GREY, SMALL, offset=(60, 20))
+
+
+@figure("14_horizons", 900, 400,
+        "A slice through a surface that the camera sees from above. On each side of a point the highest direction that meets a "
+        "surface is a horizon; light arrives between the two. The angles of the horizons and of the normal are measured from the "
+        "line of sight")
+def draw_horizons(drawing: Drawing):
+    p = drawing.panel((450, 120), 100)
+    left, right = (-1.5, 1.35), (1.5, 0.9)
+    up, aside = (-2.67, 2.4), (3.33, 2.0)  # ends of the horizons' rays
+    ground = [(-3.8, 0.6), (-2.6, 0.8), (-2.2, 1.5), left, (-1.25, 0.46), (0, 0), (1.4, -0.52), right, (2.3, 1.0), (2.6, -0.8), (3.8, -0.9)]
+    p.line([(0, 0), up, (aside[0], up[1]), aside], None, fill=PALE_ORANGE)
+    p.line([*ground, (3.8, -1.1), (-3.8, -1.1)], None, fill=PALE_GREY)
+    p.line(ground, INK, 4)
+    p.line([(0, 0), up], RED, THIN, dash=True)
+    p.line([(0, 0), aside], RED, THIN, dash=True)
+    p.line([(0, 0), (0, 2.1)], EYE, THIN)
+    p.eye((0, 2.3), 270)
+    p.arrow((0, 0), polar(1.5, 70), NORMAL, "normal", anchor="start", offset=(12, 6))
+    for at in ((-0.5, 0.18), (-1.0, 0.37), left, (-2.0, 1.46), (0.5, -0.19), (1.0, -0.37), right, (2.0, 0.96)):
+        p.dot(at, RED if at in (left, right) else BLUE, radius_px=6)
+    p.dot((0, 0), INK)
+    p.arc((0, 0), 0.75, 90, 138, "*h*_{1}", RED)
+    p.arc((0, 0), 0.75, 31, 90, "*h*_{2}", RED, offset=(14, -2))
+    p.arc((0, 0), 1.15, 70, 90, "*n*", NORMAL)
+    p.text((0, 0), "surface", INK, SMALL, offset=(-10, -26))
+    p.text((0.1, 1.8), "line of sight", EYE, SMALL, anchor="start")
+    p.text((-1.1, 2.1), "light arrives", INK, SMALL)
+    p.text((-3.2, 1.3), "hidden", GREY, SMALL)
+    p.text((3.1, 0.6), "hidden", GREY, SMALL)
