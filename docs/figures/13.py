@@ -93,3 +93,28 @@ def draw_outline(drawing: Drawing):
     p.text((middle + 1.6, 0.5), "the silhouette", RED, anchor="start")
     p.text((0.4, 1.4), "it turns up here", INK, SMALL)
     p.text((end + 0.6, -1.4), "and down here", INK, SMALL)
+
+
+@figure("13_clip", 900, 340,
+        "Colours as points: luma to the right, a colour difference upwards. Nine points of the new frame lie in a box. The history "
+        "lies outside, above and to the right; on the line from the middle of the box to it, it is moved to where that line leaves "
+        "the box")
+def draw_clip(drawing: Drawing):
+    p = drawing.panel((140, 60), 100)
+    low, high, history = (1.6, 0.6), (3.6, 1.6), (5.1, 2.15)
+    middle = tuple((a + b) / 2 for a, b in zip(low, high))
+    share = min((high[0] - middle[0]) / (history[0] - middle[0]), (high[1] - middle[1]) / (history[1] - middle[1]))
+    clipped = tuple(m + share * (h - m) for m, h in zip(middle, history))
+    p.arrow((0, 0), (6.4, 0), GREY, width=THIN)
+    p.arrow((0, 0), (0, 2.4), GREY, width=THIN)
+    p.text((6.4, 0), "luma", GREY, SMALL, anchor="start", offset=(12, 0))
+    p.text((0, 2.4), "colour difference", GREY, SMALL, anchor="start", offset=(12, 0))
+    p.box(low, high, INK, THIN, fill=PALE_BLUE)
+    for at in ((1.6, 0.9), (1.8, 0.6), (2.0, 1.0), (2.25, 1.35), (2.5, 0.75), (2.7, 1.4), (3.1, 1.6), (3.3, 0.9), (3.6, 1.25)):
+        p.dot(at, BLUE)
+    p.line([middle, history], RED, THIN, dash=True)
+    p.dot(history, RED)
+    p.dot(clipped, RED)
+    p.text(history, "history", RED, SMALL, anchor="start", offset=(14, 0))
+    p.text(clipped, "what is kept of it", RED, SMALL, anchor="start", offset=(16, -14))
+    p.text((low[0], low[1]), "box around nine colours of the new frame", BLUE, SMALL, anchor="start", offset=(0, -22))
