@@ -9,7 +9,7 @@
 // that length and to the sunlight left there. Every grain scatters evenly, in all directions. Of
 // what the grains scatter, exp(-t / mu) comes out.
 //
-// Returns the sum over all depths, from 0 on, over its value with the sun and the camera
+// Returns the sum over all depths, from 0 on, divided by what it is with the sun and the camera
 // overhead, mu0 = mu = 1. Where the sun is at the horizon or below it, mu0 <= 0, it is 0. A
 // camera below the horizon, which only an interpolated normal can have, sees what one at mu = 0
 // does: the limit of the sum. Tolerance: 1e-4.
