@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/files.h"
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Count = uint64_t;  // uncompressed size, stored first; zlib appends a checksum
+
+thread_local bool skips_keeping = false;
 
 // Access date, so that old files can be evicted.
 void mark_used(const fs::path& file) {
@@ -75,8 +78,11 @@ std::optional<std::string> read_kept(const fs::path& file, size_t most) {
     } catch (const InputError&) { return {}; }
 }
 
+SkipKeeping::SkipKeeping(bool skips) : before_(std::exchange(skips_keeping, skips || skips_keeping)) {}
+SkipKeeping::~SkipKeeping() { skips_keeping = before_; }
+
 void keep(const fs::path& file, std::string_view bytes) {
-    if (file.empty()) return;
+    if (file.empty() || skips_keeping) return;
     const Count count = bytes.size();
     uLongf length = compressBound(count);
     std::string all(sizeof count + length, '\0');

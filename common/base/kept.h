@@ -22,6 +22,17 @@ std::optional<std::string> read_kept(const std::filesystem::path& file, size_t m
 /// Writes `bytes` compressed, with size and checksum. Ignores write errors: the next run is only slower.
 void keep(const std::filesystem::path& file, std::string_view bytes);
 
+/// Scope in which this thread's keep() writes nothing, if `skips`.
+class SkipKeeping {
+  public:
+    explicit SkipKeeping(bool skips);
+    ~SkipKeeping();
+    SkipKeeping(const SkipKeeping&) = delete;
+
+  private:
+    bool before_;
+};
+
 /// Cached values, or those of `make`, which are then cached. `key` names all inputs and the algorithm's version.
 template <class T, class Make>
 std::vector<T> kept_or_made(std::string_view key, std::string_view ending, size_t count, const Make& make) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 #include <unordered_set>
 
 #include "common/base/epoch.h"
 #include "common/base/exercise.h"
 #include "common/base/files.h"
+#include "common/base/kept.h"
 #include "common/base/preparing.h"
 #include "common/base/shared_lock.h"
 #include "common/gpu/gpu_work.h"
@@ -44,6 +46,12 @@ std::string identity(const Pipeline& p, const TargetFormats& formats) {
     }
     for (const auto& [name, value] : p.macros()) key += fmt::format("{}={} ", name, value);
     return key + state_key(p.graphics, formats);
+}
+
+// Files edited while this process runs. Shaders compiled from them are not kept: an hour of edits would fill the cache.
+std::set<std::filesystem::path>& edited() {
+    static std::set<std::filesystem::path> files;
+    return files;
 }
 
 uint64_t next_id() {
@@ -259,6 +267,9 @@ const BuiltPipeline* PipelineLibrary::find(const Pipeline& pipeline, const Targe
     try {
         if (!variant.built) {
             if (const auto& files = flat.back().files; !files.empty()) announce(files.front().filename().string());
+            const auto is_edited = [](const auto& file) { return edited().contains(file); };
+            const SkipKeeping edits(std::ranges::any_of(
+                flat, [&](const FlatShader& shader) { return std::ranges::any_of(shader.files, is_edited); }));
             auto built = unlocked([&] { return build(pipeline, formats, flat); });
             if (!variant.built) variant.built = std::move(built);  // another thread may have been faster
         }
@@ -289,6 +300,7 @@ bool PipelineLibrary::forget_changed_files(std::chrono::milliseconds rest) {
         const bool is_empty = rest.count() > 0 && std::filesystem::file_size(file, error) == 0;
         if (std::chrono::abs(age) < (is_empty ? std::chrono::seconds(2) : rest)) continue;
         time = written;
+        edited().insert(file);
         changed = true;
     }
     if (changed) {
@@ -298,7 +310,7 @@ bool PipelineLibrary::forget_changed_files(std::chrono::milliseconds rest) {
     return changed;
 }
 
-// Pipelines that nothing has used since the last edit are of earlier texts: they are destroyed.
+// Pipelines that nothing has used since the last edit, and errors, are of earlier texts: they are destroyed.
 void PipelineLibrary::rebuild() {
     std::unordered_set<const BuiltPipeline*> used;
     for (const auto& [hash, known] : known_) used.insert(known.built);
@@ -306,7 +318,7 @@ void PipelineLibrary::rebuild() {
         if (const auto good = variants_.find(key); good != variants_.end()) used.insert(good->second.built.get());
     known_.clear();
     const auto is_gone = [&](const auto& entry) {
-        return entry.second.built && !used.contains(entry.second.built.get());
+        return entry.second.built ? !used.contains(entry.second.built.get()) : !entry.second.error.empty();
     };
     if (std::ranges::none_of(variants_, is_gone)) return;
     vkDeviceWaitIdle(device_.handle);  // a frame in flight may have one

@@ -6,6 +6,7 @@ import shutil
 import unittest
 from contextlib import ExitStack
 from pathlib import Path
+from unittest import mock
 
 from folder_case import FolderCase
 from picture_drawing import BUILD, BUILT, CHAPTERS, HAS_SOLUTION, ROOT, Drawer, Live, cheap, sets, steps, thing
@@ -48,6 +49,7 @@ USED = {"14.importance_sample_ggx": sets("environment.method=prefiltered"), "16.
 LOADED = "04.tangent_frame"
 # Starters that leave texels unwritten: these show what the image held before.
 UNWRITTEN = {"07.last_workgroup", "14.prefilter_faces"}
+EDITS = 60
 # (chapter, settings from the start, a shader, the replaced text and its replacement).
 EDIT = ("14", ["environment.method=prefiltered"], "14_environment/solution/split_sum_table.glsl", "return ", "return 0.25 * ")
 
@@ -123,17 +125,20 @@ class Warm(FolderCase):
                 warm = self.live(live, words, set=dict(one.split("=") for one in change))
                 self.assert_changed(before, warm, self.cold(chapter, *words, *sets(*change)))
 
-    def test_an_edit_of_a_shader(self):
-        chapter, settings, shader, old, new = EDIT
+    def own_shaders(self) -> Path:
+        """The folder of those that programs read from now on."""
         course = self.folder / "course"
         course.mkdir()
         shutil.copytree(ROOT / "shaders", course / "shaders")
         for name in ("assets", "chapters", "tests", "docs"):
             (course / name).symlink_to(ROOT / name)
         (course / "build").symlink_to(BUILD)
-        words, file = self.words(chapter, "", settings), course / "shaders" / shader
-        os.environ["LIGHTWALK_ROOT"] = str(course)
-        self.addCleanup(os.environ.pop, "LIGHTWALK_ROOT", None)
+        self.enterContext(mock.patch.dict(os.environ, LIGHTWALK_ROOT=str(course)))
+        return course / "shaders"
+
+    def test_an_edit_of_a_shader(self):
+        chapter, settings, shader, old, new = EDIT
+        words, file = self.words(chapter, "", settings), self.own_shaders() / shader
         with Live(next(name for name in CHAPTERS if name.startswith(chapter)), self.folder) as live:
             before = self.live(live, words)
             text = file.read_text()
@@ -141,3 +146,20 @@ class Warm(FolderCase):
             file.write_text(text.replace(old, new))
             os.utime(file, ns=(0, file.stat().st_mtime_ns + 10**9))
             self.assert_changed(before, self.live(live, words), self.cold(chapter, *words))
+
+    def test_an_hour_of_edits_of_a_shader_leaves_nothing(self):
+        """Neither pipelines in memory nor modules in the cache."""
+        chapter = next(name for name in CHAPTERS if name.startswith("02"))
+        cache, file = self.folder / "cache", self.own_shaders() / chapter / "solution/lambert.glsl"
+        self.enterContext(mock.patch.dict(os.environ, LIGHTWALK_CACHE=str(cache)))
+        text, pictures, kept, memory_kb = file.read_text(), set(), [], []
+        with Live(chapter, self.folder) as live:
+            for edit in range(EDITS):
+                file.write_text(text.replace("max(", f"{1 - edit / EDITS} * max("))
+                os.utime(file, ns=(0, file.stat().st_mtime_ns + edit * 10**9))
+                pictures.add(self.live(live, cheap(chapter)).read_bytes())
+                kept.append(len(list(cache.iterdir())))
+                memory_kb.append(int(Path(f"/proc/{live.program.pid}/statm").read_text().split()[1]) * 4)
+        print(f"{EDITS} edits: {kept[0]} to {kept[-1]} modules kept, {memory_kb[EDITS // 4]} to {memory_kb[-1]} kB of memory")
+        self.assertEqual((len(pictures), kept[-1]), (EDITS, kept[0]))
+        self.assertLess(memory_kb[-1], 1.05 * memory_kb[EDITS // 4])
