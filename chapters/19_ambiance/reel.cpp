@@ -50,8 +50,8 @@ void Reel::load_sound() {
         sound.samples.erase(sound.samples.begin(), sound.samples.begin() + std::min(cut_off, sound.samples.size()));
         return sound;
     };
-    if (!sound_.valid()) sound_ = std::async(std::launch::async, read);
-    if (sound_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    if (!sound_.valid()) sound_ = std::async(read);
+    if (sound_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return;
     LevelTable measured = music.measured_levels();
     music.take(sound_.get(), std::move(measured));
     has_sound_ = true;

@@ -3,15 +3,18 @@
 Each command is a module with HELP, `add_arguments(parser)` and `run(arguments, rest) -> exit code`, where rest holds
 unknown arguments; a module without PASSES_OPTIONS refuses it. One with `run_words(words)` parses for itself.
 Of a module that says ALONE, two at once in one tree run one after the other; with SHARDS_APART, two shards do not wait.
-Exit codes: 0; 1 it failed; 2 it was asked wrongly; 3 this machine cannot judge; 130 it was interrupted, 143 it was ended.
+Exit codes: 0; 1 it failed; 2 it was asked wrongly; 3 this machine cannot judge, or starts no more processes; 130 it was
+interrupted, 143 it was ended.
 """
 
 import argparse
 import errno
 import importlib
 import os
+import resource
 import signal
 import sys
+import threading
 from pathlib import Path
 
 from build.build import alone
@@ -57,6 +60,29 @@ def forget_output():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+THREADS = 16  # and processes, at once: a build with two compilers
+
+
+def refuse_few_threads():
+    """Raises RuntimeError where the machine starts fewer: whatever comes first would fail in its own words, or wait for ever."""
+    go, started = threading.Event(), []
+    try:
+        for _ in range(THREADS):
+            one = threading.Thread(target=go.wait)
+            one.start()
+            started.append(one)
+    finally:
+        go.set()
+        for one in started:
+            one.join()
+
+
+def refused():
+    warn(f"course: this machine starts no more processes and threads: raise ulimit -u ({resource.getrlimit(resource.RLIMIT_NPROC)[0]}), "
+         "or the limit of the container's processes")
+    sys.exit(3)
+
+
 class Ended(BaseException):
     """SIGTERM: children are ended on the way out, as after Ctrl+C."""
 
@@ -71,6 +97,7 @@ if __name__ == "__main__":
     for stream in (sys.stdout, sys.stderr):  # a name on the command line need not be text
         stream.reconfigure(errors="backslashreplace")
     try:
+        refuse_few_threads()
         sys.exit(main(sys.argv[1:]))
     except UsageError as error:
         warn(f"course: {on_one_line(str(error))}")
@@ -89,9 +116,15 @@ if __name__ == "__main__":
     except BrokenPipeError:
         forget_output()
         sys.exit(128 + signal.SIGPIPE)
+    except RuntimeError as error:
+        if "start new thread" not in str(error):
+            raise
+        refused()
     except OSError as error:  # a disk that is full, a folder that is another's: no fault of the course
-        where = f"{error.filename}: " if error.filename is not None else ""
         forget_output()
+        if error.strerror == os.strerror(errno.EAGAIN):
+            refused()
+        where = f"{error.filename}: " if error.filename is not None else ""
         closed = error.errno in CLOSED
         advice = copy_words() if closed and Path(str(error.filename)).is_relative_to(ROOT) else ""
         warn(f"course: {where}{error.strerror or error}{advice}")

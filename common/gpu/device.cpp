@@ -3,12 +3,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
 
 #include "common/base/error.h"
 #include "common/base/names.h"
@@ -150,6 +153,26 @@ VkPhysicalDevice choose(const std::vector<VkPhysicalDevice>& all, VkInstance ins
     throw InputError("--device {}: no usable device of that name; there are: {}", wanted, known);
 }
 
+// Throws Failure where the system does not start the threads of lavapipe, which would wait for them without end: one for each
+// core, and a few for its queue and its cache.
+void require_threads() {
+    const char* const given = std::getenv("LP_NUM_THREADS");
+    const int count =
+        (given ? std::atoi(given) : static_cast<int>(std::min(std::thread::hardware_concurrency(), 32u))) + 5;
+    std::atomic<bool> go = false;
+    std::vector<std::jthread> threads;
+    try {
+        for (int i = 0; i < count; ++i) threads.emplace_back([&] { go.wait(false); });
+    } catch (const std::system_error&) {}
+    go = true;
+    go.notify_all();
+    if (static_cast<int>(threads.size()) < count)
+        throw Failure(
+            "this machine starts {} threads of the {} that its software driver needs: raise ulimit -u, or the limit of "
+            "the container's processes",
+            threads.size(), count);
+}
+
 template <class F>
 void load(VkInstance instance, F& function, const char* name) {
     function = reinterpret_cast<F>(vkGetInstanceProcAddr(instance, name));
@@ -211,6 +234,7 @@ Device::Device(const DeviceOptions& options) : Device() {
                                     .pQueueCreateInfos = &queues,
                                     .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
                                     .ppEnabledExtensionNames = extensions.data()};
+    if (software()) require_threads();
     check(vkCreateDevice(physical, &create, nullptr, &handle), "vkCreateDevice");
     set_name(VK_OBJECT_TYPE_DEVICE, reinterpret_cast<uint64_t>(handle), info.name);
     vkGetDeviceQueue(handle, queue_family, 0, &queue);

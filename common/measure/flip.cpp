@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,14 +31,18 @@ struct Kernel {
     float sum = 1.0f;
 };
 
-// Calls work(y_begin, y_end) over [0, height) on up to 8 threads, at most one per core.
+// Calls work(y_begin, y_end) over [0, height) on up to 8 threads, at most one per core, and as many as the system starts.
 void for_row_bands(int height, const std::function<void(int, int)>& work) {
     const int cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
     const int bands = std::min(cores, std::max(1, height / 16));
     std::vector<std::jthread> others;
-    for (int band = 1; band < bands; ++band)
-        others.emplace_back([&, band] { work(height * band / bands, height * (band + 1) / bands); });
-    work(0, height / bands);
+    const auto work_on = [&](int band) { work(height * band / bands, height * (band + 1) / bands); };
+    int band = 1;
+    try {
+        for (; band < bands; ++band) others.emplace_back(work_on, band);
+    } catch (const std::system_error&) {}
+    work_on(0);
+    for (; band < bands; ++band) work_on(band);
 }
 
 // Accumulators per block: a constant number stays in vector registers.

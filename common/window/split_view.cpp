@@ -92,12 +92,12 @@ void SplitView::compare(const Image& mine, const Image& reference) {
     if (pictures == compared_ && difference) return;
     compared_ = pictures;
     difference.reset();
-    running_ = std::async(std::launch::async,
-                          [left = std::move(left), right = std::move(right)] { return compare_pictures(left, right); });
+    // Where no thread can be started, poll() compares them.
+    running_ = std::async([left = std::move(left), right = std::move(right)] { return compare_pictures(left, right); });
 }
 
 bool SplitView::poll() {
-    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return false;
     const PictureDifference result = running_.get();
     if (on()) difference = result;
     return on();

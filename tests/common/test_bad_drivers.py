@@ -5,6 +5,7 @@ A small library between the programs and Vulkan's loader plays such a driver.
 import os
 import subprocess
 import tempfile
+import unittest
 from pathlib import Path
 
 from bad_input import BUILD, CHAPTERS, BadInput
@@ -98,6 +99,20 @@ class Drivers(BadInput):
             self.refuse(CHAPTERS["02"], "--size", "64x48", "--timings", out, code=1, says=SAYS[fault],
                         **self.playing(fault, calls))
         self.assertEqual(out.read_text(), "before")
+
+    @unittest.skipIf(os.geteuid() or BUILD.name == "sanitizer", "only root can be another user, and a sanitizer has threads of its own")
+    def test_threads_are_refused(self):
+        """lavapipe would wait for them without end; a comparison does without."""
+        self.folder.chmod(0o777)
+        limited = ["--reuid=12346", "--regid=12346", "--clear-groups", "prlimit"]
+        drawing = [CHAPTERS["02"], "--size", "64x48", "--screenshot", self.picture]
+        self.refuse(Path("/usr/bin/setpriv"), *limited, "--nproc=4", *drawing, code=1, says=r"starts \d threads of the \d+ that its software driver needs")
+        done = self.run_program("setpriv", *limited, "--nproc=100", *drawing)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        compared = [self.run_program("setpriv", *limited, f"--nproc={most}", BUILD / "compare", self.picture, self.picture, LIGHTWALK_SANDBOXED="1")
+                    for most in (1, 100)]  # without a process for the reader
+        self.assertEqual(compared[0].stdout, compared[1].stdout, compared[0].stderr)
+        self.assertEqual(compared[0].returncode, 0)
 
     def test_windows(self):
         server = XServer()

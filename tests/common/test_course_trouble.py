@@ -71,6 +71,23 @@ class Trouble(Course):
             printed = self.run_program([*AS_OTHER, self.root / "course", *words], 1, HOME="/nonexistent")
             self.assertRegex(printed, r"\Acourse: git does not trust this copy, which is another user's: git config .*\n\Z")
 
+    @unittest.skipUnless(can(*AS_OTHER, "true"), "only root can be another user")
+    def test_processes_and_threads_are_refused(self):
+        """At the start, in a build, and later in Python."""
+        def limited(most: int, *words: str, code: int = 3) -> str:
+            return self.run_program(["timeout", "600", "setpriv", "--reuid=12346", "--regid=12346", "--clear-groups", "prlimit", f"--nproc={most}",
+                                     self.root / "course", *words], code, HOME=str(self.outside)).splitlines(True)[-1]
+        self.put("compile", "for i in $(seq 60); do sleep 2 >/dev/null 2>&1 & done\n")
+        subprocess.run(["chown", "-R", "12346:12346", self.outside], check=True)
+        self.addCleanup(subprocess.run, ["chown", "-R", "0:0", self.outside], check=True)
+        says = r"\Acourse: this machine starts no more processes and threads: raise ulimit -u \(\d+\), or the limit of the container's processes\n\Z"
+        self.assertRegex(limited(1, "doctor", code=2), r"\A.*course: \d+: Cannot fork\n\Z")
+        for most, command in ((6, "doctor"), (6, "check 01"), (6, "docs"), (40, "check 01")):
+            self.assertRegex(limited(most, *command.split()), says)
+        self.put("common/course/run.py", "import threading, time\n\nHELP = ''\n\n\ndef add_arguments(_):\n"
+                 "    [threading.Thread(target=time.sleep, args=[1], daemon=True).start() for _ in range(200)]\n")
+        self.assertRegex(limited(150, "run"), says)
+
     def test_a_power_cut_leaves_empty_files(self):
         self.course("check", "01", code=1)
         for name, left in (("build.ninja", ""), ("build.ninja", "\0" * 4096), ("CMakeFiles/rules.ninja", "")):

@@ -61,7 +61,9 @@ def build(targets: list[str] = (), preset: str = "default", show=None, give_way=
             configure(preset, folder, lock, again=True)
         try:
             built, ended = run_ninja(folder, list(targets), lock, show, give_way, started)
-        except BuildFailure:
+        except BuildFailure as failure:
+            if re.search(r"Cannot fork|Resource temporarily unavailable", failure.said):
+                raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN)) from None
             at = os.statvfs(folder)
             if at.f_bavail * at.f_frsize < 1 << 16 or at.f_files and not at.f_favail:
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder)) from None
