@@ -46,7 +46,7 @@ endfunction()
 
 file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/solution)
 if(NOT solutions) # a handout
-  target_compile_definitions(lightwalk PUBLIC LIGHTWALK_NO_SOLUTION)
+  target_compile_definitions(lightwalk INTERFACE LIGHTWALK_NO_SOLUTION)
 endif()
 if(EXISTS ${PROJECT_SOURCE_DIR}/compiled_for) # a handout with checks as objects
   file(STRINGS ${PROJECT_SOURCE_DIR}/compiled_for processor)

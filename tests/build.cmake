@@ -109,6 +109,9 @@ foreach(script ${scripts})
     if(name MATCHES "course|grade|live|pages|chart")
       set_tests_properties(${name} PROPERTIES COST 60)  # the longest: first
     endif()
+    if(name MATCHES "course_commands$")
+      set_tests_properties(${name} PROPERTIES COST 800 TIMEOUT 3600)  # five minutes of processor time
+    endif()
     if(name MATCHES "grade_user$")
       set_tests_properties(${name} PROPERTIES COST 800)  # all of grading once more: minutes, beside all others
     endif()

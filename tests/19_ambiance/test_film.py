@@ -16,13 +16,14 @@ import film
 from folder_case import FolderCase
 from many import shards
 from many.shards import Shard
-from tree import Failure, UsageError
+from tree import PYTHON, ROOT, Failure, UsageError
 from picture_drawing import BUILD, BUILT, HAS_SOLUTION
 
 PROGRAM = BUILD / "chapters" / "19_ambiance"
 FILM = Path(__file__).resolve().parent / "short.film"
 EARLY = "#!/bin/sh\nhead -c 5000 >/dev/null\necho 'no such codec' >&2\nexit 3\n"
 FULL = "#!/bin/sh\ncat >/dev/full\n"
+CLUSTER = '#!/bin/sh\nfor SLURM_ARRAY_TASK_ID in 1 2; do export SLURM_ARRAY_TASK_ID; sh "$3" >&2 || exit; done\necho 7\n'
 WHOLE = '#!/bin/sh\nfor last; do :; done\nexec cat >"$last"\n'
 
 
@@ -159,19 +160,27 @@ class Film(FolderCase):
         film.merge(out, shards.merge([parts], "film"))
         self.assertEqual(out.read_bytes(), bytes([1, 2, 3]))
 
-    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe"), "needs ffmpeg")
-    def test_the_course_writes_shards_and_joins_them_to_a_film_with_all_frames(self):
-        out = self.folder / "a.mp4"
+    def course(self, *words) -> str:
+        programs = f"{self.folder}/programs:{os.environ['PATH']}"
+        done = subprocess.run([*PYTHON, ROOT / "common/course/cli.py", *words], capture_output=True, text=True, env=os.environ | {"PATH": programs})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe") and BUILD == ROOT / "build", "needs ffmpeg and the default build")
+    def test_a_cluster_writes_shards_and_the_course_joins_them_to_a_film_with_all_frames(self):
+        out, parts = self.folder / "a.mp4", BUILD / "slurm/film"
         words = ["--scene", str(FILM), "--size", "48x27", "--fps", "4", "--validate", "on"]
-        for number in (1, 2):
-            self.assertEqual(film.write_shard(out, self.folder / "a.parts", Shard(number, 2), words), 0)
-        file = self.folder / "a.parts" / "film.1-of-2.zip"
+        (self.folder / "programs").mkdir()
+        for name, text in (("sbatch", CLUSTER), ("squeue", "#!/bin/sh\n")):
+            (self.folder / "programs" / name).write_text(text)
+            (self.folder / "programs" / name).chmod(0o755)
+        self.course("run", "19", "--film", out, *words, "--slurm", "--shards", "2")
+        file = parts / "film.1-of-2.zip"
         before = file.stat().st_mtime_ns
-        self.assertEqual(film.write_shard(out, self.folder / "a.parts", Shard(1, 2), words), 0)
+        self.assertEqual(film.write_shard(out, parts, Shard(1, 2), words), 0)
         self.assertEqual(file.stat().st_mtime_ns, before, "a part that is whole is left as it is")
         with self.assertRaisesRegex(UsageError, "is of another film, other options or another version"):
-            film.write_shard(out, self.folder / "a.parts", Shard(1, 2), [*words, "--codec", "av1"])
-        film.merge(out, shards.merge([self.folder / "a.parts"], "film"))
+            film.write_shard(out, parts, Shard(1, 2), [*words, "--codec", "av1"])
         said = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
                                "stream=nb_read_frames,width,height", "-of", "json", out], capture_output=True, text=True)
         stream = json.loads(said.stdout)["streams"][0]
@@ -184,7 +193,9 @@ class Film(FolderCase):
             return {"device": name, "size": [480, 270], "cuts": [{"to": "dawn", "longest_ms": 6 * scale, "mean_ms": 4 * scale}],
                     "scenes": [{"name": "dawn", "mean_ms": 4 * scale, "processor_ms": 0.75, "gpu_sum": {"none": figures, "mlaa": more}}]}
 
-        lines = film.table([system("a", 1), system("b", 3)]).splitlines()
+        for name, scale in (("a", 1), ("b", 3)):
+            (self.folder / name).write_text(json.dumps(system(name, scale)))
+        lines = self.course("run", "19", "--table", self.folder / "a", self.folder / "b").splitlines()
         self.assertIn("a, 480×270: played", lines[0])
         self.assertEqual(lines[2], "| dawn | 4.00 | 1.50 | 0.75 | 1.25 | 0.25 | 12.00 | 1.50 | 0.75 | 3.25 | 0.25 |")
 
@@ -204,7 +215,7 @@ class Film(FolderCase):
         self.assertIn("1.50", text)  # the cut
         out = self.folder / "page.html"
         (self.folder / "a.json").write_text(json.dumps(system("a", False, 1)))
-        self.assertEqual(film.write_page([str(out), str(self.folder / "a.json")]), 0)
+        self.course("run", "19", "--page", out, self.folder / "a.json")
         self.assertTrue(out.read_text().startswith("<!doctype html>"))
         for wrong in (["a.txt", "b.json"], [str(out)], [str(out), str(FILM)], [str(out), "none.json"]):
             with self.assertRaises(UsageError):

@@ -71,6 +71,10 @@ def cut():
         page.write_text(re.sub(r"\]\(([^)#:\s]+)(#[^)\s]*)?\)", led, page.read_text()))
     (REAL / "chapters/02_lambert_phong/timings.json").write_text(
         '{"size": [96, 54], "frames": 3, "runs": [{"scene": "teapot", "knob": "method", "methods": ["phong", "blinn_phong"]}]}')
+    study = REAL / "chapters/01_obj/study.json"
+    study.write_text(study.read_text().replace('"assets/models/smart_car.obj", "assets/models/bunny.obj", ', "").replace("grid.obj", "small.obj").replace('"104"', '"1"'))
+    stretch = REAL / "tests/02_lambert_phong/stretch.json"
+    stretch.write_text(stretch.read_text().replace("statue", "teapot").replace("960x540", "96x54"))
     run(REAL / "course", "docs", "--quote")
     git("add", "-A")
     git("commit", "-qm", "cut")

@@ -173,9 +173,9 @@ class Tests(Course):
         self.assertIn("out of 6", said.splitlines()[-1])
         self.assertRegex(said, r"time of tests, some at once: first \d+ s in 5 tests, engine \d+ s in 1 tests\nslowest: ")
         self.assertIn("out of 1", self.course("test", "-L", "platform").splitlines()[-1])
-        said = self.course("test", "--changed")
-        self.assertIn("platform: git knows no HEAD~1, so these are all 1 tests: text.course\n", said)
-        self.assertIn("out of 7", said.splitlines()[-1])
+        for said in (self.course("test", "--changed"), self.course("test", "--with-changed")):
+            self.assertIn("platform: git knows no HEAD~1, so these are all 1 tests: text.course\n", said)
+            self.assertIn("out of 7", said.splitlines()[-1])
         self.assertEqual(self.course("test", "--changed", "shots", code=2), "course: --changed shots: git knows no such commit\n")
 
     def test_nothing_to_build_says_nothing(self):

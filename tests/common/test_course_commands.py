@@ -2,6 +2,7 @@
 whose umask hides and whose locale is not there, in a built tree of the first two chapters."""
 # Builds: 01_obj 02_lambert_phong check_01_obj check_02_lambert_phong compare
 
+import ast
 import io
 import json
 import re
@@ -16,7 +17,7 @@ from PIL import Image
 
 from commands import COMMANDS, names
 from cut_course import USER, enter, why_not
-from small_course import REAL
+from small_course import REAL, until
 
 DRIVER = next(Path("/usr/share/vulkan/icd.d").glob("lvp_icd.*json"), "")
 LAMBERT = Path("shaders/02_lambert_phong/exercise/lambert.glsl")
@@ -50,35 +51,39 @@ ROWS = [
     ("study 01 --errors --size 96x54 --rounds 1 --device llvmpipe --shard 1/1 --out OUT/studies", 0, r"", "OUT/studies"),
     ("study --merge OUT/studies --out OUT/merged", 0, r"", "OUT/merged"),
     ("study 02 --timings --rounds 1 --size 96x54 --out OUT/timings", 0, r"", "OUT/timings"),
+    ("study 01 --errors --size 96x54 --rounds 1 --out OUT/slurm --slurm --shards 1", 0, r"job 7: 1 parts", "OUT/slurm"),
+    ("study 02 --stretch --json", 1, r'\A\{.*"missing": "its error is', "build/stretch/02_lambert_phong"),
     ("test ^shots.01$ --shard 1/1 --out OUT/shards", 0, r"", "OUT/shards"),
     ("test --merge OUT/shards", 0, r"100% tests passed, 0 tests failed out of 1", "build/report/index.html"),
     ("test --device llvmpipe 02.teapot --out OUT/device.json", 0, r"1 of 1", "OUT/device.json"),
     ("test --device llvmpipe 02.teapot --out OUT/again.json --against OUT/device.json", 0, r"1 of 1", "build/report/device.html"),
     ("handout OUT/sources --sources", 0, r"files, 10 exercises, no solutions", "OUT/sources/docs"),
-    ("handout OUT/autograder --autograder --chapter 02", 0, r"", "OUT/autograder"),
+    ("handout OUT/autograder --autograder --chapter 02 --rules OUT/rules.json", 0, r"", "OUT/autograder"),
+    ("handout --autograder --prepare --chapter 02", 0, r"", "build/tests/check_02_lambert_phong"),
     ("handout OUT/handout", 0, r"files, 10 exercises, no solutions", "OUT/handout/docs"),
     ("grade OUT/class --chapter 02 --out OUT/grades --rules OUT/rules.json --budget 5 --format csv", 0, r"ann +1/5", "OUT/grades"),
     ("grade OUT/class --chapter 02 --out OUT/again --json --regrade 02.lambert", 0, r'"02\.lambert"', "OUT/again"),
     ("grade OUT/class --chapter 02 --shard 1/1 --out OUT/parts", 0, r"", "OUT/parts"),
-    ("serve --no-build --port 99999 --refine on", 2, r"expected a number from 0 to 65535", ""),
     ("grade --merge OUT/parts --roster OUT/canvas.csv --format canvas --out OUT/whole", 0, r"ann +1/5", "OUT/whole"),
 ]
-# What another test runs, in a file that names it; those of test_course.py and test_live.py with a small course's programs.
+SERVED = "serve --no-build --port 0 --address 127.0.0.2 --refine off --open"
+# What another test runs, each in one call; those of test_course.py and test_live.py with a small course's programs.
 ELSEWHERE = {
     "common/test_newcomer.py": ("run --menu", "fuzz"),
     "common/test_first_contact.py": ("clean",),
     "common/test_models.py": ("run --models",),
-    "19_ambiance/test_film.py": ("run --film", "run --table", "run --page"),
-    "common/test_grade_slurm.py": ("run --slurm", "run --shards", "grade --slurm", "grade --shards", "study --slurm", "study --shards"),
+    "19_ambiance/test_film.py": ("run --film", "run --table", "run --page", "run --slurm", "run --shards"),
+    "common/test_grade_slurm.py": ("grade --slurm", "grade --shards"),
     "common/test_course_new.py": ("new",),
-    "common/test_live.py": ("serve --address", "serve --behind", "serve --socket", "serve --open"),
-    "common/test_course.py": ("test --all", "test --changed", "test --sanitize"),
-    "common/test_suites.py": ("test --with-changed",),
+    "common/test_live.py": ("serve --behind", "serve --socket"),
+    "common/test_course.py": ("test --all", "test --changed", "test --with-changed", "test --sanitize"),
     "common/test_course_container.py": ("test --on",),
-    "common/test_autograder.py": ("handout --rules", "handout --classroom", "handout --prepare", "handout --grade"),
-    "common/test_stretch.py": ("study --stretch", "study --json"),
+    "common/test_autograder.py": ("handout --classroom", "handout --grade"),
     "common/test_pages_small.py": ("docs --open",),
 }
+# Of a desktop and of a cluster with one node, which are none of the course's.
+PROGRAMS = {"xdg-open": 'cp -p "$1" /mnt/mine/opened; exec sleep 5', "squeue": "",
+            "sbatch": 'for SLURM_ARRAY_TASK_ID in $(seq "${2#--array=1-}"); do export SLURM_ARRAY_TASK_ID; sh "$3" >&2 || exit; done; echo 7'}
 TEXTS = [path.read_text(encoding="utf-8") for path in [REAL / "README.md", *sorted((REAL / "docs").glob("*.md"))]]
 CHAPTERS = re.compile(r"run (\d\d|NN|--menu|--size)\b(?!.*--(film|table|page))")  # whose options are its own
 
@@ -88,6 +93,13 @@ def named(text: str) -> set[tuple[str, str]]:
     found = {(words.split()[0], option) for words in re.findall(r"\./course ([a-z][^`\n|#]*)", text) if not CHAPTERS.match(words)
              for option in ["", *re.findall(r"(?<![\w='-])--[a-z][a-z-]+", re.split(r"  |; |, |=(?=')", words)[0])]}
     return {(command, option) for command, option in found if option != "--help" and command in names()}
+
+
+def words_of_calls(file: Path) -> list[set[str]]:
+    """The words in the texts of each call, with the name of what is called."""
+    calls = [part for part in ast.walk(ast.parse(file.read_text(encoding="utf-8"))) if isinstance(part, ast.Call)]
+    return [{word for part in ast.walk(call) if isinstance(part, ast.Constant) and isinstance(part.value, str) for word in part.value.split()} |
+            {getattr(call.func, "id", "")} for call in calls]
 
 
 class Options(unittest.TestCase):
@@ -100,11 +112,11 @@ class Options(unittest.TestCase):
                 cls.helped |= {(key.split()[0], option) for option in re.findall(r"^  (--[a-z][a-z-]+)", said, re.M)} | named(said)
 
     def test_each_that_help_names_is_run(self):
-        run = named("\n".join(f"./course {words}" for words in [row[0] for row in ROWS] + [words for of in ELSEWHERE.values() for words in of]))
+        run = named("\n".join(f"./course {words}" for words in [SERVED] + [row[0] for row in ROWS] + [words for of in ELSEWHERE.values() for words in of]))
         self.assertEqual(sorted(self.helped - run), [])
         for file, rows in ELSEWHERE.items():
-            text = (REAL / "tests" / file).read_text(encoding="utf-8")
-            self.assertEqual([words for words in rows if words.split()[-1] not in text], [], file)
+            calls = words_of_calls(REAL / "tests" / file)
+            self.assertEqual([words for words in rows if not any(call.issuperset(words.split()) for call in calls)], [], file)
 
     def test_each_that_a_text_names_is_in_help(self):
         self.assertEqual(sorted(named("\n".join(TEXTS)) - self.helped - {("run", "--size")}), [])  # which a film's chapter takes
@@ -139,9 +151,12 @@ class Rows(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.out = enter()
-        cls.environment = {"PATH": "/usr/bin:/bin", "CCACHE_DIR": "/mnt/compiled", "DISPLAY": ":93", "LC_ALL": "ja_JP.eucJP", "TZ": "Asia/Kathmandu"}
+        cls.environment = {"PATH": f"{cls.out}/bin:/usr/bin:/bin", "CCACHE_DIR": "/mnt/compiled", "DISPLAY": ":93", "LC_ALL": "ja_JP.eucJP", "TZ": "Asia/Kathmandu"}
         cls.put(cls.out / "class/ann" / LAMBERT, (REAL / str(LAMBERT).replace("exercise", "solution")).read_text())
         cls.put(cls.out / "rules.json", "{}")
+        for name, script in PROGRAMS.items():
+            cls.put(cls.out / "bin" / name, f"#!/bin/sh\n{script}\n")
+            (cls.out / "bin" / name).chmod(0o755)
         cls.put(cls.out / "canvas.csv", "Student,ID,SIS User ID,SIS Login ID,Section\nExample Ann,1,1,ann,one\n")
 
     @classmethod
@@ -170,11 +185,17 @@ class Rows(unittest.TestCase):
                     opened(self.out / made[4:] if made.startswith("OUT/") else REAL / made)
 
     def test_2_what_is_served(self):
-        with self.start("serve", "--no-build", "--port", "0", "--refine", "off") as server:
+        """The browser gets a page of the user's alone, not the address with its token; nobody waits for it."""
+        with self.start(*SERVED.split()) as server:
             self.addCleanup(server.terminate)
-            address = server.stdout.readline().strip()
+            address, opened = server.stdout.readline().strip(), self.out / "opened"
+            until(opened.exists)
+            until(opened.read_text)
+            self.assertIn(f'url={address}"', opened.read_text())
+            self.assertEqual(opened.stat().st_mode & 0o777, 0o600)
             page = urllib.request.build_opener(urllib.request.HTTPCookieProcessor()).open(address).read()
             server.terminate()
+            self.assertRegex(address, r"\Ahttp://127\.0\.0\.2:\d+/\?token=")
             self.assertIn(b"Lightwalk", page)
             self.assertEqual(server.wait(), 0)
 

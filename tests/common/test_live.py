@@ -7,7 +7,6 @@ import os
 import socket
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -19,18 +18,6 @@ from live import programs, serve
 
 
 class Opening(unittest.TestCase):
-    def test_a_browsers_arguments_have_no_token_and_nobody_waits_for_it(self):
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(serve, "BUILD", Path(folder)), \
-                mock.patch.object(serve.shutil, "which", lambda _: "/usr/bin/xdg-open"), \
-                mock.patch.object(serve.subprocess, "Popen") as started:
-            serve.show("http://127.0.0.1:1/?token=secret")
-            [words], options = started.call_args
-            page = Path(words[1])
-            self.assertNotIn("secret", " ".join(map(str, words)))
-            self.assertIn("secret", page.read_text())
-            self.assertEqual((page.stat().st_mode & 0o777, options["start_new_session"]), (0o600, True))
-            started.return_value.wait.assert_not_called()
-
     def test_it_builds_the_programs_and_what_compares_their_pictures(self):
         with mock.patch.object(serve, "listen", lambda _: (None, None)), mock.patch.object(serve, "build") as built, \
                 mock.patch.object(serve, "is_old", lambda _: False), mock.patch.object(Path, "is_file", lambda _: True), \

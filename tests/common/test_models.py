@@ -2,10 +2,12 @@
 # Builds: 04_surface_maps
 import json
 import os
+import subprocess
+import unittest
 
 import models
 from folder_case import FolderCase
-from tree import chapter_program
+from tree import BUILD, PYTHON, ROOT, chapter_program
 
 os.environ.setdefault("GALLIVM_PERF", "nopt")
 
@@ -16,6 +18,13 @@ class Conformance(FolderCase):
         for result in models.verdicts([], self.folder):
             with self.subTest(result["name"], says=result["says"]):
                 self.assertEqual(result["wrong"], "")
+
+    @unittest.skipUnless(BUILD == ROOT / "build", "./course builds there")
+    def test_the_command_writes_a_page(self):
+        done = subprocess.run([*PYTHON, ROOT / "common/course/cli.py", "run", "--models", "sheen"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 of 1 right; build/models/index.html\n", done.stdout)
+        self.assertIn("data:image/", (BUILD / "models/index.html").read_text(encoding="utf-8"))
 
     def test_list(self):
         """--list model says what was read and what was left out."""

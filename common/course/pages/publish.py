@@ -110,13 +110,14 @@ def smaller_fonts(made: Path):
 
     from fontTools import subset
 
-    logging.getLogger("fontTools.ttLib.tables._h_e_a_d").setLevel(logging.ERROR)  # it finds the package's dates odd; main() sets the level above
+    logging.disable(logging.WARNING)  # of the package's dates; main() resets its loggers
     style = made / "assets" / "lesson.css"
     for face in (made / "assets" / "fonts").glob("*.ttf"):
         subset.main([str(face), "--unicodes=U+20-17F,U+2B0-2FF,U+370-3FF,U+2000-22FF,U+25A0-25FF,U+2713",
                      "--layout-features=kern,liga,tnum,ccmp,locl,mark,mkmk", "--no-hinting", "--flavor=woff2",
                      f"--output-file={face.with_suffix('.woff2')}"])
         face.unlink()
+    logging.disable(logging.NOTSET)
     style.write_text(re.sub(r"(fonts/[\w-]+)\.ttf", r"\1.woff2", style.read_text(encoding="utf-8")), encoding="utf-8")
 
 
