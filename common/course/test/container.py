@@ -23,8 +23,7 @@ def test_on(system: str, words: list[str]) -> int:
     options), that test alone. Its exit code."""
     require(system)
     root = BUILD / "on" / system / "root"
-    if not root.exists():
-        make_system(system, root)
+    make_system(system, root)
     copy_tree(root / TREE[1:])
     for command in ([["run"], ["docs"], ["serve", "--port", "0"], ["test"]] if not words else [["test", *words]]):
         warn(f"on {SYSTEMS[system]}: ./course {' '.join(command)}")
@@ -57,7 +56,11 @@ def require(system: str):
 
 
 def make_system(system: str, root: Path):
-    """A half-made one is thrown away. Raises UsageError with debootstrap's reason: no network, no space."""
+    """Makes it where there is none, or one that an interrupted run has left with packages half installed. Raises UsageError with
+    debootstrap's reason: no network, no space."""
+    if root.exists() and not subprocess.run(contained(root, ["dpkg", "--audit"], "/"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE).stdout:
+        return
+    shutil.rmtree(root, ignore_errors=True)
     warn(f"creating a bare {SYSTEMS[system]} in {relative(root)}: 80 MiB to fetch, a minute or two")
     making = root.with_name("making")
     shutil.rmtree(making, ignore_errors=True)
