@@ -71,8 +71,16 @@ vec2 plane_slope(ShadowView view, vec3 position, vec3 plane, float cosine) {
 // Texel width at the point, metres.
 float texel_at(ShadowView view, vec3 position) { return view.texel * abs((view.to_clip * vec4(position, 1.0)).w); }
 
+// By how much faster the surface's depth may change beyond the triangle's edge. Interpolation tilts its normal by half the
+// angle to the next triangle, which is therefore the mirror image of this one.
+float slope_of_next(vec3 facing, vec3 plane, vec3 to_light) {
+    vec3 next = reflect(-plane, facing);
+    vec3 slope = next / max(dot(next, to_light), 0.025) - plane / max(dot(plane, to_light), 0.025);
+    return length(slope - dot(slope, to_light) * to_light);
+}
+
 // `reach`: how far in texels a filter reads along u and along v.
-Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, float reach) {
+Receiver receiver(ShadowView view, vec3 position, vec3 facing, vec3 plane, vec3 to_light, float reach) {
     float cosine = clamp(dot(plane, to_light), 0.0, 1.0);
     float texel = texel_at(view, position);
     // At 2^-19 of the depth range: some steps of the map's floats; a sixteenth of a texel, up to 16 times as much, since a
@@ -81,6 +89,9 @@ Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, flo
     float least = shadow_eye.least_bias * max(depth_range, min(exp2(15.0) * texel, 16.0 * depth_range));
     float constant = max(min(shadow.bias_m, shadow_eye.bias_texels * texel), least);
     float towards = constant + shadow.slope * slope_bias(cosine, texel, reach);
+#if SHADOW_RECEIVER_PLANE
+    towards += min(slope_of_next(facing, plane, to_light), 1.0) * min(reach, 3.0) * texel;
+#endif
     // Lifting a plane by h along its normal brings it h / cosine nearer to the light: of the tangent the sine is left.
     float along_normal = shadow.normal_offset * sqrt(2.0) * reach * texel * sqrt(1.0 - cosine * cosine);
     vec3 lifted = position + towards * to_light + along_normal * plane;
@@ -96,12 +107,12 @@ Receiver receiver(ShadowView view, vec3 position, vec3 plane, vec3 to_light, flo
 
 // Visibility from a light's map.
 // [visibility_in_map]
-float visibility_in_map(ShadowLight light, vec3 position, vec3 plane, vec3 to_light) {
+float visibility_in_map(ShadowLight light, vec3 position, vec3 facing, vec3 plane, vec3 to_light) {
     if (light.views == 0u) return 1.0;
     ShadowView view = shadow_views[view_of(light, position)];
     if (view.layer == NO_LAYER) return 1.0;
     if (dot(plane, to_light) <= 0.0) return 0.0;  // the triangle is its own shadow, though its normals face the light
-    Receiver r = receiver(view, position, plane, to_light, filter_reach(light, view, position));
+    Receiver r = receiver(view, position, facing, plane, to_light, filter_reach(light, view, position));
     // Behind the light, beside its view, or beyond its reach.
     if (any(greaterThan(abs(r.place.xy - 0.5), vec2(0.5))) || r.place.z <= 0.0) return 1.0;
     float texel = texel_at(view, position), pixel = shadow_eye.pixel * length(shadow_eye.position - position);
@@ -138,7 +149,7 @@ vec3 light_visibility(uint light, vec3 position, vec3 facing, vec3 plane, vec3 t
     ShadowLight maps = shadow_lights[light];
     // Lights without shadows: the edge of a large lamp may be above a surface that faces away from its centre.
     if (maps.views > 0u && dot(facing, to_light) <= 0.0) return vec3(0.0);
-    vec3 visible = vec3(visibility_in_map(maps, position, plane, to_light));
+    vec3 visible = vec3(visibility_in_map(maps, position, facing, plane, to_light));
 #if SHADOW_TRANSPARENT == SHADOW_TRANSPARENT_COLORED
     visible *= passed_in_map(maps, position, facing);
 #endif

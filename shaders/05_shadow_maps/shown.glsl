@@ -13,18 +13,18 @@ uint seen_in = 0u;               // 1 + view index for the first light with shad
 float texel_m = 0.0;             // texel width of its map
 vec2 texels = vec2(0.0);         // position in its map, texels
 
-float map_visibility(ShadowLight light, vec3 position, vec3 plane, vec3 to_light) {
+float map_visibility(ShadowLight light, vec3 position, vec3 facing, vec3 plane, vec3 to_light) {
 #if SHADOW_METHOD == SHADOW_METHOD_NONE
     return 1.0;
 #else
-    return visibility_in_map(light, position, plane, to_light);
+    return visibility_in_map(light, position, facing, plane, to_light);
 #endif
 }
 
 void find_wrong(ShadowLight light, vec3 position, vec3 facing, vec3 plane, vec3 to_light, ShadowView map) {
     float texel = texel_at(map, position);
     ShadowTruth truth = shadow_truth(light, position, facing, to_light, texel * (1.0 + filter_reach(light, map, position)));
-    float shown = map_visibility(light, position, plane, to_light);
+    float shown = map_visibility(light, position, facing, plane, to_light);
     worst = max(worst, shadow_error(shown, truth, tolerance, contact_m));
 }
 
@@ -45,7 +45,7 @@ vec3 light_visibility(uint index, vec3 position, vec3 facing, vec3 plane, vec3 t
 #if VISIBILITY == VISIBILITY_RAYS
     float shown = visibility_by_rays(light, position, facing, to_light);
 #else
-    float shown = map_visibility(light, position, plane, to_light);
+    float shown = map_visibility(light, position, facing, plane, to_light);
 #endif
     least_visible = min(least_visible, shown);
     return vec3(shown);

@@ -50,20 +50,17 @@ struct Stored {
     vec4 position;                   // floats: 16 bytes; method fat only
 };
 
-// Mesh normal in a spare channel: 5 + 5 bits in a half. In a float the triangle's plane, 12 + 12 bits.
+// In spare channels: the mesh normal as 5 + 5 bits in a half, the triangle's plane as 12 + 12 in a float.
 const int half_bits = 5, float_bits = 12;
 
 Stored store(Pixel p) {
     PixelMaterial m = p.material;
     Stored s;
-    s.specular = vec4(m.mixed.specular, m.mixed.shininess);
-#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
-    s.normal = vec4(p.normal, m.occlusion);
-    s.diffuse = vec4(m.mixed.diffuse, m.ambient_specular);
-    s.position = vec4(p.position, quantise(encode_normal(p.plane), float_bits));
-#else
     s.normal = vec4(p.normal, quantise(encode_normal(p.facing), half_bits));
     s.diffuse = vec4(m.mixed.diffuse, m.occlusion + 2.0 * m.ambient_specular);
+    s.specular = vec4(m.mixed.specular, m.mixed.shininess);
+#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
+    s.position = vec4(p.position, quantise(encode_normal(p.plane), float_bits));
 #endif
     return s;
 }
@@ -71,16 +68,13 @@ Stored store(Pixel p) {
 Pixel restore(Stored s) {
     Pixel p;
     p.normal = normalize(s.normal.xyz);
-    p.material.mixed = MixedMaterial(s.diffuse.rgb, s.specular.rgb, s.specular.a);
-#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
-    p.position = s.position.xyz;
-    p.plane = p.facing = decode_normal(dequantise(uint(s.position.a), float_bits));
-    p.material.occlusion = s.normal.a;
-    p.material.ambient_specular = s.diffuse.a;
-#else
     p.facing = decode_normal(dequantise(uint(s.normal.a), half_bits));
+    p.material.mixed = MixedMaterial(s.diffuse.rgb, s.specular.rgb, s.specular.a);
     p.material.ambient_specular = float(s.diffuse.a >= 2.0);
     p.material.occlusion = s.diffuse.a - 2.0 * p.material.ambient_specular;
+#if GBUFFER_METHOD == GBUFFER_METHOD_FAT
+    p.plane = decode_normal(dequantise(uint(s.position.a), float_bits));
+    p.position = s.position.xyz;
 #endif
     return p;
 }

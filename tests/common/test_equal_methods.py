@@ -45,7 +45,6 @@ EQUAL = [
     Equal("terrain.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("terrain",)),
     Equal("skin.shaded", ("raster", "visibility"), codes=4, share=0.002, scenes=("default",)),
     # docs/06: fat holds all as floats; the others lose bits of normals. Volumes add lights in another order.
-    # A surface of triangles faces lights by interpolated normals, and in fat, which holds one normal of the mesh, by planes.
     Equal("gbuffer.method", ("forward", "fat"), codes=1, share=0.005, sets=(MESH,)),
     Equal("gbuffer.method", ("fat", "depth", "packed", "tiled"), codes=4, share=0.01, sets=(MESH,)),
     Equal("gbuffer.method", ("packed", "tiled"), codes=1, sets=(MESH,)),
