@@ -47,7 +47,7 @@ void draw_surfaces(Frame& frame, const std::string& pass, RasterTargets targets,
     }
 }
 
-Drawings::Drawings(std::initializer_list<std::reference_wrapper<Drawing>> all, std::source_location where)
+Drawings::Drawings(std::initializer_list<std::reference_wrapper<Drawing>> all, SourceLocation where)
     : std::vector<std::reference_wrapper<Drawing>>(all) {
     for (auto one = begin(); one != end(); ++one)
         if (std::any_of(begin(), one, [&](const Drawing& other) { return &other == &one->get(); }))
@@ -133,7 +133,7 @@ void Drawing::update_once(Frame& frame) {
     if (std::exchange(updated_, frame.number()) != frame.number()) update(frame);
 }
 
-void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, std::source_location where) {
+void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, SourceLocation where) {
     draw_opaque(frame, view, canvas, drawings, where);
     draw_transparent(frame, view, canvas, drawings);
 }
@@ -166,7 +166,7 @@ void update(Frame& frame, const Drawings& drawings) {
     }
 }
 
-void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, std::source_location where) {
+void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings, SourceLocation where) {
     const ViewScope scope(frame, view);
     const Drawings ordered = in_order(drawings);
     update(frame, ordered);

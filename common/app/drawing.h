@@ -16,7 +16,7 @@ struct Drawings : std::vector<std::reference_wrapper<Drawing>> {
     Drawings() = default;
     /// Throws Failure, which names the statement `where`, for a drawing that is given twice.
     Drawings(std::initializer_list<std::reference_wrapper<Drawing>> all,
-             std::source_location where = std::source_location::current());
+             SourceLocation where = SourceLocation::current());
 };
 
 /// Draw order. Each phase may depend on depth and light of earlier ones. Transparent surfaces follow the last phase.
@@ -174,11 +174,11 @@ void update(Frame& frame, const Drawings& drawings);
 
 /// Updates and renders all drawings by phase, then transparent surfaces. Messages begin with the statement `where`.
 void draw(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings,
-          std::source_location where = std::source_location::current());
+          SourceLocation where = SourceLocation::current());
 
 /// Renders everything but transparent surfaces; draw_transparent() renders only these.
 void draw_opaque(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings,
-                 std::source_location where = std::source_location::current());
+                 SourceLocation where = SourceLocation::current());
 void draw_transparent(Frame& frame, const View& view, Canvas& canvas, const Drawings& drawings);
 
 }  // namespace lightwalk

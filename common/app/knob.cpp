@@ -53,7 +53,7 @@ constexpr const char* kind = std::is_same_v<T, int>      ? "integer"
 }  // namespace
 
 KnobBase::KnobBase(Module& knob_owner, std::string knob_name, std::string knob_help, std::string knob_unit,
-                   std::source_location where)
+                   SourceLocation where)
     : owner(knob_owner), name(std::move(knob_name)), help(std::move(knob_help)), unit(std::move(knob_unit)) {
     if (!is_macro_word(name)) throw Failure("{}: knob '{}': {}", place_of(where), path(), a_macro_word);
     if (help.empty())
@@ -76,7 +76,7 @@ std::string KnobBase::macro() const { return upper(owner.kind().empty() ? name :
 
 template <class T>
 Knob<T>::Knob(Module& knob_owner, std::string knob_name, T initial, Range<T> knob_range, std::string knob_help,
-              std::string knob_unit, std::source_location where)
+              std::string knob_unit, SourceLocation where)
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), std::move(knob_unit), where),
       value(initial),
       default_value(initial),
@@ -161,8 +161,7 @@ template class Knob<float>;
 template class Knob<int>;
 template class Knob<glm::vec3>;
 
-Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::string knob_help,
-                 std::source_location where)
+Knob<bool>::Knob(Module& knob_owner, std::string knob_name, bool initial, std::string knob_help, SourceLocation where)
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), "", where),
       value(initial),
       default_value(initial) {}
@@ -178,7 +177,7 @@ nlohmann::json Knob<bool>::describe() const {
 }
 
 Choice::Choice(Module& knob_owner, std::string knob_name, std::vector<std::string> names, std::string initial,
-               std::string knob_help, std::source_location where)
+               std::string knob_help, SourceLocation where)
     : KnobBase(knob_owner, std::move(knob_name), std::move(knob_help), "", where), options(std::move(names)) {
     for (const std::string& option : options) {
         if (!is_macro_word("x" + option))

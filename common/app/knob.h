@@ -3,11 +3,11 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/base/error.h"
 #include "common/gpu/macros.h"
 
 namespace lightwalk {
@@ -17,7 +17,7 @@ class Module;
 class KnobBase {
   public:
     /// Throws Failure, which names the statement `where`: a name that is no word or stands twice, no help.
-    KnobBase(Module& owner, std::string name, std::string help, std::string unit, std::source_location where);
+    KnobBase(Module& owner, std::string name, std::string help, std::string unit, SourceLocation where);
     virtual ~KnobBase();
     KnobBase(const KnobBase&) = delete;
 
@@ -75,7 +75,7 @@ class Knob : public KnobBase {
     /// Throws Failure, which names the statement `where`, for a default outside the range, and for a range that differs
     /// by component.
     Knob(Module& owner, std::string name, T default_value, Range<T> range, std::string help, std::string unit = "",
-         std::source_location where = std::source_location::current());
+         SourceLocation where = SourceLocation::current());
     void set(const std::string& text) override;
     std::string text() const override;
     void reset() override { value = default_value; }
@@ -96,7 +96,7 @@ template <>
 class Knob<bool> : public KnobBase {
   public:
     Knob(Module& owner, std::string name, bool default_value, std::string help,
-         std::source_location where = std::source_location::current());
+         SourceLocation where = SourceLocation::current());
     void set(const std::string& text) override;
     std::string text() const override { return value ? "on" : "off"; }
     void reset() override { value = default_value; }
@@ -117,7 +117,7 @@ class Choice : public KnobBase {
   public:
     /// Throws Failure, which names the statement `where`, for a default that is not among the options.
     Choice(Module& owner, std::string name, std::vector<std::string> options, std::string default_option,
-           std::string help, std::source_location where = std::source_location::current());
+           std::string help, SourceLocation where = SourceLocation::current());
     void set(const std::string& text) override;
     std::string text() const override { return options[index]; }
     void reset() override { index = default_index_; }

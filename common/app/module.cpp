@@ -14,7 +14,7 @@
 
 namespace lightwalk {
 
-Module::Module(Module& owner, std::string name, std::string kind, std::source_location where)
+Module::Module(Module& owner, std::string name, std::string kind, SourceLocation where)
     : owner_(&owner), kind_(std::move(kind)) {
     path_ = owner.path_.empty() || name.empty() ? owner.path_ + name : owner.path_ + "." + name;
     const bool has_kind = !kind_.empty();

@@ -37,8 +37,7 @@ class Module : public PassInputs {
   public:
     /// Without a name, members have the owner's path, macros and uniform block. Throws Failure, which names the
     /// statement `where`: a name that is no word, that another module of its kind has there, or that GLSL has otherwise.
-    Module(Module& owner, std::string name, std::string kind = "",
-           std::source_location where = std::source_location::current());
+    Module(Module& owner, std::string name, std::string kind = "", SourceLocation where = SourceLocation::current());
     ~Module() override;
     Module(const Module&) = delete;
 

@@ -16,7 +16,7 @@ TargetDesc kept(TargetDesc target, const char* suffix) {
 
 }  // namespace
 
-TargetBase::TargetBase(Module& owner, const std::string& name, std::source_location where)
+TargetBase::TargetBase(Module& owner, const std::string& name, SourceLocation where)
     : path((owner.path().empty() ? "" : owner.path() + ".") + name), owner_(owner) {
     if (std::ranges::find(owner_.targets_, path, &TargetBase::path) != owner_.targets_.end())
         throw Failure("{}: target '{}' stands twice in one module; give one another name", place_of(where), path);
@@ -24,7 +24,7 @@ TargetBase::TargetBase(Module& owner, const std::string& name, std::source_locat
 }
 TargetBase::~TargetBase() { std::erase(owner_.targets_, this); }
 
-Target::Target(Module& owner, TargetDesc target, std::source_location where)
+Target::Target(Module& owner, TargetDesc target, SourceLocation where)
     : TargetBase(owner, target.name, where), wanted(std::move(target)) {
     if (!(wanted.scale > 0))
         throw Failure("{}: target '{}': a scale of {}; expected one above 0", place_of(where), path, wanted.scale);
@@ -44,7 +44,7 @@ void Target::begin_frame(Gpu& gpu, glm::uvec2 frame_size) {
     static_cast<Image&>(*this) = Image(gpu.device, next);
 }
 
-History::History(Module& owner, const TargetDesc& target, std::source_location where)
+History::History(Module& owner, const TargetDesc& target, SourceLocation where)
     : TargetBase(owner, target.name, where),
       images_{{owner, kept(target, " a"), where}, {owner, kept(target, " b"), where}} {}
 

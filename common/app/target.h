@@ -10,8 +10,7 @@ class Gpu;
 class TargetBase {
   public:
     /// Throws Failure, which names the statement `where`, if a target of the module has this name.
-    TargetBase(Module& owner, const std::string& name = "kept",
-               std::source_location where = std::source_location::current());
+    TargetBase(Module& owner, const std::string& name = "kept", SourceLocation where = SourceLocation::current());
     virtual ~TargetBase();
     TargetBase(const TargetBase&) = delete;
     virtual void begin_frame(Gpu& gpu, glm::uvec2 frame_size) = 0;
@@ -36,7 +35,7 @@ struct TargetDesc {
 /// Image of a module, named by its path; created at the start of a frame and recreated if its size changes.
 class Target : public TargetBase, public Image {
   public:
-    Target(Module& owner, TargetDesc desc, std::source_location where = std::source_location::current());
+    Target(Module& owner, TargetDesc desc, SourceLocation where = SourceLocation::current());
     void begin_frame(Gpu& gpu, glm::uvec2 frame_size) override;
 
     /// Size and layers may follow knobs; applied at the next frame.
@@ -46,7 +45,7 @@ class Target : public TargetBase, public Image {
 /// Double-buffered image: `now` becomes the next frame's `before`.
 class History : public TargetBase {
   public:
-    History(Module& owner, const TargetDesc& desc, std::source_location where = std::source_location::current());
+    History(Module& owner, const TargetDesc& desc, SourceLocation where = SourceLocation::current());
     const Image& now();
     const Image& before() const;           ///< requires valid()
     bool valid() const { return valid_; }  ///< written by the previous frame, at the current size

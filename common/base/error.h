@@ -2,7 +2,6 @@
 #pragma once
 #include <fmt/core.h>
 
-#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,14 +26,24 @@ struct Failure : FormattedError {
     using FormattedError::FormattedError;
 };
 
-/// "file:line" of a C++ statement; files are relative to the course's folder (CMakeLists.txt).
-inline std::string place_of(const std::source_location& where) {
-    return fmt::format("{}:{}", where.file_name(), where.line());
-}
+/// File and line of a C++ statement, relative to the course's folder (CMakeLists.txt), as std::source_location, which Debian 12's
+/// Clang has not.
+struct SourceLocation {
+    const char* file = "";
+    unsigned line = 0;
+
+    /// As a function's default argument: the statement that calls it.
+    static constexpr SourceLocation current(const char* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
+
+/// "file:line".
+inline std::string place_of(const SourceLocation& where) { return fmt::format("{}:{}", where.file, where.line); }
 
 /// Runs a check; the message of its Failure begins with the statement's file and line.
 template <class Check>
-void check_at(const std::source_location& where, const Check& check) {
+void check_at(const SourceLocation& where, const Check& check) {
     try {
         check();
     } catch (const Failure& e) { throw Failure("{}: {}", place_of(where), e.what()); }

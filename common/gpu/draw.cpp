@@ -4,7 +4,7 @@
 
 namespace lightwalk {
 
-Raster& Raster::use(const Pipeline& pipeline, const Macros& variant, std::source_location where) {
+Raster& Raster::use(const Pipeline& pipeline, const Macros& variant, SourceLocation where) {
     bind(pipeline, variant, formats(), VK_PIPELINE_BIND_POINT_GRAPHICS, where);
     two_sided_ = false;
     vkCmdSetCullMode(commands, cull_ = pipeline.graphics.cull);
@@ -80,7 +80,7 @@ Raster& Raster::draw(const Drawable& drawable) {
     return *this;
 }
 
-Compute& Compute::use(const Pipeline& pipeline, const Macros& variant, std::source_location where) {
+Compute& Compute::use(const Pipeline& pipeline, const Macros& variant, SourceLocation where) {
     bind(pipeline, variant, {}, VK_PIPELINE_BIND_POINT_COMPUTE, where);
     return *this;
 }

@@ -139,7 +139,7 @@ void Frame::need_light(const std::string& who, const Image& image) const {
 }
 
 void Frame::raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record,
-                   std::source_location where) {
+                   SourceLocation where) {
     const size_t outputs_before = outputs.size();
     Rendering& rendering = lists_.rendering;
     VkCommandBuffer commands{};
@@ -171,7 +171,7 @@ void Frame::raster(const std::string& name, const RasterTargets& targets, Functi
 }
 
 void Frame::compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record,
-                    std::source_location where) {
+                    SourceLocation where) {
     const size_t outputs_before = outputs.size();
     VkCommandBuffer commands{};
     check_at(where, [&] {
@@ -191,7 +191,7 @@ void Frame::compute(const std::string& name, const ComputeAccess& access, Functi
 }
 
 void Frame::transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record,
-                     std::source_location where) {
+                     SourceLocation where) {
     std::vector<Stated> stated;
     VkCommandBuffer commands{};
     check_at(where, [&] {

@@ -79,11 +79,11 @@ class Frame {
     /// contents would be stale or undefined.
     /// Messages begin with the file and line of the statement, `where`.
     void raster(const std::string& name, const RasterTargets& targets, FunctionRef<void(Raster&)> record,
-                std::source_location where = std::source_location::current());
+                SourceLocation where = SourceLocation::current());
     void compute(const std::string& name, const ComputeAccess& access, FunctionRef<void(Compute&)> record,
-                 std::source_location where = std::source_location::current());
+                 SourceLocation where = SourceLocation::current());
     void transfer(const std::string& name, const ComputeAccess& access, FunctionRef<void(VkCommandBuffer)> record,
-                  std::source_location where = std::source_location::current());
+                  SourceLocation where = SourceLocation::current());
 
     /// Transfer pass that fills `buffer`, enlarged as needed; all later passes may read it. `bytes` are copied now.
     void upload(const std::string& name, Buffer& buffer, std::span<const std::byte> bytes);

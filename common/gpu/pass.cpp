@@ -54,7 +54,7 @@ void turn_general(VkCommandBuffer commands, Stated& stated, PassLists& lists) {
 }  // namespace
 
 Pass::Pass(Frame& owner, const std::string& pass_name, VkCommandBuffer frame_commands, PassLists& lists,
-           std::source_location where)
+           SourceLocation where)
     : commands(frame_commands), frame(owner), name(pass_name), where_(where), lists_(lists) {
     lists_.macros.clear();
     lists_.scopes.clear();
@@ -86,7 +86,7 @@ const Binding* Pass::find(const Name& binding) const {
     fail(binding.where, ": its shaders have no binding '{}'; they have: {}", binding.name.text, known);
 }
 
-void Pass::fail_unstated(const std::source_location& where, std::string_view use, bool writes) const {
+void Pass::fail_unstated(const SourceLocation& where, std::string_view use, bool writes) const {
     fail(where, " binds '{}' without stating it in its {}", use, writes ? "writes" : "reads");
 }
 
@@ -96,8 +96,7 @@ const Stated* Pass::stated(const ImageView& view, bool writes) const {
     return nullptr;
 }
 
-void Pass::check_stated(const std::source_location& where, std::string_view use, const Buffer& buffer,
-                        bool writes) const {
+void Pass::check_stated(const SourceLocation& where, std::string_view use, const Buffer& buffer, bool writes) const {
     if (buffer.constant && !writes) return;
     for (const Stated& s : lists_.stated)
         if (s.resource.buffer == &buffer && (s.writable || !writes)) return;
@@ -126,7 +125,7 @@ void Pass::check_indirect(const Buffer& buffer) const {
 }
 
 void Pass::bind(const Pipeline& wanted, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point,
-                const std::source_location& where) {
+                const SourceLocation& where) {
     if (wanted.is_compute != (point == VK_PIPELINE_BIND_POINT_COMPUTE))
         fail(where, ": {} is a pipeline for frame.{}", wanted.shaders().back(),
              wanted.is_compute ? "compute" : "raster");
@@ -191,7 +190,7 @@ void Pass::store(const Binding& binding, uint32_t element, std::vector<Info>& in
 }
 
 // Disagreements between a view and the shader's declaration.
-void Pass::check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const {
+void Pass::check_view(const SourceLocation& where, const Binding& binding, const ImageView& view) const {
     const VkFormat format = view.format == VK_FORMAT_UNDEFINED ? view.image->desc.format : view.format;
     const auto differs = [&](std::string_view shader, std::string_view image) {
         fail(where, ": '{}' is {} in the shader, and {} is {}", binding.name, shader, view.name(), image);
@@ -207,7 +206,7 @@ void Pass::check_view(const std::source_location& where, const Binding& binding,
                 binding.multisampled ? "not" : "multisampled: resolve it first");
 }
 
-void Pass::check_sampler(const std::source_location& where, const Binding& binding, const ImageView& view,
+void Pass::check_sampler(const SourceLocation& where, const Binding& binding, const ImageView& view,
                          const Sampler& sampler) const {
     if (binding.compares && sampler.compare == Compare::off)
         fail(where, ": '{}' compares in the shader, and its sampler does not; set Sampler::compare", binding.name);
@@ -233,7 +232,7 @@ void Pass::check_ended() const {
 }
 
 // `view` becomes the part and the type that the shader declares.
-VkDescriptorImageInfo Pass::image_info(const std::source_location& where, const Binding& binding, ImageView& view,
+VkDescriptorImageInfo Pass::image_info(const SourceLocation& where, const Binding& binding, ImageView& view,
                                        const Sampler& sampler) const {
     const bool storage = binding.type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     if (!view || !view.image->handle)
@@ -275,7 +274,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
     const Binding* found = find(name_in_shader);
     if (!found) return;
     const Binding& binding = *found;
-    const std::source_location& where = name_in_shader.where;
+    const SourceLocation& where = name_in_shader.where;
     if (listener()) listener()->sets(binding.name, views, sampler);
     if (binding.type != VK_DESCRIPTOR_TYPE_STORAGE_IMAGE && binding.type != VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
         fail(where, ": '{}' is a buffer in the shader, not an image", binding.name);
@@ -298,7 +297,7 @@ void Pass::set_images(const Name& name_in_shader, std::span<const ImageView> vie
 void Pass::set_buffer(const Name& name_in_shader, const Buffer& buffer) {
     const Binding* binding = find(name_in_shader);
     if (!binding) return;
-    const std::source_location& where = name_in_shader.where;
+    const SourceLocation& where = name_in_shader.where;
     if (listener()) listener()->does_more("the buffer '" + binding->name + "'");
     if (binding->type != VK_DESCRIPTOR_TYPE_STORAGE_BUFFER)
         fail(where, ": '{}' is not a storage buffer in the shader", binding->name);
@@ -336,7 +335,7 @@ void Pass::note_set(const Name& name_in_shader, const Binding& binding) {
     unread_where_ = name_in_shader.where;
 }
 
-void Pass::set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes) {
+void Pass::set_block(const SourceLocation& where, const Binding& binding, std::span<const std::byte> bytes) {
     if (listener()) listener()->sets(binding.name, bytes);
     if (binding.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         fail(where, ": '{}' is not a uniform block in the shader", binding.name);

@@ -1,7 +1,6 @@
 // Recording interface of a raster or compute pass.
 #pragma once
 #include <functional>
-#include <source_location>
 #include <string_view>
 #include <type_traits>
 
@@ -45,7 +44,7 @@ struct Drawable {
 /// Bindings by name, kept until another pipeline is used. Each draw or dispatch checks that none is missing.
 class Pass {
   public:
-    Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists, std::source_location where);
+    Pass(Frame& frame, const std::string& name, VkCommandBuffer commands, PassLists& lists, SourceLocation where);
     Pass(const Pass&) = delete;
 
     VkCommandBuffer commands;
@@ -72,18 +71,18 @@ class Pass {
 
     struct Name {
         template <size_t length>
-        consteval Name(const char (&literal)[length], std::source_location at = std::source_location::current())
+        consteval Name(const char (&literal)[length], SourceLocation at = SourceLocation::current())
             : name(literal), where(at) {}
         template <class T>
         requires(std::is_convertible_v<const T&, std::string_view> && !std::is_array_v<T>)
-            Name(const T& text, std::source_location at = std::source_location::current())
+            Name(const T& text, SourceLocation at = SourceLocation::current())
             : name(text), where(at) {}
-        Name(const BindingName& n, std::source_location at = std::source_location::current()) : name(n), where(at) {}
-        Name(const Slot& s, std::source_location at = std::source_location::current())
+        Name(const BindingName& n, SourceLocation at = SourceLocation::current()) : name(n), where(at) {}
+        Name(const Slot& s, SourceLocation at = SourceLocation::current())
             : name(std::string_view()), slot(s), where(at), by_slot(true) {}
         BindingName name;
         Slot slot{};
-        std::source_location where;  ///< the statement that sets it
+        SourceLocation where;  ///< the statement that sets it
         bool by_slot = false;
     };
 
@@ -103,10 +102,10 @@ class Pass {
 
   protected:
     void bind(const Pipeline& pipeline, const Macros& variant, const TargetFormats& formats, VkPipelineBindPoint point,
-              const std::source_location& where);
+              const SourceLocation& where);
     /// Throws Failure with file and line.
     template <class... Values>
-    [[noreturn]] void fail(const std::source_location& where, fmt::format_string<Values...> format,
+    [[noreturn]] void fail(const SourceLocation& where, fmt::format_string<Values...> format,
                            Values&&... values) const {
         throw Failure("{}: pass '{}'{}", place_of(where), name, fmt::format(format, std::forward<Values>(values)...));
     }
@@ -114,7 +113,7 @@ class Pass {
     void check_used() const {
         if (!used_) fail(where_, " draws or dispatches before pass.use(pipeline)");
     }
-    const std::source_location where_;  ///< the pass's statement
+    const SourceLocation where_;  ///< the pass's statement
     void set_images(const Name& binding, std::span<const ImageView> views, const Sampler& sampler);
     void set_buffer(const Name& binding, const Buffer& buffer);
     /// `type`: of a number or vector; other: a structure.
@@ -144,21 +143,21 @@ class Pass {
     bool used_ = false;
     bool drawn_ = false;               ///< with the pipeline in use
     const Binding* unread_ = nullptr;  ///< set since the last draw or dispatch
-    std::source_location unread_where_;
+    SourceLocation unread_where_;
     void note_set(const Name& name_in_shader, const Binding& binding);
     const Binding* find(const Name& binding) const;
-    void check_stated(const std::source_location& where, std::string_view use, const Buffer& buffer, bool writes) const;
+    void check_stated(const SourceLocation& where, std::string_view use, const Buffer& buffer, bool writes) const;
     const Stated* stated(const ImageView& view, bool writes) const;
-    [[noreturn]] void fail_unstated(const std::source_location& where, std::string_view use, bool writes) const;
-    VkDescriptorImageInfo image_info(const std::source_location& where, const Binding& binding, ImageView& view,
+    [[noreturn]] void fail_unstated(const SourceLocation& where, std::string_view use, bool writes) const;
+    VkDescriptorImageInfo image_info(const SourceLocation& where, const Binding& binding, ImageView& view,
                                      const Sampler& sampler) const;
-    void check_view(const std::source_location& where, const Binding& binding, const ImageView& view) const;
-    void check_sampler(const std::source_location& where, const Binding& binding, const ImageView& view,
+    void check_view(const SourceLocation& where, const Binding& binding, const ImageView& view) const;
+    void check_sampler(const SourceLocation& where, const Binding& binding, const ImageView& view,
                        const Sampler& sampler) const;
     void check_not_sampled() const;
     template <class Info>
     void store(const Binding& binding, uint32_t element, std::vector<Info>& infos, const Info& info);
-    void set_block(const std::source_location& where, const Binding& binding, std::span<const std::byte> bytes);
+    void set_block(const SourceLocation& where, const Binding& binding, std::span<const std::byte> bytes);
     PassLists& lists_;
     size_t missing_ = 0;
     bool dirty_ = true;
@@ -200,8 +199,7 @@ class Raster : public PassSetters<Raster> {
   public:
     using PassSetters::PassSetters;
     /// `variant`: macros for this use; they override the pass's macros.
-    Raster& use(const Pipeline& pipeline, const Macros& variant = {},
-                std::source_location where = std::source_location::current());
+    Raster& use(const Pipeline& pipeline, const Macros& variant = {}, SourceLocation where = SourceLocation::current());
 
     /// Front faces are clockwise, for mirroring transforms. Until the next use().
     Raster& mirrored(bool mirrors);
@@ -231,7 +229,7 @@ class Compute : public PassSetters<Compute> {
   public:
     using PassSetters::PassSetters;
     Compute& use(const Pipeline& pipeline, const Macros& variant = {},
-                 std::source_location where = std::source_location::current());
+                 SourceLocation where = SourceLocation::current());
     /// Rounds up to whole workgroups.
     Compute& dispatch_threads(glm::uvec3 threads);
     Compute& dispatch_threads(glm::uvec2 threads) { return dispatch_threads(glm::uvec3(threads, 1)); }

@@ -61,10 +61,10 @@ uint64_t next_id() {
 
 }  // namespace
 
-Pipeline::Pipeline(Graphics desc, std::source_location at) : graphics(std::move(desc)), id(next_id()), where(at) {
+Pipeline::Pipeline(Graphics desc, SourceLocation at) : graphics(std::move(desc)), id(next_id()), where(at) {
     live().push_back(this);
 }
-Pipeline::Pipeline(Compute desc, std::source_location at)
+Pipeline::Pipeline(Compute desc, SourceLocation at)
     : compute(std::move(desc)), is_compute(true), id(next_id()), where(at) {
     live().push_back(this);
 }

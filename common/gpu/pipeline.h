@@ -4,13 +4,13 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "common/base/error.h"
 #include "common/gpu/device.h"
 #include "common/gpu/glsl.h"
 #include "common/gpu/reflect.h"
@@ -40,8 +40,8 @@ class Pipeline {
         std::string source;  ///< GLSL text instead of a file; `shader` is its name in messages
     };
     /// Messages name `where`, the pipeline's statement.
-    explicit Pipeline(Graphics desc, std::source_location where = std::source_location::current());
-    explicit Pipeline(Compute desc, std::source_location where = std::source_location::current());
+    explicit Pipeline(Graphics desc, SourceLocation where = SourceLocation::current());
+    explicit Pipeline(Compute desc, SourceLocation where = SourceLocation::current());
     ~Pipeline();
     Pipeline(const Pipeline&) = delete;
 
@@ -54,13 +54,13 @@ class Pipeline {
     Compute compute;
     bool is_compute = false;
     uint64_t id;
-    std::source_location where;
+    SourceLocation where;
 };
 
-inline Pipeline graphics(Pipeline::Graphics desc, std::source_location where = std::source_location::current()) {
+inline Pipeline graphics(Pipeline::Graphics desc, SourceLocation where = SourceLocation::current()) {
     return Pipeline(std::move(desc), where);
 }
-inline Pipeline compute(Pipeline::Compute desc, std::source_location where = std::source_location::current()) {
+inline Pipeline compute(Pipeline::Compute desc, SourceLocation where = SourceLocation::current()) {
     return Pipeline(std::move(desc), where);
 }
 

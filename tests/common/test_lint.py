@@ -1,21 +1,33 @@
-"""The linters that take seconds: clang-format over the C++ and the GLSL, pyflakes over the Python."""
+"""The linters that take seconds: clang-format over the C++ and the GLSL, Clang over common's headers, pyflakes over the Python."""
 # Builds: nothing
 
 import ast
+import json
 import re
+import shlex
 import shutil
 import subprocess
 import unittest
 
 from build.format_tree import unformatted
-from tree import ROOT, files
+from tree import BUILD, ROOT, files
 
-PYFLAKES = shutil.which("pyflakes3")
+CLANG, DATABASE, PYFLAKES = shutil.which("clang++"), BUILD / "compile_commands.json", shutil.which("pyflakes3")
 
 
 class Lint(unittest.TestCase):
     def test_clang_format(self):
         self.assertEqual([str(name) for name in unformatted()], [], "./course format mends them")
+
+    @unittest.skipUnless(CLANG and DATABASE.exists(), "there is no clang, or the build is not configured")
+    def test_clang_reads_the_headers(self):
+        """./course fuzz compiles with it, and Debian 12's Clang 14 lacks parts of C++20."""
+        command = next(entry["command"] for entry in json.loads(DATABASE.read_text()) if "/lightwalk.dir/" in entry["command"])
+        options = re.findall(r"-(?:D|I|std=|isystem )\S+", command)
+        headers = "".join(f'#include "{name}"\n' for name in files() if name.suffix == ".h" and name.parts[0] == "common")
+        said = subprocess.run([CLANG, *shlex.split(" ".join(options)), "-fsyntax-only", "-x", "c++", "-"], input=headers, cwd=ROOT,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+        self.assertEqual(re.findall(r".*error: .*", said), [])
 
     @unittest.skipUnless(PYFLAKES, "pyflakes3 is not installed")
     def test_pyflakes(self):

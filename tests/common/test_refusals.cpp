@@ -62,15 +62,15 @@ struct Tint : Module {
 
 // Rows of a table: the line expected and the mistake. The message names this file, and a line of the row.
 void refused(const std::string& expected, const std::function<void()>& mistake,
-             std::source_location row = std::source_location::current()) {
+             SourceLocation row = SourceLocation::current()) {
     const std::string said = failure_at(mistake);
     CAPTURE(expected, said);
     std::smatch parts;
     REQUIRE(std::regex_match(said, parts, std::regex("(.*?):([0-9]+): ([^\n]*)")));
     CHECK(parts[1] == "tests/common/test_refusals.cpp");
     const unsigned line = static_cast<unsigned>(std::stoul(parts[2]));
-    CHECK(line >= row.line());
-    CHECK(line <= row.line() + 8);
+    CHECK(line >= row.line);
+    CHECK(line <= row.line + 8);
     CHECK(parts[3] == expected);
 }
 
@@ -470,7 +470,7 @@ TEST_CASE_METHOD(OnDevice, "a shader that is missing is refused at the pipeline'
         frame.raster("x", {.color = {clear(frame.hdr)}}, [&](Raster& pass) { pass.use(missing); });
     });
     refused("image flat: its size is 0", [&] {
-        check_at(std::source_location::current(), [&] { image({.name = "flat", .size = {4, 0}}); });
+        check_at(SourceLocation::current(), [&] { image({.name = "flat", .size = {4, 0}}); });
     });
     frame.end();
 }
