@@ -229,8 +229,8 @@ class Added(unittest.TestCase):
                               ((0.97, 2), "hardly changes (a) or grows by a factor of 2 (b)"), ((7, 7), "grows by a factor of 7")):
             self.assertEqual(between((factors[0], "a"), (factors[1], "b")), said)
         points = [point("s", "m", error, 1, {"size": size}) for size, error in ((256, 0.4), (1024, 0.1))]
-        self.assertEqual(said_by(Chart(study(points=points), {"name": "a", "x": "knob size", "x_label": "size: in texels"})),
-                         "From size 256 to 1,024 the error falls to 25%.")
+        self.assertEqual(said_by(Chart(study(points=points), {"name": "a", "x": "knob size", "x_label": "size, texels: of a map"})),
+                         "From size 256 to 1,024 texels the error falls to 25%.")
 
     def test_names_say_which_switch_and_leave_out_the_one_method(self):
         points = [point(str(n), "m", 0.1 * n, n, {"n": n, "volumes": on}) for n in (1, 2) for on in ("on", "off")]
@@ -247,6 +247,11 @@ class Added(unittest.TestCase):
         points = [point(scene, "m", error, 1, {"n": n}) for scene, error, n in (("s", 0.01, 1), ("s", 0.2, 2), ("t", 0.3, 1), ("t", 0.2, 2))]
         self.assertEqual(said_by(Chart(study(points=points), {"name": "a"})),
                          "Enough in the least time: m 1 (in 1 of 2 panels). Smallest error where none is enough: m 2 (in 1 of 2 panels).")
+        points = [point("s", "near", 0.1, 1), point("s", "light", 0.4, 1)]
+        for p, reads in zip(points, (8, 2)):
+            p["error"]["reads"] = reads
+        of_work = Chart(study(points=points, metrics={"reads": "reads of a texture"}), {"name": "a", "x": "reads", "y": "flip_mean"})
+        self.assertEqual(said_by(of_work), "Smallest error: near.")  # and not the least work
 
 
 class Reading(unittest.TestCase):

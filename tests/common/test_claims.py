@@ -2,6 +2,8 @@
 # Builds: nothing
 
 import ast
+import json
+import re
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -72,6 +74,12 @@ Which is faster?
     def test_comparisons_of_lessons_are_bound(self):
         loose = [f"{lesson}:{line}: {words}" for lesson in lessons() for line, section, words in claims.unbound(lesson)]
         self.assertEqual(loose, [], "a comparison needs <!-- claim: ... --> (common/course/pages/claims.py)")
+
+    def test_no_chart_states_a_verdict_by_hand(self):
+        verdict = re.compile(rf"{claims.COMPARES.pattern}|{claims.PERHAPS.pattern}|\w+est\b|\b(?:better|enough|never|only)\b", re.I)
+        stated = [f"{request.relative_to(ROOT)}: {words}" for request in sorted(ROOT.glob("chapters/*/study*.json"))
+                  for chart in json.loads(request.read_text(encoding="utf-8")).get("charts", []) if verdict.search(words := chart.get("says", ""))]
+        self.assertEqual(stated, [], "without \"says\" the sentence is computed, for each device (common/course/charts/said.py)")
 
     def test_the_tail_of_an_error_does_not_contradict_its_mean(self):
         def errors(name: str, side: ast.expr, scene) -> list[float]:

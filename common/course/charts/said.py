@@ -60,8 +60,8 @@ def knob_said(chart) -> str:
         return ""
     what = "time" if chart.y.kind == "time" else "error" if chart.y.name in METRICS else "value"
     ends = [chart.x.value(p) for p in chart.drawable]
-    knob = chart.x.label().partition(":")[0]
-    return f"From {knob} {min(ends):,g} to {max(ends):,g} the {what} {between(min(changes), max(changes))}."
+    knob, comma, unit = chart.x.label().partition(":")[0].partition(", ")
+    return f"From {knob} {min(ends):,g} to {max(ends):,g}{comma[1:]}{unit} the {what} {between(min(changes), max(changes))}."
 
 
 def between(least: tuple[float, str], most: tuple[float, str]) -> str:

@@ -172,8 +172,8 @@ class Chart:
         return self.verdict(points).front
 
     def verdict(self, points):
-        """The verdict on one panel's points, by the error on an axis and the chart's limit or one 8-bit step."""
-        error = next((axis.name for axis in (self.x, self.y) if axis.kind == "error"), self.study.metric)
+        """The verdict on one panel's points, by the error on an axis, the upright one of two, and the chart's limit or one 8-bit step."""
+        error = next((axis.name for axis in (self.y, self.x) if axis.kind == "error"), self.study.metric)
         at = self.enough["at"] if self.enough else None
         return verdict_of(self.study, points[0].scene, [p for p in points if p in self.drawable], error, at)
 
