@@ -132,7 +132,8 @@ foreach(script ${scripts})
     lightwalk_script_needs(python.${name} ${script})
     set_tests_properties(python.${name} PROPERTIES COST 100)  # so that the shots, which take a blink each, come last
     if(name MATCHES "(newcomer|autograder_container|first_contact)$")
-      set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600)  # it builds the course in a clone
+      # Each builds the course in a clone: with three at once, a window took over 15 minutes to open.
+      set_tests_properties(python.${name} PROPERTIES COST 900 TIMEOUT 3600 RESOURCE_LOCK clone)
     endif()
     if(name MATCHES "page_(site|firefox)$")
       set_tests_properties(python.${name} PROPERTIES DEPENDS text.pages)  # which leaves the pages there
