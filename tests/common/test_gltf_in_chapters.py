@@ -1,4 +1,4 @@
-"""What KHR_lights_punctual states holds in every chapter that lights such files."""
+"""What glTF 2.0 states of alpha, and KHR_lights_punctual of lights, holds in every chapter that lights such files."""
 # Builds: 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 14_environment 15_terrain_water 18_playground
 import functools
 import math
@@ -14,6 +14,7 @@ os.environ.setdefault("GALLIVM_PERF", "nopt")
 
 LINEAR_TONES = ("post.tone=off", "bloom.method=none")
 PLASTIC = {"metallicFactor": 0, "roughnessFactor": 1}
+UNLIT = {"KHR_materials_unlit": {}}
 
 
 def turned(degrees):
@@ -82,32 +83,55 @@ class Punctual(File):
         self.assertAlmostEqual(spot / bare, share ** 2, delta=0.02)
 
 
+def before_black(material):
+    """A square of that material before a black wall, in a light that is off."""
+    gltf = Gltf(material, camera=False).uses("KHR_lights_punctual", "KHR_materials_unlit")
+    gltf.json["materials"].append({"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1]}, "extensions": UNLIT})
+    gltf.json["meshes"].append({"primitives": [gltf.primitive() | {"material": 1}]})
+    return with_nodes(gltf, {"type": "point", "intensity": 0},
+                      [{"mesh": 0}, {"translation": [0, 0, 1]}, {"mesh": 1, "translation": [0, 0, -0.5], "scale": [3, 3, 1]},
+                       {"camera": 0, "translation": [0, 0, 2]}], 2 * math.atan(0.5))
+
+
+class Alpha(File):
+    """glTF 2.0, 3.9.4: alpha is the share of what lies behind that a surface covers, whatever makes it bright."""
+
+    def test_emission_and_unlit_colour_count_by_alpha(self):
+        glow = {"emissiveFactor": [1, 1, 1]}
+        for bright, color, more in ((glow, [0, 0, 0], PLASTIC), ({"extensions": UNLIT}, [1, 1, 1], {})):
+            for alpha in (0, 0.25, 1):
+                with self.subTest(bright, alpha=alpha):
+                    pbr = {"baseColorFactor": [*color, alpha], **more}
+                    found = self.seen(before_black({"alphaMode": "BLEND", "pbrMetallicRoughness": pbr, **bright}))
+                    self.assertAlmostEqual(found, alpha, delta=0.012)  # black plastic reflects ambient light
+
+
 class Attenuation(Punctual):
     chapter = "03_attenuation"
 
 
-class SurfaceMaps(Punctual):
+class SurfaceMaps(Punctual, Alpha):
     chapter = "04_surface_maps"
 
 
-class ShadowMaps(Punctual):
+class ShadowMaps(Punctual, Alpha):
     chapter = "05_shadow_maps"
 
 
-class Deferred(Punctual):
+class Deferred(Punctual, Alpha):
     chapter = "06_deferred"
 
 
-class Environment(Punctual):
+class Environment(Punctual, Alpha):
     chapter, settings = "14_environment", LINEAR_TONES
 
 
-class TerrainWater(Punctual):
+class TerrainWater(Punctual, Alpha):
     chapter, settings, has_sun = "15_terrain_water", (*LINEAR_TONES, "atmosphere.sun_klx=0"), True
 
 
-class Playground(Punctual):
+class Playground(Punctual, Alpha):
     chapter, settings = "18_playground", LINEAR_TONES
 
 
-del File, Punctual, ChapterPictures  # no tests of their own
+del File, Punctual, Alpha, ChapterPictures  # no tests of their own
