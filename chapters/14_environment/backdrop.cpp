@@ -1,6 +1,7 @@
 #include "14_environment/backdrop.h"
 
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
 #include "05_shadow_maps/casting.h"
 #include "14_environment/backdrop_data.h"
@@ -85,6 +86,7 @@ std::vector<GroundLight> ground_lights(const ImageRgb& picture, const Environmen
 }
 
 void GroundShadow::prepare(Gpu& gpu, Scene& scene) {
+    if (std::exchange(environment_, scene.environment) == scene.environment) return;
     made_.forget();
     picture_ = scene.environment ? small_picture(gpu, *scene.environment, 256) : ImageRgb();
 }

@@ -28,6 +28,7 @@ struct GroundShadow : Module {
     const GroundShadowState& state() const { return state_; }
 
   private:
+    std::shared_ptr<Image> environment_;  ///< that picture_ is of
     ImageRgb picture_;
     GroundShadowState state_{};
     Fingerprint made_;

@@ -30,6 +30,7 @@ void Playground::bring_up_to_date(Gpu& gpu) {
     arrived.clear();
     const bool replaced = editor.update(*this, gpu);
     bench.light.prepare(gpu, scene);  // unchanged surroundings and ambient light are kept
+    bench.backdrop.shadow.prepare(gpu, scene);
     if (!replaced) return;
     const bool updates = std::exchange(updates_, false);
     maps_due_ = editor.loads;
@@ -39,6 +40,7 @@ void Playground::bring_up_to_date(Gpu& gpu) {
         if (bench.land.in_use()) bench.land.prepare(gpu, scene);  // at once, not when the scene is loaded next
     } catch (const InputError& e) { editor.notice = e.what(); }   // its file has changed since it was chosen
     picker.rays.prepare(gpu, scene);
+    bench.backdrop.shadow.rays.prepare(gpu, scene);
     if (editor.loads) objects.maps.prepare(gpu, scene);
     maps_due_ = true;
     updates_ = updates;

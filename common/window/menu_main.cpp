@@ -8,6 +8,7 @@
 #include "common/app/shots.h"
 #include "common/base/error.h"
 #include "common/base/files.h"
+#include "common/base/own_files.h"
 #include "common/base/text.h"
 #include "common/gpu/frame.h"
 #include "common/image/image.h"
@@ -95,6 +96,20 @@ std::optional<fs::path> find_picture(const std::string& chapter, const fs::path&
         for (const fs::path& folder : {build / "gallery" / chapter, course_root() / "tests" / chapter / "golden"})
             if (fs::exists(folder / (shot.name + ".png"))) return folder / (shot.name + ".png");
     return std::nullopt;
+}
+
+// The chapter that a menu started last; "": none, or no home folder to remember it in.
+std::string read_last_started() {
+    std::string chapter;
+    if (const fs::path folder = state_folder(); !folder.empty()) std::ifstream(folder / "menu.last") >> chapter;
+    return chapter;
+}
+
+void write_last_started(const std::string& chapter) {
+    const fs::path folder = state_folder();
+    std::error_code error;
+    if (folder.empty() || (fs::create_directories(folder, error), error)) return;
+    std::ofstream(folder / "menu.last") << chapter << '\n';
 }
 
 // Chapters that are built or being built beside this program, in order. `scale`: of the display.
@@ -235,6 +250,8 @@ class Menu {
         ImGui::BeginGroup();
         const bool clicked = button_under_others(entry.chapter.c_str(), size);  // the link to the lesson
         log_place("chapter." + entry.chapter);
+        const bool goes_on = entry.chapter == last_started_ && programs_.state(entry.chapter).name == "ready";
+        if (goes_on) ImGui::SetItemDefaultFocus();  // arrow keys begin here
         const bool hovered = ImGui::IsItemHovered();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 end{corner.x + size.x, corner.y + size.y};
@@ -256,6 +273,12 @@ class Menu {
         } else {
             list.AddRectFilled(corner, {end.x, corner.y + foot}, ImGui::GetColorU32({0.12f, 0.13f, 0.155f, 1.0f}));
             list.AddText({corner.x + 10.0f, corner.y + 10.0f}, ImGui::GetColorU32(quiet_color), "no picture yet");
+        }
+        if (goes_on) {
+            const ImVec2 words = ImGui::CalcTextSize("go on"), low{corner.x, corner.y + foot - words.y - 10.0f};
+            list.AddRectFilled(low, {low.x + words.x + 20.0f, corner.y + foot}, IM_COL32(16, 18, 22, 225));
+            list.AddText({low.x + 10.0f, low.y + 5.0f}, ImGui::GetColorU32(mine_color), "go on");
+            log_place("go_on." + entry.chapter);
         }
         draw_state(entry, corner, {end.x, corner.y + foot});
         if (hovered) list.AddRect(corner, end, ImGui::GetColorU32(reference_color), 0.0f, 0, 2.0f);
@@ -322,6 +345,7 @@ class Menu {
         try {
             ChildProcess child(entry.program, options_);
             log_event("started " + entry.chapter);
+            write_last_started(last_started_ = entry.chapter);
             glfwHideWindow(display_.window);
             std::optional<int> code;
             while (!(code = child.poll())) display_.poll(0.1);
@@ -342,7 +366,7 @@ class Menu {
     std::vector<MenuEntry> entries_;
     std::vector<Tile> tiles_;
     LessonPages lessons_;
-    std::string message_;
+    std::string message_, last_started_ = read_last_started();
     int drawn_ = 0;
 };
 

@@ -3,8 +3,7 @@ import math
 
 from PIL import Image
 
-from parts import Gltf
-from pictures import LINEAR, ChapterPictures
+from pictures import ChapterPictures
 
 METHODS = ("every_light", "per_object", "tiled", "clustered")
 FLOOR = {"model": "models/plane.obj", "scale": 20,
@@ -91,49 +90,3 @@ class PicturesTest(ChapterPictures):
         pictures = [self.draw(unlit, "--method", method, "--validate", "on") for method in METHODS]
         self.assertEqual(pictures[1:], pictures[:1] * 3)
         self.assertGreater(max(max(row) for row in pictures[0])[0], 50)
-
-
-def gltf_light(path, light, height=1.0, slant=0.0):
-    """A matt white square of 4 m below one light of KHR_lights_punctual, seen from above."""
-    def turned(degrees):
-        return [math.sin(math.radians(degrees) / 2), 0, 0, math.cos(math.radians(degrees) / 2)]
-    gltf = Gltf({"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}, camera=False).uses("KHR_lights_punctual")
-    gltf.json |= {"scenes": [{"nodes": [0, 1, 2]}], "extensions": {"KHR_lights_punctual": {"lights": [light]}},
-                  "nodes": [{"mesh": 0, "scale": [2, 2, 1], "rotation": turned(-90)},
-                            {"translation": [0, height, 0], "rotation": turned(-90 + slant),  # it shines along -z of its node
-                             "extensions": {"KHR_lights_punctual": {"light": 0}}},
-                            {"camera": 0, "translation": [0, 3, 0], "rotation": turned(-90)}],
-                  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.35, "znear": 0.1, "aspectRatio": 1}}]}
-    gltf.write(str(path))
-
-
-class PunctualTest(ChapterPictures):
-    """Lights of glTF files are those of KHR_lights_punctual, whatever falloff the scene's own lights have."""
-    chapter = "03_attenuation"
-
-    def middle(self, light, height=1.0, slant=0.0):
-        """Linear light of the light itself: a model that is shown alone has ambient light, too."""
-        return self.with_ambient(light, height, slant) - self.with_ambient(light | {"intensity": 0}, height, slant)
-
-    def with_ambient(self, light, height, slant):
-        model, picture = self.folder / "light.gltf", self.folder / "light.png"
-        gltf_light(model, light, height, slant)
-        self.run_program("--scene", model, "--camera-of-file", "1", "--size", "33x33", "--screenshot", picture, silent=False)
-        return LINEAR[Image.open(picture).convert("RGB").load()[16, 16][0]]
-
-    def test_candela_at_a_distance_are_lux(self):
-        lux = self.middle({"type": "directional", "intensity": 1.2})
-        self.assertGreater(lux, 0.2)
-        for candela, metres in ((1.2, 1), (0.048, 0.2), (30, 5)):
-            self.assertAlmostEqual(self.middle({"type": "point", "intensity": candela}, metres) / lux, 1, delta=0.02)
-
-    def test_range_and_cone(self):
-        bare = self.middle({"type": "point", "intensity": 1})
-        self.assertLess(bare, 0.9)
-        ranged = self.middle({"type": "point", "intensity": 1, "range": 1.25})
-        self.assertAlmostEqual(ranged / bare, 1 - 0.8 ** 4, delta=0.02)
-        cone = {"innerConeAngle": math.radians(10), "outerConeAngle": math.radians(40)}
-        share = (math.cos(math.radians(25)) - math.cos(math.radians(40))) / (
-            math.cos(math.radians(10)) - math.cos(math.radians(40)))
-        spot = self.middle({"type": "spot", "intensity": 1, "spot": cone}, slant=25)
-        self.assertAlmostEqual(spot / bare, share ** 2, delta=0.02)

@@ -79,19 +79,6 @@ class PicturesTest(ChapterPictures):
                     picture = self.draw(file, "--camera-of-file", "1", "--method", method)
                     self.assertLessEqual(self.steps(truth, picture), (1, 0))  # the ground is in the G-buffer
 
-    def test_a_ball_of_a_kilometre_is_as_lit_as_one_of_a_metre(self):
-        """A G-buffer's plane is found from depths, which tilts it slightly: a bias in metres does not grow with the scene."""
-        codes, matt = {}, {"diffuse": [0.7, 0.7, 0.7], "specular": [0, 0, 0]}
-        for scale in (1, 1000):
-            at = lambda *place: [scale * x for x in place]  # noqa: E731, B023
-            camera = {"position": at(5, 4, 7), "target": at(0, 0.5, 0), "fov_deg": 40, "near_m": 0.1 * scale, "far_m": 100 * scale}
-            objects = [{"model": f"models/{name}.obj", "scale": at(*size), "position": at(*place), "material": matt}
-                       for name, size, place in (("plane", (20, 1, 20), (0, 0, 0)), ("sphere", (1.2, 1.2, 1.2), (1.6, 0.6, 0.8)))]
-            sun = {"type": "directional", "direction": [-0.4, -1, -0.3], "shadow": True}
-            picture = self.draw({"camera": camera, "objects": objects, "lights": [sun]}, size="240x240")
-            codes[scale] = list(Image.open(picture).convert("L").getdata())
-        self.assertLess(sum(abs(a - b) > 20 for a, b in zip(codes[1], codes[1000])), 150)  # the edges of shadows
-
     def test_one_pixel(self):
         """A size that an image has before it is made."""
         for method in ("forward", "fat", "depth", "packed", "tiled"):
@@ -167,3 +154,27 @@ class PicturesTest(ChapterPictures):
         self.assertEqual(done.returncode, 2)
         self.assertIn("add an object 'camera a'", done.stderr)
         self.assertFalse((self.folder / "no.png").exists())
+
+
+class ScaleTest(ChapterPictures):
+    chapter, settings = "06_deferred", ()
+
+    def test_a_ball_of_a_millimetre_or_a_kilometre_is_as_lit_as_one_of_a_metre(self):
+        """A G-buffer's plane is found from depths, which tilts it slightly: a bias in metres does not grow with the scene."""
+        codes, matt = {}, {"diffuse": [0.7, 0.7, 0.7], "specular": [0, 0, 0]}
+        for scale in (1, 0.001, 1000):
+            at = lambda *place: [scale * x for x in place]  # noqa: E731, B023
+            camera = {"position": at(5, 4, 7), "target": at(0, 0.5, 0), "fov_deg": 40, "near_m": 0.1 * scale, "far_m": 100 * scale}
+            objects = [{"model": f"models/{name}.obj", "scale": at(*size), "position": at(*place), "material": matt}
+                       for name, size, place in (("plane", (20, 1, 20), (0, 0, 0)), ("sphere", (1.2, 1.2, 1.2), (1.6, 0.6, 0.8)))]
+            sun = {"type": "directional", "direction": [-0.4, -1, -0.3], "shadow": True}
+            picture = self.draw({"camera": camera, "objects": objects, "lights": [sun]}, *self.settings, size="240x240")
+            codes[scale] = list(Image.open(picture).convert("L").getdata())
+        for scale, most in ((0.001, 300), (1000, 150)):  # the edges of shadows
+            with self.subTest(scale=scale):
+                self.assertLess(sum(abs(a - b) > 20 for a, b in zip(codes[1], codes[scale])), most)
+
+
+class PlaygroundScaleTest(ScaleTest):
+    """Chapter 18 draws it forward."""
+    chapter, settings, drawing = "18_playground", ("--set", "post.tone=off"), None

@@ -164,7 +164,8 @@ CHECK_EXERCISE("13.clip_history", "How much too far the history is, in the worst
 CHECK_EXERCISE("13.ghost", "Which of two depths is nearer? In this course depth is reversed.") {
     Probe probe{.include = "13_mlaa/ghost.glsl",
                 .signature = "ivec2 nearest_of_nine(mat3 depths)",
-                .inputs = {Row(9, 0.25), Row(9, 0.0)},
+                // The last has its nearest on the right and its farthest at the upper left: one cause for each mistake.
+                .inputs = {Row(9, 0.25), Row(9, 0.0), {0.125, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.875, 0.5}},
                 .truth =
                     [](std::span<const double> in) {
                         size_t best = 4;
@@ -178,7 +179,18 @@ CHECK_EXERCISE("13.ghost", "Which of two depths is nearer? In this course depth 
                         const size_t x = place(got[0]), y = place(got[1]);
                         const double most = *std::max_element(in.begin(), in.end());
                         return x < 3 && y < 3 && in[4] < most && in[3 * x + y] == most;
-                    }};
+                    },
+                .hint = [](auto in, auto got) -> std::string {
+                    for (const double step : {got[0], got[1]})
+                        if (step != std::round(step) || step < -1) return "";
+                    if (got[0] > 1 || got[1] > 1) return "each step is -1, 0 or 1, not the index of a column or row";
+                    const auto [least, most] = std::minmax_element(in.begin(), in.end());
+                    if (in[4] == *most) return "no other depth is greater than the pixel's own: the step is (0, 0)";
+                    const size_t x = size_t(got[0] + 1), y = size_t(got[1] + 1);
+                    if (in[3 * x + y] == *least) return "that is the farthest: depth is 1 near, and 0 at infinity";
+                    if (in[3 * y + x] == *most) return "x and y are exchanged: depths[x + 1][y + 1]";
+                    return "";
+                }};
     Random random;
     for (int i = 0; i < 300; ++i) {
         Row row;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "18_playground/commands.h"
 #include "18_playground/gltf.h"
 #include "common/app/read_picture.h"
 #include "driven_editor.h"
@@ -209,4 +210,36 @@ TEST_CASE("a scene that is opened or restored shows nothing of the one before it
         CHECK(after != last);
         CHECK(after == editor.on());
     }
+}
+
+TEST_CASE("the surroundings' shadow on the ground is that of what is there, when things and surroundings come and go",
+          "[18.ground_shadow]") {
+    const auto scene = [](const std::string& objects) {
+        return R"({"camera": {"position": [1, 3, 5], "target": [1, 0, 0]}, "environment": "environments/studio.hdr",
+            "knobs": {"backdrop.ground": "projected", "backdrop.shadow.directions": 16, "backdrop.shadow.resolution": 32},
+            "objects": [)" +
+               objects + "]}";
+    };
+    const auto loaded = [&](const std::string& objects) { return Driven(scene(objects).c_str()).picture(); };
+    const std::string left = R"({"name": "left", "model": "models/cube.obj", "position": [0, 0.5, 0]})";
+    const std::string right = R"({"name": "right", "model": "models/cube.obj", "position": [2, 0.5, 0]})";
+    Driven editor(scene(left + ", " + right).c_str());
+    const auto both = editor.picture();
+    remove(editor.document(), {editor.named("right")});
+    const auto one = editor.picture();
+    CHECK(one == loaded(left));
+    remove(editor.document(), {editor.named("left")});
+    const auto none = editor.picture();
+    CHECK(none == loaded(""));
+    CHECK((both != one && one != none));
+    while (editor.document().done() > 0) editor.window.editor.undo(editor.window);
+    editor.window.editor.selection.clear();
+    CHECK(editor.picture() == both);
+    editor.document().begin("surroundings");
+    SceneSettings& settings = *editor.document().edit(root_entry).settings();
+    settings.environment.image = "environments/interior.hdr";
+    settings.environment.where = "environment";
+    editor.document().commit();
+    const auto inside = editor.picture();
+    CHECK(inside == Driven(editor.window.editor.store.text(editor.document()).c_str()).picture());
 }

@@ -2,7 +2,7 @@
 
 Run by root it builds what grading takes, and becomes nobody. Run by a user it has nothing to add to the other tests.
 """
-# Builds: 01_obj 02_lambert_phong 03_attenuation compare serve_main serve_01_obj serve_02_lambert_phong serve_03_attenuation judge_01_obj judge_02_lambert_phong judge_03_attenuation
+# Builds: 01_obj 02_lambert_phong 03_attenuation compare serve_main serve_01_obj serve_02_lambert_phong serve_03_attenuation judge_01_obj judge_02_lambert_phong judge_03_attenuation serve_06_deferred serve_07_mipmaps serve_08_bloom serve_11_fractals serve_13_mlaa judge_06_deferred judge_07_mipmaps judge_08_bloom judge_11_fractals judge_13_mlaa
 
 import os
 import subprocess
@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 import graded_class
+import test_grade_later
 from build.build import build
 from grading.judge import targets
 
@@ -27,7 +28,9 @@ judge.Judge.draw_seed = lambda self: draws(self) if os.access(self.folder, os.W_
 judge.KEPT = judge_picture.KEPT = pathlib.Path(os.environ["HOME"]) / "kept"
 unittest.main(module=None, argv=["as a user", *sys.argv[1:]])
 """
-MODULES = ("test_grade_hostile", "test_grade_handins", "test_grade_forged")
+TESTS = ("test_grade_hostile", "test_grade_handins", "test_grade_forged", "test_grade_later.Later")  # its other class builds
+LATER = {graded_class.OF[exercise] for exercise in
+         (*test_grade_later.TABLES, *(exercise for exercise, _, _ in test_grade_later.ATTACKS.values()))}
 
 
 def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
@@ -45,13 +48,13 @@ def as_nobody(words: list[str], home: str) -> subprocess.CompletedProcess:
 @unittest.skipIf(graded_class.why_not(), graded_class.why_not())
 class AsUser(unittest.TestCase):
     def test_each_attack_ends_as_it_does_for_root(self):
-        build([*targets(sorted(graded_class.CHAPTERS)), *graded_class.CHAPTERS, "compare"])
+        build([*targets(sorted({*graded_class.CHAPTERS, *LATER})), *graded_class.CHAPTERS, "compare"])
         with tempfile.TemporaryDirectory() as home:
             Path(home).chmod(0o777)
             said = as_nobody(["-c", "import graded_class; print(graded_class.why_not())"], home)
             if said.returncode or said.stdout.strip():
                 self.skipTest(f"nobody cannot read the course or contain anything here: {(said.stdout or said.stderr).strip()[-200:]}")
-            for module in MODULES:
-                with self.subTest(module):
-                    done = as_nobody(["-c", AS_USER, module], home)
+            for tests in TESTS:
+                with self.subTest(tests):
+                    done = as_nobody(["-c", AS_USER, tests], home)
                     self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-6000:])

@@ -185,14 +185,16 @@ TEST_CASE("a part that an animation mirrors leaves its batch and still shows its
 
 namespace {
 
-// The ball, all of whose vertices follow two joints by these shares.
-Model skinned_ball(std::vector<glm::mat4> joints, glm::vec4 shares) {
+// The ball, all of whose vertices follow two joints by these shares; `above`: the place of the joints' parent.
+Model skinned_ball(std::vector<glm::mat4> joints, glm::vec4 shares, const glm::mat4& above = glm::mat4(1.0f)) {
     Model model = test_model("sphere.obj");
+    const int armature = static_cast<int>(model.nodes.size());
+    model.nodes.push_back({.name = "armature", .local = above});
     ModelSkin& skin = model.skins.emplace_back();
     for (size_t i = 0; i < joints.size(); ++i) {
         skin.joints.push_back(static_cast<uint32_t>(model.nodes.size()));
         skin.inverse_bind.emplace_back(1.0f);
-        model.nodes.push_back({.name = "joint", .local = joints[i]});
+        model.nodes.push_back({.name = "joint", .parent = armature, .local = joints[i]});
     }
     Deformation& how = model.meshes[0].deformation;
     how.rest = model.meshes[0].vertices;
@@ -249,12 +251,16 @@ TEST_CASE("normals of a skin under joints of unequal scale are those of the elli
         std::vector<glm::mat4> joints;
         glm::vec4 shares;
         glm::vec3 axes;
+        glm::mat4 above{1.0f};
     } cases[] = {{{flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}},
                  {{flat, one}, {0.5f, 0.5f, 0, 0}, {1, 0.65f, 1}},
                  {{turned, one}, {1, 0, 0, 0}, {1, 1, 1}},
-                 {{turned * flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}}};
-    for (const auto& [joints, shares, axes] : cases) {
-        Model model = skinned_ball(joints, shares);
+                 {{turned * flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}},
+                 {{flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}, turned},
+                 {{flat, one}, {0.5f, 0.5f, 0, 0}, {1, 0.65f, 1}, turned},
+                 {{turned * flat, one}, {1, 0, 0, 0}, {1, 0.3f, 1}, turned}};
+    for (const auto& [joints, shares, axes, above] : cases) {
+        Model model = skinned_ball(joints, shares, above);
         const auto worst = [&](const std::vector<Vertex>& vertices) {
             float most = 0;
             for (const Vertex& v : vertices)
@@ -265,7 +271,7 @@ TEST_CASE("normals of a skin under joints of unequal scale are those of the elli
         set_in_motion(model);
         ModelScene test(model);
         CHECK(worst(test.at(0.5f)) < 1e-4f);
-        CHECK(test.scene.items[0].mirrored == (glm::determinant(joints[0]) < 0));
+        CHECK(test.scene.items[0].mirrored == (glm::determinant(above * joints[0]) < 0));
     }
 }
 
@@ -303,7 +309,7 @@ TEST_CASE("bounds hold a deformed mesh at all times, so that culling removes no 
     deform_at_rest(model);
     ModelScene morph(model);
     Model skin = skinned_ball({glm::mat4(1.0f), glm::mat4(1.0f)}, {0.5f, 0.5f, 0, 0});
-    skin.motions.push_back({.node = 1});
+    skin.motions.push_back({.node = skin.skins[0].joints[0]});
     skin.motions[0].position = {{0, {0, 0, 0}}, {1, {4, 0, 0}}, {3, {0, 7, 0}}};
     skin.motions[0].rotation = {{0, {1, 0, 0, 0}}, {1.5f, {0, 0, 1, 0}}, {3, {0, 1, 0, 0}}};
     skin.motions[0].scale = {{0, {1, 1, 1}}, {2, {3, 0.5f, 1}}};

@@ -169,6 +169,7 @@ class Menu(StartedTest):
     def test_click_starts_a_chapter_and_comes_back(self):
         menu = self.start(BUILD / "menu", "--validate", "on")
         menu.settled(0, 0, 400, 300)
+        self.assertEqual(self.going_on(menu), [])
         for _ in range(2):
             since = menu.said()
             menu.click("chapter.01_obj")
@@ -180,7 +181,15 @@ class Menu(StartedTest):
             menu.wait_for_line("01_obj ended with 0", since)
             menu.wait(lambda: "Lightwalk" in self.titles(menu).splitlines(), "the menu's window")
             menu.focus()
+        menu.wait(lambda: self.going_on(menu) == ["go_on.01_obj"], "its tile says so")
         self.end(menu)
+        later = self.start(BUILD / "menu", "--validate", "on")
+        self.assertEqual(self.going_on(later), ["go_on.01_obj"])
+        self.end(later)
+
+    @staticmethod
+    def going_on(menu: Session) -> list[str]:
+        return [place for place in list(menu.places) if place.startswith("go_on.")]
 
     def test_a_chapter_that_is_not_built_shows_how_far_it_is_and_a_click_asks_for_it(self):
         states = self.folder / "states"
