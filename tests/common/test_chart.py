@@ -252,6 +252,8 @@ class Added(unittest.TestCase):
             p["error"]["reads"] = reads
         of_work = Chart(study(points=points, metrics={"reads": "reads of a texture"}), {"name": "a", "x": "reads", "y": "flip_mean"})
         self.assertEqual(said_by(of_work), "Smallest error: near.")  # and not the least work
+        of_work = Chart(study(points=points), {"name": "a", "x": "reads", "y": "flip_mean", "enough": {"at": 0.5, "text": "half"}})
+        self.assertEqual(said_by(of_work), "Enough at the least reads: light.")
 
 
 class Reading(unittest.TestCase):

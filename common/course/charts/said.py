@@ -16,11 +16,20 @@ def said_by(chart) -> str:
 
 
 def front_said(chart) -> str:
-    """Which method, or which row, is enough; and which has the smallest error where none is: below a limit none is ranked."""
+    """Which method, or which row, is enough; and which has the smallest error where none is: below a limit none is ranked. Of two
+    errors the level one stands for the time."""
+    work = chart.x.value if (chart.x.kind, chart.y.kind) == ("error", "error") else lambda p: p.time[1]
+
+    def enough_of(points):
+        verdict = chart.verdict(points)
+        if chart.x.kind == "time" or not all(verdict.limits.values()):
+            return chart.enough_of(points)
+        return min(verdict.enough, key=work, default=None) if chart.y.kind == "error" else None
+
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     panels = [points for points in panels if points]
-    fastest = [chart.enough_of(points) for points in panels]
-    best = [min(points, key=lambda p: (chart.verdict(points).error(p), p.time[1])) for points in panels]
+    fastest = [enough_of(points) for points in panels]
+    best = [min(points, key=lambda p: (chart.verdict(points).error(p), work(p))) for points in panels]
     chosen = [a or b for a, b in zip(fastest, best)]
     several = {chart.name_of(p) for p in chosen if any(chart.name_of(p) == chart.name_of(q) and p.knobs != q.knobs for q in chosen)}
 
@@ -31,7 +40,8 @@ def front_said(chart) -> str:
 
     words = []
     if any(fastest):
-        words.append(f"Enough in the least time: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
+        least = "in the least time" if chart.x.kind == "time" else f"at the least {chart.x.label().partition('  (')[0]}"
+        words.append(f"Enough {least}: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
     if not all(fastest):
         where = "Smallest error where none is enough" if any(fastest) else "Smallest error"
         words.append(f"{where}: {counted([name(b) for a, b in zip(fastest, best) if not a], len(chart.panels))}.")
@@ -89,6 +99,6 @@ def rows_said(chart) -> str:
     sign = -1 if chart.study.higher_is_faster else 1
     fastest = min(chart.drawable, key=lambda p: sign * p.time[1])
     exact = min(chart.drawable, key=lambda p: (p.error, sign * p.time[1]))
-    if fastest is exact:
+    if chart.name_of(fastest) == chart.name_of(exact):
         return f"{chart.name_of(fastest)} is the fastest, and none has a smaller error."
     return f"{chart.name_of(fastest)} is the fastest; {chart.name_of(exact)} is the fastest of those with the smallest error."
