@@ -52,8 +52,7 @@ class Script(FolderCase):
             slurm.check_arguments(words_of("--slurm"))
 
     def test_what_slurm_refuses_is_said(self):
-        (self.folder / "sbatch").write_text("#!/bin/sh\necho 'sbatch: error: invalid partition specified: short' >&2; exit 1\n")
-        (self.folder / "sbatch").chmod(0o755)
+        self.write("sbatch", "#!/bin/sh\necho 'sbatch: error: invalid partition specified: short' >&2; exit 1\n").chmod(0o755)
         with mock.patch.dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"), \
                 self.assertRaisesRegex(Failure, "invalid partition specified: short"):
             slurm.submit(Path("x.sbatch"), [1], 1)

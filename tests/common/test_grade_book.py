@@ -51,8 +51,7 @@ def rows_of(text: str) -> list[list[str]]:
 
 class Files(FolderCase):
     def file(self, text, name="file") -> Path:
-        (self.folder / name).write_bytes(text if isinstance(text, bytes) else (text if isinstance(text, str) else json.dumps(text)).encode())
-        return self.folder / name
+        return self.write(name, text if isinstance(text, (str, bytes)) else json.dumps(text))
 
     def rules(self, **given) -> Rules:
         return Rules(self.file(given), WANTED)
