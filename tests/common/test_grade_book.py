@@ -176,8 +176,7 @@ class Platforms(Files):
         self.assertIn("02.phong: missing", ben[7])
 
     def test_a_name_is_found_with_the_other_apostrophe(self):
-        file = self.folder / "list.csv"
-        file.write_text("First name,Last name\nZo\u00eb,O\u2019Neill\nAnn,D'Arc\n")
+        file = self.file("First name,Last name\nZo\u00eb,O\u2019Neill\nAnn,D'Arc\n")
         students = ["Zoe\u0308 O'Neill_7_assignsubmission_file_", "Ann D\u2019Arc"]
         self.assertEqual(Roster(file, students).strangers, [])
         self.assertEqual(Roster(file, ["Zoe O'Neill"]).strangers, ["Zoe O'Neill"])
