@@ -139,7 +139,7 @@ def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, 
         one["handed_in_s"] = roster.handed_in_s(one["student"]) or one.get("handed_in_s")
     book = Book(grades, Rules(arguments.rules, wanted), roster)
     names = write_books(out, book, arguments.format)
-    count = write_pages(out / "feedback", book, grades, submitted, starters_of(wanted))
+    count = write_pages(out / "feedback", book, grades, submitted)
     for student in roster.strangers[:MOST_NAMES]:
         warn(f"{printable(student)} is not in {arguments.roster}")
     known = {one["student"] for one in grades}
