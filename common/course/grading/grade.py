@@ -72,7 +72,6 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
     if bool(arguments.merge) == bool(arguments.paths):
         raise UsageError("--merge takes shards, which know the class: leave out its folder" if arguments.merge else
