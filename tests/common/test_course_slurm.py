@@ -26,7 +26,8 @@ def words_of(*words) -> argparse.Namespace:
 
 class Script(FolderCase):
     def test_a_person_can_read_it(self):
-        text = slurm.script("grade", ["grade", "a class", "--chapter", "02"], Path("/f"), 16, ["--partition=short", "-t", "60"], Path("/home of"))
+        text = slurm.script("grade", ["grade", "a class", "--chapter", "02"], Path("/f"), 16, ["--partition=short", "-t", "60"],
+                            Path("/home of"))
         self.assertEqual(text.splitlines()[1], "# ./course grade 'a class' --chapter 02, in 16 parts: one for each task of this array job.")
         for line in ("#SBATCH --array=1-16", "#SBATCH --partition=short -t 60", "#SBATCH --mem=8G", "#SBATCH --requeue",
                      '#SBATCH --chdir="/home of"', "#SBATCH --output=/f/grade.%a.log",

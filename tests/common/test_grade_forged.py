@@ -96,7 +96,8 @@ VERDICTS = [
     ("01.triangulate", "leaks", None), ("01.triangulate", "nests", None), ("01.triangulate", "many symbols", None),
     ("02.lambert", "mark of order", None),
     # Numbers that are right are not all.
-    ("01.triangulate", "two minds", PICTURE + "pixels differ"), ("01.triangulate", "own picture", PICTURE + "(cannot be compared|wrote none)"),
+    ("01.triangulate", "two minds", PICTURE + "pixels differ"),
+    ("01.triangulate", "own picture", PICTURE + "(cannot be compared|wrote none)"),
     ("01.triangulate", "fills", PICTURE + "the program that draws it (ended with|wrote none)"),
     *[("01.triangulate", name, "") for name in ["prints", *ENDS]],
     # No switch of a check is in reach, and none is answered for.
@@ -228,8 +229,8 @@ class Hoard(unittest.TestCase):
 
     def test_nothing_can_be_hoarded(self):
         for user in USERS:
-            said = subprocess.run([*user, "/usr/bin/python3", "-c", TRIED, HOARD], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                  cwd="/").stdout
+            said = subprocess.run([*user, "/usr/bin/python3", "-c", TRIED, HOARD], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  text=True, cwd="/").stdout
             self.assertTrue(said.startswith("{"), said)
             got = json.loads(said.strip().replace("'", '"').replace("False", "false").replace("True", "true"))
             self.assertLessEqual(got.pop("threads"), sandbox.THREADS)

@@ -44,8 +44,10 @@ REACHES = [
     ("02.lambert", "#extension GL_EXT_buffer_reference : require", "no exercise needs #extension"),
     ("02.lambert", '#line 1 "/etc/passwd"', "no exercise needs #line"), ("02.lambert", "/* ", "a comment does not end"),
     ("02.lambert", '#error "\\u000a honest 99/99"', "error"),
-    ("06.accumulate_lights", "#undef light_reaches_cell", "a name that others use"), ("08.blur_line", "#undef barrier", "a name that others use"),
-    ("13.propagate_distance", "#ifdef KNOWN_DISTANCES", "by which shaders know"), ("08.down_filter", "int n = IMPULSE_X;", "by which shaders know"),
+    ("06.accumulate_lights", "#undef light_reaches_cell", "a name that others use"),
+    ("08.blur_line", "#undef barrier", "a name that others use"),
+    ("13.propagate_distance", "#ifdef KNOWN_DISTANCES", "by which shaders know"),
+    ("08.down_filter", "int n = IMPULSE_X;", "by which shaders know"),
     ("09.histogram_bin", "uint n = picture_bins[0];", "names picture_bins"),
 ]
 

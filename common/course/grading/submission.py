@@ -266,8 +266,9 @@ def folders_in(path: Path) -> list[str]:
     found = [""]
     for top in found:
         if top.count("/") < DEEPEST and len(found) < MOST_FOLDERS:
-            found += sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
-                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders", *LITTER))[:MOST_FOLDERS - len(found)]
+            inside = sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
+                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders", *LITTER))
+            found += inside[:MOST_FOLDERS - len(found)]
     return found
 
 
