@@ -63,7 +63,6 @@ ROWS = [
     ("handout OUT/handout", 0, r"files, 10 exercises, no solutions", "OUT/handout/docs"),
     ("grade OUT/class --chapter 02 --out OUT/grades --rules OUT/rules.json --budget 5 --format csv", 0, r"ann +1/5", "OUT/grades"),
     ("grade OUT/class --chapter 02 --out OUT/again --json --regrade 02.lambert", 0, r'"02\.lambert"', "OUT/again"),
-    ("grade OUT/class --chapter 02 --out OUT/slurm_grades --slurm --shards 1", 0, r"job 7: 1 parts.*ann +1/5", "OUT/slurm_grades"),
     ("grade OUT/class --chapter 02 --shard 1/1 --out OUT/parts", 0, r"", "OUT/parts"),
     ("grade --merge OUT/parts --roster OUT/canvas.csv --format canvas --out OUT/whole", 0, r"ann +1/5", "OUT/whole"),
 ]
@@ -74,6 +73,7 @@ ELSEWHERE = {
     "common/test_first_contact.py": ("clean",),
     "common/test_models.py": ("run --models",),
     "19_ambiance/test_film.py": ("run --film", "run --table", "run --page", "run --slurm", "run --shards"),
+    "common/test_grade_slurm.py": ("grade --slurm", "grade --shards"),
     "common/test_course_new.py": ("new",),
     "common/test_live.py": ("serve --behind", "serve --socket"),
     "common/test_course.py": ("test --all", "test --changed", "test --with-changed", "test --sanitize"),

@@ -24,7 +24,7 @@ class Suites(unittest.TestCase):
 
     def test_the_first_line_that_matches_holds(self):
         for test, suite in (("shots.04", "first"), ("text.tree", "first"), ("variants.04", "engine"), ("window.common.window", "platform"),
-                            ("python.common.knobs.04", "field"), ("text.grade_user", "field"), ("text.grade", "platform")):
+                            ("python.common.knobs.04", "field"), ("text.grade_slurm", "field"), ("text.grade", "platform")):
             self.assertEqual(suites.line_of(test)[0], suite, test)
 
     def test_a_change_concerns_the_tests_of_its_part(self):
