@@ -12,8 +12,8 @@ CUBE = "".join(f"v {x} {y} {z}\n" for z in (-1, 1) for y in (-1, 1) for x in (-1
 CUBE_FACES = "f 5 6 8 7\nf 2 1 3 4\nf 6 2 4 8\nf 1 5 7 3\nf 7 8 4 3\nf 1 2 6 5\n"
 
 
-def obj(name, mtl, file=None, geometry=SQUARE, faces=FACE):
-    file = file or name.replace(" ", "_")
+def obj(name, mtl, geometry=SQUARE, faces=FACE):
+    file = name.replace(" ", "_")
     (HERE / f"{file}.mtl").write_text("newmtl m\n" + mtl)
     (HERE / f"{file}.obj").write_text(f"mtllib {file}.mtl\n{geometry}{faces}")
     return f"{file}.obj"

@@ -51,7 +51,6 @@ def run(arguments, rest) -> int:
         return write_page(arguments.page)
     if not arguments.film:
         raise UsageError("name the file that the film is written to: ./course run 19 --film OUT.mp4")
-    shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
     out = Path(arguments.film)
     if out.suffix not in (".mp4", ".mkv", ".raw"):

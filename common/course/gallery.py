@@ -32,7 +32,6 @@ def gallery_in_shards(words: list[str]) -> int:
     arguments, rest = parser.parse_known_args(words)
     if rest or not (arguments.shard or arguments.merge or arguments.slurm is not None):
         parser.error(f"unrecognised argument '{(rest or words)[0]}'")
-    shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
     if arguments.slurm is not None:
         arguments.merge = [slurm.run("gallery", arguments, ["run", "--gallery", *words], lambda: build(["programs"]))]

@@ -214,19 +214,19 @@ class Panel:
             beside = (ux * reach, -uy * reach) if reach else (16 * -uy, 16 * -ux)
             self.text(between(tail, tip, at), label, color, offset=offset or beside, **text)
 
-    def arc(self, center: Point, radius: float, first: float, last: float, label="", color=INK, width=THIN,
-            offset: Point = (0, 0), arrow=False, **text):
-        """An angle from `first` to `last` degrees, with a head if `arrow`; its label stands outside of its middle."""
-        self.curve(lambda angle: polar(radius, angle, center), first, last, color, width, steps=64, arrow=arrow)
+    def arc(self, center: Point, radius: float, first: float, last: float, label="", color=INK, offset: Point = (0, 0),
+            **text):
+        """An angle from `first` to `last` degrees; its label stands outside of its middle."""
+        self.curve(lambda angle: polar(radius, angle, center), first, last, color, THIN, steps=64)
         if label:
             middle = radians((first + last) / 2)
             beyond = 14 + 0.3 * _width(label, text.get("size", TEXT)) * abs(cos(middle))
             self.text(polar(radius, (first + last) / 2, center), label, color,
                       offset=(beyond * cos(middle) + offset[0], beyond * sin(middle) + offset[1]), **text)
 
-    def right_angle(self, corner: Point, first: float, size_px: float = 14, color=INK):
+    def right_angle(self, corner: Point, first: float, color=INK):
         """The little square between the directions `first` and first + 90 degrees."""
-        s = size_px / self.scale
+        s = 14 / self.scale
         a, b = polar(s, first, corner), polar(s, first + 90, corner)
         self.line([a, (a[0] + b[0] - corner[0], a[1] + b[1] - corner[1]), b], color, THIN)
 

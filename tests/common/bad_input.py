@@ -4,7 +4,6 @@ LIGHTWALK_BUILD names the build folder, by default build/ in the tree.
 """
 import io
 import os
-import pathlib
 import re
 import subprocess
 import unittest
@@ -42,12 +41,6 @@ def radiance(width=64, height=8) -> bytes:
 class BadInput(FolderCase):
     def setUp(self):
         self.picture = self.folder / "picture.png"
-
-    def write(self, name, content) -> pathlib.Path:
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
 
     def run_program(self, program, *arguments, **environment):
         return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, errors="replace",

@@ -10,3 +10,9 @@ class FolderCase(unittest.TestCase):
     def folder(self) -> Path:
         """The test's own; it goes with the test."""
         return Path(self.enterContext(tempfile.TemporaryDirectory(prefix="lightwalk_")))
+
+    def write(self, name: str, content: str | bytes) -> Path:
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path

@@ -147,8 +147,7 @@ class Drawing(FolderCase):
             self.assertFalse(((low[i] <= markers) & (markers <= high[i])).all(axis=1).any(), f"{text} over a point")
 
     def test_the_same_study_gives_the_same_files(self):
-        path = self.folder / "reflection.json"
-        path.write_text(json.dumps(STUDY))
+        path = self.write("reflection.json", json.dumps(STUDY))
         seen = set()
         for name in ("first", "second"):
             out = self.folder / name
@@ -159,8 +158,7 @@ class Drawing(FolderCase):
         self.assertEqual(len(seen), 1)
 
     def test_a_file_for_each_chart_and_one_table(self):
-        path = self.folder / "lights.json"
-        path.write_text(json.dumps(over_lights().data))
+        path = self.write("lights.json", json.dumps(over_lights().data))
         self.assertEqual(chart.main([str(path)]), 0)
         names = ["lights.md"] + [f"lights{chart_name}.{suffix}" for suffix in ("png", "svg") for chart_name in
                                  ("", ".lights", ".threshold", ".texels", ".errors", ".rule")]
@@ -175,11 +173,9 @@ class Drawing(FolderCase):
         self.assertEqual(list(self.folder.iterdir()), [path])  # all or nothing
 
     def test_bad_input_is_one_line_and_exit_code_2(self):
-        torn, empty, unfinished = (self.folder / name for name in ("torn.json", "empty.json", "nan.json"))
-        torn.write_text("{")
-        empty.write_text("{}")
-        unfinished.write_text(json.dumps(STUDY | {"points": [point("s", "a", math.nan, 1)]}))
-        for path in (torn, empty, unfinished, self.folder / "missing.json", self.folder):
+        unfinished = json.dumps(STUDY | {"points": [point("s", "a", math.nan, 1)]})
+        for path in (self.write("torn.json", "{"), self.write("empty.json", "{}"), self.write("nan.json", unfinished),
+                     self.folder / "missing.json", self.folder):
             with self.subTest(path.name), contextlib.redirect_stderr(io.StringIO()) as said:
                 self.assertEqual(chart.main([str(path), "--out", str(self.folder / "o")]), 2)
                 self.assertEqual(said.getvalue().count("\n"), 1)

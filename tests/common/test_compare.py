@@ -72,9 +72,7 @@ class CompareTest(FolderCase):
 
     def test_hdr_with_nan(self):
         def pfm(name, values):
-            path = self.folder / name
-            path.write_bytes(b"PF\n2 1\n-1.0\n" + struct.pack("<6f", *values))
-            return path
+            return self.write(name, b"PF\n2 1\n-1.0\n" + struct.pack("<6f", *values))
 
         good = pfm("good.pfm", [1, 2, 3, 4, 5, 6])
         bad = pfm("bad.pfm", [1, 2, 3, float("nan"), 5, 6])
@@ -91,10 +89,7 @@ class CompareTest(FolderCase):
 
     def test_bad_input_is_one_line_and_exit_code_2(self):
         small = self.picture("small.png", (10, 10), (0, 0, 0))
-        text = self.folder / "text.png"
-        text.write_text("no image")
-        cut = self.folder / "cut.png"
-        cut.write_bytes(self.b.read_bytes()[:60])
+        text, cut = self.write("text.png", "no image"), self.write("cut.png", self.b.read_bytes()[:60])
         for arguments in ([self.a], [], [self.a, small], [self.a, self.folder / "missing.png"], [self.a, text],
                           [self.a, cut], [self.a, self.folder], [self.a, self.b, "--max-mean", "much"],
                           [self.a, self.b, "--max-mean", 7], [self.a, self.b, "--unknown"],

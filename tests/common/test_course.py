@@ -49,6 +49,10 @@ class Commands(Course):
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "the nearest is 01.one; ./course run 01 --list exercises"),
                                 ("accept 01.cat", "the nearest are 01.car and 01.bunny; ./course run NN --list shots"), ("fuzz 0", "0 seconds is too short"),
                                 ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
+                                ("run --gallery --shard 3/2", "'3/2' is not a shard"),
+                                ("run --gallery --merge", "expected at least one argument"),
+                                ("run --gallery --out x", "unrecognised argument '--out'"),
+                                ("run --gallery --shrad", "unrecognised argument '--shrad'"),
                                 ("handout /", "name a folder"), ("grade nobody", "no such file")):
             printed = self.course(*words.split(), code=2)
             self.assertIn(expected, printed)

@@ -90,28 +90,20 @@ class FirstContact(unittest.TestCase):
                     shutil.rmtree(home, ignore_errors=True)
 
     def test_what_a_student_types(self):
-        """In that clone, as a user: an exercise is checked, solved and reset."""
+        """In that clone, as a user whose compiler has no cache yet; test_course_commands.py has the other commands."""
         home = self.folder / "student"
         home.mkdir()
         self.give(home)
 
-        def course(*words: str, code: int = 0) -> str:
+        def course(*words: str) -> str:
             done = subprocess.run([*USER, "env", "-i", "PATH=/usr/bin:/bin", f"HOME={home}", f"CCACHE_DIR={home}/ccache", self.root / "course", *words],
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-            self.assertEqual(done.returncode, code, done.stdout)
+            self.assertEqual(done.returncode, 0, done.stdout)
             return done.stdout
-        place = Path("shaders/02_lambert_phong/exercise/lambert.glsl")
-        self.assertIn("GB free in build", course("doctor"))
         self.assertIn("02.lambert", course("run", "02", "--list", "exercises"))
-        self.assertIn("float lambert(", course("shader", "02_lambert_phong/shade.frag"))
-        self.assertRegex(course("check", "--next"), "01\\.")
-        self.assertIn("open  02.lambert", course("check", "02.lambert", code=1))
-        answer = (self.root / str(place).replace("exercise", "solution")).read_bytes()
-        (self.root / place).write_bytes(answer)
+        place = self.root / "shaders/02_lambert_phong/exercise/lambert.glsl"
+        place.write_bytes((REAL / "shaders/02_lambert_phong/solution/lambert.glsl").read_bytes())
         self.assertIn("ok    02.lambert", course("check", "02.lambert"))
-        self.assertIn(f"your answer is {place}.1.old", course("reset", "02.lambert"))
-        self.assertEqual((self.root / f"{place}.1.old").read_bytes(), answer)
-        self.assertIn("open  02.lambert", course("check", "02.lambert", code=1))
         self.assertEqual(course("clean"), "")
         self.assertFalse((self.root / "build").exists())
 

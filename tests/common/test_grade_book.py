@@ -51,8 +51,7 @@ def rows_of(text: str) -> list[list[str]]:
 
 class Files(FolderCase):
     def file(self, text, name="file") -> Path:
-        (self.folder / name).write_bytes(text if isinstance(text, bytes) else (text if isinstance(text, str) else json.dumps(text)).encode())
-        return self.folder / name
+        return self.write(name, text if isinstance(text, (str, bytes)) else json.dumps(text))
 
     def rules(self, **given) -> Rules:
         return Rules(self.file(given), WANTED)
@@ -177,8 +176,7 @@ class Platforms(Files):
         self.assertIn("02.phong: missing", ben[7])
 
     def test_a_name_is_found_with_the_other_apostrophe(self):
-        file = self.folder / "list.csv"
-        file.write_text("First name,Last name\nZo\u00eb,O\u2019Neill\nAnn,D'Arc\n")
+        file = self.file("First name,Last name\nZo\u00eb,O\u2019Neill\nAnn,D'Arc\n")
         students = ["Zoe\u0308 O'Neill_7_assignsubmission_file_", "Ann D\u2019Arc"]
         self.assertEqual(Roster(file, students).strangers, [])
         self.assertEqual(Roster(file, ["Zoe O'Neill"]).strangers, ["Zoe O'Neill"])
@@ -305,7 +303,7 @@ class Several(Files):
                          [("Ann Ex", 2, None), ("Ann Example", 1, None), ("ben", None, "holds no exercise")])
         self.assertEqual(book.rows[0]["marks"]["02.lambert"]["student"], later)
         self.assertEqual(len(rows_of(self.written("moodle", book))), 1 + 3)
-        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, {first: {"02.phong": b"mine"}}, {}), 3)
+        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, {first: {"02.phong": b"mine"}}), 3)
 
     def test_a_name_that_holds_anothers_number_is_nobodys(self):
         list_of = self.file(WORKSHEET + "Participant 1001,Ann,,,10,\nParticipant 2002,Eve,,,10,\n")
@@ -369,7 +367,7 @@ class Pages(Files):
         grades[0]["results"][2] = drawn
         book = self.book("", grades, due="2027-01-15 13:00")
         submitted = {grades[1]["student"]: {"02.lambert": b"float </pre><script>alert(1)</script>"}, grades[0]["student"]: {}}
-        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, submitted, {}), 3)
+        self.assertEqual(feedback.write_pages(self.folder / "f", book, grades, submitted), 3)
         pages = {name: Seen((self.folder / "f" / f"{file_name(name)}.html").read_text()) for name in (one["student"] for one in grades)}
         ben = pages["exampleben_LATE_4712_99_course"]
         for words in ("exampleben", "first case that is wrong", "lambert(normal = (0, 1, 0), to_light = (0, 1, 0))", "<b>0</b>",

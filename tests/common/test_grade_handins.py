@@ -184,14 +184,9 @@ def said_of(folder: Path) -> dict[str, str]:
 
 @unittest.skipIf(graded_class.why_not(), graded_class.why_not())
 class HandIns(FolderCase):
-    def put(self, name: str, data: bytes) -> Path:
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_bytes(data)
-        return self.folder / name
-
     def test_each_is_read_or_refused_in_a_line(self):
         for name, (data, _) in ENTRIES.items():
-            self.put(name, data)
+            self.write(name, data)
         expected = {name.partition("/")[0]: words for name, (_, words) in ENTRIES.items()}
         found = said_of(self.folder)
         self.assertEqual(set(found), set(expected))
@@ -228,7 +223,7 @@ class HandIns(FolderCase):
 
     def test_archives_within_one_are_on_the_disk(self):
         for number in range(20):
-            self.put(f"ann/{number}.zip", b"PK" * (4 << 20))
+            self.write(f"ann/{number}.zip", b"PK" * (4 << 20))
         tracemalloc.start()
         self.addCleanup(tracemalloc.stop)
         self.assertIn(BROKEN, said_of(self.folder)["ann"])
@@ -239,7 +234,7 @@ class HandIns(FolderCase):
 
         def read_of(members: dict[str, bytes]):
             notes = []
-            return read(find([self.put("one.zip", zip_of(members))])[0], WANTED, {LAMBERT: STARTER}, notes), "; ".join(notes)
+            return read(find([self.write("one.zip", zip_of(members))])[0], WANTED, {LAMBERT: STARTER}, notes), "; ".join(notes)
         for members, words in (({f"a/old/{LAMBERT}": other, f"work/{LAMBERT}": RIGHT}, "work/ was judged, a/old/ was not"),
                                ({f"z/z/{LAMBERT}": other, LAMBERT: RIGHT}, "the outermost was judged, z/z/ was not"),
                                ({f"a/{LAMBERT}": STARTER, f"b/c/{LAMBERT}": RIGHT}, ""),
@@ -255,5 +250,5 @@ class HandIns(FolderCase):
             read_of({f"old/{LAMBERT}": other, f"course_backup/{LAMBERT}": RIGHT})
         (self.folder / "one.zip").unlink()
         for name, data in ((f"ann/1/2/3/4/5/6/7/{LAMBERT}", RIGHT), (f"ann/__MACOSX/{LAMBERT}", other)):
-            self.put(name, data)
+            self.write(name, data)
         self.assertEqual(said_of(self.folder), {"ann": READ})

@@ -22,6 +22,34 @@ from grading.submission import cell, find, printable
 from tree import ROOT, Failure, UsageError
 
 LAMBERT, PARALLAX = PLACES["02.lambert"], "04.parallax_occlusion"
+# An exercise, GLSL in its file, and a word of why it is refused.
+REACHES = [
+    *[("02.lambert", f"#define {name} 1", name) for name in (
+        "probe_outputs", "case_index", "main", "gl_WorkGroupID", "put", "LIGHTS_METHOD")],
+    # The preprocessor is asked for names of one's own alone.
+    *[("02.lambert", f"{text}\n1\n#endif\n", "defines") for text in (
+        "#ifdef pow", "#ifndef sqrt", "#if defined(min)", "#define MY_A normalize\n#if MY_A == 0",
+        "#define MY_A MY_B\n#define MY_B clamp\n#if MY_A", "#if 0\n#elif defined max", "int a = __LINE__;", "int a = __VERSION__;",
+        "#ifdef GL_EXT_scalar_block_layout", "#ifdef VULKAN", "#ifdef METHOD")],
+    ("02.lambert", "float lambert() { check_texels_read = 0; return 1.0; }", "check_texels_read"),
+    ("02.lambert", '#include "02_lambert_phong/phong.glsl"', "an exercise that the starter does not build on"),
+    ("02.lambert", '#include "common/../02_lambert_phong/solution/lambert.glsl"', "a path below shaders/"),
+    ("11.quintic_noise", '#include "11_fractals/solution/noise_derivative.glsl"', "no file of that name"),
+    ("11.quintic_noise", '#include "11_fractals/noise_derivative.glsl"', "11.noise_derivative"),
+    ("02.lambert", "// \\\n/*\n#define main other\n// */", "a name that others use"),
+    ("02.lambert", "#define JOIN(a, b) a##b", "no # within a line"), ("02.lambert", "int n = probe_inputs.length();", "the checks' own"),
+    ("02.lambert", "float n = undefined_what;", "the checks' own"), ("06.accumulate_lights", "check_asked[0] = 0u;", "the checks' own"),
+    ("02.lambert", "layout(set = 0, binding = 1) buffer Mine { float all[]; } mine;", "that its starter"),
+    ("02.lambert", "layout(local_size_x = 1024) in;", "that its starter"),
+    ("02.lambert", "#extension GL_EXT_buffer_reference : require", "no exercise needs #extension"),
+    ("02.lambert", '#line 1 "/etc/passwd"', "no exercise needs #line"), ("02.lambert", "/* ", "a comment does not end"),
+    ("02.lambert", '#error "\\u000a honest 99/99"', "error"),
+    ("06.accumulate_lights", "#undef light_reaches_cell", "a name that others use"),
+    ("08.blur_line", "#undef barrier", "a name that others use"),
+    ("13.propagate_distance", "#ifdef KNOWN_DISTANCES", "by which shaders know"),
+    ("08.down_filter", "int n = IMPULSE_X;", "by which shaders know"),
+    ("09.histogram_bin", "uint n = picture_bins[0];", "names picture_bins"),
+]
 
 
 class Words(unittest.TestCase):
@@ -53,47 +81,15 @@ class Words(unittest.TestCase):
             with self.assertRaisesRegex(UsageError, words):
                 find([Path(path)])
 
-    def test_a_macro_of_another_is_refused(self):
-        path = REAL / LAMBERT
-        self.assertEqual(plain(b"#define MY_OWN 1\nfloat lambert() {}", path), "#define MY_OWN 1\nfloat lambert() {}")
-        for name in ("probe_outputs", "case_index", "main", "gl_WorkGroupID", "put", "LIGHTS_METHOD"):
-            with self.assertRaisesRegex(Refused, name):
-                plain(f"#define {name} 1".encode(), path)
-
     def test_names_of_checks_files_are_nobodys_macros(self):
         """Each name in tests/*/*.glsl, of variables too."""
         for shader in sorted((REAL / "tests").glob("*/*.glsl")):
             for name in sorted(set(re.findall(r"^\s*(?:int|float|vec\d)\s+(\w+)", shader.read_text(), re.M)))[:3]:
                 with self.subTest(f"{shader.name}: {name}"), self.assertRaisesRegex(Refused, name):
                     plain(f"#define {name} 0".encode(), REAL / LAMBERT)
-        with self.assertRaisesRegex(Refused, "check_texels_read"):
-            plain(b"float lambert() { check_texels_read = 0; return 1.0; }", REAL / LAMBERT)
 
-    def test_the_preprocessor_is_asked_for_own_names_alone(self):
-        for text in ("#ifdef pow", "#ifndef sqrt", "#if defined(min)", "#define MY_A normalize\n#if MY_A == 0", "#define MY_A MY_B\n#define MY_B clamp\n#if MY_A",
-                     "#if 0\n#elif defined max", "int a = __LINE__;", "int a = __VERSION__;", "#ifdef GL_EXT_scalar_block_layout", "#ifdef VULKAN", "#ifdef METHOD"):
-            with self.subTest(text), self.assertRaisesRegex(Refused, "defines"):
-                plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
-        for text in ("#define MINE 2\n#if MINE > 1", "#define MINE\n#ifdef MINE", "#define MY_A 1\n#define MY_B MY_A\n#if MY_B && defined(MY_A)", "#if 0"):
-            plain((text + "\n1\n#endif\n").encode(), REAL / LAMBERT)
-
-    def test_what_reaches_for_its_check_is_refused(self):
-        for exercise, text, words in (
-                ("02.lambert", '#include "02_lambert_phong/phong.glsl"', "an exercise that the starter does not build on"),
-                ("02.lambert", '#include "common/../02_lambert_phong/solution/lambert.glsl"', "a path below shaders/"),
-                ("11.quintic_noise", '#include "11_fractals/solution/noise_derivative.glsl"', "no file of that name"),
-                ("11.quintic_noise", '#include "11_fractals/noise_derivative.glsl"', "11.noise_derivative"),
-                ("02.lambert", "// \\\n/*\n#define main other\n// */", "a name that others use"),
-                ("02.lambert", "#define JOIN(a, b) a##b", "no # within a line"), ("02.lambert", "int n = probe_inputs.length();", "the checks' own"),
-                ("02.lambert", "float n = undefined_what;", "the checks' own"), ("06.accumulate_lights", "check_asked[0] = 0u;", "the checks' own"),
-                ("02.lambert", "layout(set = 0, binding = 1) buffer Mine { float all[]; } mine;", "that its starter"),
-                ("02.lambert", "layout(local_size_x = 1024) in;", "that its starter"),
-                ("02.lambert", "#extension GL_EXT_buffer_reference : require", "no exercise needs #extension"),
-                ("02.lambert", '#line 1 "/etc/passwd"', "no exercise needs #line"), ("02.lambert", "/* ", "a comment does not end"),
-                ("02.lambert", '#error "\\u000a honest 99/99"', "error"),
-                ("06.accumulate_lights", "#undef light_reaches_cell", "a name that others use"), ("08.blur_line", "#undef barrier", "a name that others use"),
-                ("13.propagate_distance", "#ifdef KNOWN_DISTANCES", "by which shaders know"), ("08.down_filter", "int n = IMPULSE_X;", "by which shaders know"),
-                ("09.histogram_bin", "uint n = picture_bins[0];", "names picture_bins")):
+    def test_what_reaches_for_others_is_refused(self):
+        for exercise, text, words in REACHES:
             with self.subTest(text), self.assertRaisesRegex(Refused, words):
                 plain(text.encode(), REAL / PLACES[exercise])
 
@@ -102,6 +98,9 @@ class Words(unittest.TestCase):
             if (place := REAL / PLACES[exercise]).suffix == ".glsl":
                 for text in (right(exercise), place.read_text(), right(exercise).replace("\n", "\r\n")):
                     self.assertEqual(len(plain(text.encode(), place).split("\n")), text.count("\n") + 1)
+        for text in ("#define MY_OWN 1\nfloat lambert() {}", "#define MINE 2\n#if MINE > 1\n#endif", "#define MINE\n#ifdef MINE\n#endif",
+                     "#define MY_A 1\n#define MY_B MY_A\n#if MY_B && defined(MY_A)\n#endif", "#if 0\n#endif"):
+            self.assertEqual(plain(text.encode(), REAL / LAMBERT), text)
         for name in ("KNOWN_DISTANCES", "CHECK_KNOWN_AIR", "MOST_READS", "FIELD_WIDTH"):
             self.assertIn(name, macros_of_checks())
 

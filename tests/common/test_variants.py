@@ -2,13 +2,12 @@
 # Builds: nothing
 
 import re
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 import tree
 from check import variants
+from folder_case import FolderCase
 from tree import Failure
 
 SOLUTION = """// Solution of 02.sum.
@@ -45,22 +44,17 @@ class Lists(unittest.TestCase):
                 applied(text)
 
 
-class Chapter(unittest.TestCase):
+class Chapter(FolderCase):
     """A whole chapter's, with a file beside a list."""
 
     def setUp(self):
-        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.write("shaders/02_sums/exercise/sum.glsl", "float sum(int count) { return 0.0; }\n")
         self.write("shaders/02_sums/solution/sum.glsl", SOLUTION)
         for kind in ("exercise", "solution"):
             self.write(f"chapters/02_sums/{kind}/twice.cpp",
                        f"namespace lightwalk::{kind} {{\nint twice(int a) {{\n    return 2 * a;\n}}\n}}\n")
         for module in (tree, variants):
-            self.enterContext(mock.patch.object(module, "ROOT", self.root))
-
-    def write(self, name: str, text: str):
-        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.root / name).write_text(text)
+            self.enterContext(mock.patch.object(module, "ROOT", self.folder))
 
     def test_mistakes_are_lines_and_the_others_are_read(self):
         self.write("tests/02_sums/variants/sum.whole.glsl", "// perhaps\n")

@@ -14,9 +14,7 @@ class Panel(StartedTest):
         return self.start(CHAPTER, "--size", "300x700", screen=(3840, 2160), scene={"objects": [{"model": str(ROOT / "assets/models/cube.obj")}]})
 
     def remember(self, **sections: bool):
-        file = self.folder / "state" / "lightwalk" / "05_shadow_maps.panel.json"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(sections))
+        self.write("state/lightwalk/05_shadow_maps.panel.json", json.dumps(sections))
 
     def test_sections_fold_and_are_remembered(self):
         session = self.panel()

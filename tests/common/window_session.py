@@ -164,14 +164,14 @@ class Session:
         self.wait(lambda: self.mouse[3] == wheel, f"the wheel at {wheel}")
 
     @answered
-    def click(self, place: str, button: int = 1):
+    def click(self, place: str):
         """And waits until the picture is at rest."""
-        self.tap(place, button)
+        self.tap(place)
         self.settled(0, 0, *self.geometry()[2:])
 
     @answered
-    def tap(self, place: str, button: int = 1, held: str = ""):
-        """`held`: a key held meanwhile. An exercise's widgets are in its row, which is unfolded first."""
+    def tap(self, place: str):
+        """An exercise's widgets are in its row, which is unfolded first."""
         of = re.fullmatch(r"(?:mine|reference|lesson|check|words|hint)\.(\d\d\.\w+)", place)
         if of and of[1] not in self.unfolded:
             self.unfolded.add(of[1])
@@ -181,30 +181,26 @@ class Session:
         while at != self.places[place]:  # a new widget reaches its position in its second frame
             at = self.places[place]
             self.move(*at)
-        with self.holding(held):
-            self.press(button)
-            self.release(button)
+        self.press()
+        self.release()
         self.park()
 
     @contextlib.contextmanager
     def holding(self, key: str):
-        if key:
-            with self.arriving(1):
-                self.xdotool("keydown", key)
+        with self.arriving(1):
+            self.xdotool("keydown", key)
         try:
             yield
         finally:
-            if key:
-                self.xdotool("keyup", key)
+            self.xdotool("keyup", key)
 
     @answered
-    def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1, held: str = ""):
+    def drag(self, start: tuple[int, int], end: tuple[int, int], button: int = 1):
         self.move(*start)
         self.press(button)
-        with self.holding(held):
-            for step in (0.25, 0.5, 0.75, 1.0):
-                self.move(*(a + (b - a) * step for a, b in zip(start, end)))
-            self.release(button)
+        for step in (0.25, 0.5, 0.75, 1.0):
+            self.move(*(a + (b - a) * step for a, b in zip(start, end)))
+        self.release(button)
         self.park()
 
     def park(self):

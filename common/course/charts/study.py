@@ -59,7 +59,6 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
     studied = [name for name in chapters() if study_of(name)]
     if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):

@@ -85,9 +85,7 @@ def run(arguments, _rest) -> int:
         for number, (chapter, exercise) in enumerate(selected):
             if progress.terminal or arguments.progress:  # elsewhere each result is a line
                 progress.show(number, len(selected), exercise)
-            of = digest(exercises(chapter)[exercise].read_bytes())
-            results.append(judged(chapter, exercise))
-            verdicts.keep(exercise, of, results[-1])
+            results.append(judged(chapter, exercise, verdicts))
             if not arguments.progress:
                 progress.clear()
                 show(results[-1], arguments)
@@ -129,8 +127,9 @@ def in_order(chapter: str) -> list[str]:
     return sorted(exercises(chapter), key=lambda name: order.index(name) if name in order else len(order))
 
 
-def judged(chapter: str, exercise: str) -> dict:
-    """The verdict, after a control. Raises Unjudged."""
+def judged(chapter: str, exercise: str, verdicts: Verdicts) -> dict:
+    """The verdict, which is kept, after a control. Raises Unjudged."""
+    of = digest(exercises(chapter)[exercise].read_bytes())
     if said := ended_compiler(chapter, exercise):
         raise unjudged(exercise, f"its compiler was ended: {said}; ./course check {exercise} compiles it again")
     result = check(chapter, exercise)
@@ -143,6 +142,7 @@ def judged(chapter: str, exercise: str) -> dict:
         control(chapter, exercise)
     elif result["ok"] and chapter not in controlled:
         control(chapter, exercise)
+    verdicts.keep(exercise, of, result)
     return result
 
 
@@ -171,25 +171,31 @@ def control(chapter: str, exercise: str):
     controlled.add(chapter)
 
 
-# What a compiler that the machine ended leaves beside the object (compile_exercise.sh).
-ENDED = ".ended"
+# What compile_exercise.sh leaves beside the object: where the machine ended the compiler, and where the exercise does not compile.
+ENDED, ERROR = ".ended", ".error"
+
+
+def objects_of(chapter: str) -> Path:
+    return BUILD / "CMakeFiles" / f"exercises_{chapter}.dir"
+
+
+def compiler_left(chapter: str, exercise: str, ending: str) -> list[str] | None:
+    """The lines of ENDED or ERROR; None where the compiler left no such file."""
+    path = objects_of(chapter) / f"{relative(exercises(chapter)[exercise])}.o{ending}"
+    return path.read_text(encoding="utf-8", errors="replace").strip().splitlines() if path.is_file() else None
 
 
 def forget_ended_compilers(named: list[str]):
     """Their objects are made again."""
     for chapter in named:
-        for path in (BUILD / "CMakeFiles" / f"exercises_{chapter}.dir").rglob(f"*{ENDED}"):
+        for path in objects_of(chapter).rglob(f"*{ENDED}"):
             path.with_suffix("").unlink(missing_ok=True)
             path.unlink(missing_ok=True)
 
 
 def ended_compiler(chapter: str, exercise: str) -> str:
-    path = exercises(chapter)[exercise]
-    try:
-        said = (BUILD / "CMakeFiles" / f"exercises_{chapter}.dir" / f"{relative(path)}.o{ENDED}").read_text(encoding="utf-8", errors="replace")
-    except OSError:
-        return ""
-    return (said.strip().splitlines() or ["without a word"])[-1]
+    lines = compiler_left(chapter, exercise, ENDED)
+    return "" if lines is None else (lines or ["without a word"])[-1]
 
 
 def check(chapter: str, exercise: str) -> dict:
@@ -219,11 +225,9 @@ def note_what_grading_refuses(path: Path, result: dict):
 
 
 def compiler_said(chapter: str, exercise: str) -> str:
-    """The first error in a C++ exercise that does not compile (compile_exercise.sh), else nothing."""
-    folder, file = BUILD / "CMakeFiles" / f"exercises_{chapter}.dir", relative(exercises(chapter)[exercise])
-    try:
-        lines = (folder / f"{file}.o.error").read_text(errors="replace", encoding="utf-8").splitlines()
-    except OSError:
+    """The first error in a C++ exercise that does not compile, else nothing."""
+    lines, file = compiler_left(chapter, exercise, ERROR), relative(exercises(chapter)[exercise])
+    if lines is None:
         return ""
     wrong = next((line for line in lines if "error" in line), lines[0] if lines else "no word why")
     return file + wrong.partition(file)[2] if file in wrong else wrong
@@ -384,29 +388,26 @@ def next_step() -> int:
     new, verdicts = untouched(), Verdicts()
     for chapter in chapters():
         for exercise in in_order(chapter):
-            path = exercises(chapter)[exercise]
             found = None
             if exercise not in new:
-                solved = verdicts.is_solved(exercise, path)
+                solved = verdicts.is_solved(exercise, exercises(chapter)[exercise])
                 if solved is None:
                     build([f"check_{chapter}"])
-                    of = digest(path.read_bytes())
-                    found = judged(chapter, exercise)
-                    verdicts.keep(exercise, of, found)
+                    found = judged(chapter, exercise, verdicts)
                     solved = found["ok"]
                 if solved:
                     continue
-            return say_step(chapter, exercise, path, found, exercise in new)
+            say_step(chapter, exercise, found, exercise in new)
+            return 0
     say("every exercise is solved")
     return 0
 
 
-def say_step(chapter: str, exercise: str, path, found: dict | None, is_new: bool) -> int:
+def say_step(chapter: str, exercise: str, found: dict | None, is_new: bool):
     grade = grades(chapter).get(exercise)
     say(f"next: {exercise}{f' ({grade})' if grade else ''}{'' if is_new else ', which is begun and not right yet'}")
     if found and found["first_failure"]:
         say(f"  {found['first_failure']}")
     say(f"  read   docs/{chapter}.md, \"{exercise}\"")
-    say(f"  edit   {relative(path)}")
+    say(f"  edit   {relative(exercises(chapter)[exercise])}")
     say(f"  then   ./course check {exercise}{'' if is_new else ' --hint'}")
-    return 0

@@ -14,12 +14,12 @@ NUMBERS = re.compile(r"(?P<input>.+?\)) gave (?P<theirs>.+), expected (?P<expect
 MOST_SHOWN = 20000  # characters of an answer
 
 
-def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, dict[str, bytes]], starters: dict[str, bytes]) -> int:
+def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, dict[str, bytes]]) -> int:
     results = {one["student"]: {result["exercise"]: result for result in one["results"]} for one in grades}
     for row, name in zip(book.rows, page_names(book.rows)):
         chapters = [{"name": chapter, "points": number(row["chapters"][chapter], row["nothing"] or "missing"), "of": number(book.most(chapter), ""),
                      "exercises": [exercise_entry(exercise, mark, results.get(mark["student"], {}).get(exercise),
-                                                  submitted.get(mark["student"], {}).get(exercise), starters.get(exercise, b""),
+                                                  submitted.get(mark["student"], {}).get(exercise),
                                                   book.rules.due_of(mark["student"], exercise))
                                    for exercise, mark in row["marks"].items() if book.rules.wanted[exercise] == chapter]}
                     for chapter in book.chapters]
@@ -30,7 +30,7 @@ def write_pages(out: Path, book: Book, grades: list[dict], submitted: dict[str, 
     return len(book.rows)
 
 
-def exercise_entry(exercise: str, mark: dict, result: dict | None, data: bytes | None, starter: bytes, due) -> dict:
+def exercise_entry(exercise: str, mark: dict, result: dict | None, data: bytes | None, due) -> dict:
     found = NUMBERS.fullmatch(mark["said"] or "")
     pictures = []
     for key, title in (("picture_expected", "expected"), ("picture", "yours")):

@@ -72,7 +72,6 @@ def add_arguments(parser):
 
 
 def run(arguments, _rest) -> int:
-    shards.check_arguments(arguments)
     slurm.check_arguments(arguments)
     if bool(arguments.merge) == bool(arguments.paths):
         raise UsageError("--merge takes shards, which know the class: leave out its folder" if arguments.merge else
@@ -139,7 +138,7 @@ def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, 
         one["handed_in_s"] = roster.handed_in_s(one["student"]) or one.get("handed_in_s")
     book = Book(grades, Rules(arguments.rules, wanted), roster)
     names = write_books(out, book, arguments.format)
-    count = write_pages(out / "feedback", book, grades, submitted, starters_of(wanted))
+    count = write_pages(out / "feedback", book, grades, submitted)
     for student in roster.strangers[:MOST_NAMES]:
         warn(f"{printable(student)} is not in {arguments.roster}")
     known = {one["student"] for one in grades}

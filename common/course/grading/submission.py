@@ -26,6 +26,7 @@ from tree import Failure, UsageError
 MOST_EXERCISE_BYTES = 1 << 18
 MOST_STUDENTS = 5000
 DEEPEST = 12  # folders around a course
+MOST_FOLDERS = 300  # in which one is looked for
 MOST_TREES = 20
 LITTER = {".DS_Store", "Thumbs.db", "desktop.ini", "__MACOSX"}  # of file managers
 LATEST_S = 253_370_764_800  # the year 9999: latest valid time of a file
@@ -260,13 +261,14 @@ def _folder(path: Path, wanted: set[str]):
                 yield top + one.name, lambda most, name=top + one.name: read_below(path, name, most)
 
 
-def folders_in(path: Path, most: int = 300, deep: int = DEEPEST) -> list[str]:
+def folders_in(path: Path) -> list[str]:
     """The ways to those in which a course may lie, "" first, each with a slash."""
     found = [""]
     for top in found:
-        if top.count("/") < deep and len(found) < most:
-            found += sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
-                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders", *LITTER))[:most - len(found)]
+        if top.count("/") < DEEPEST and len(found) < MOST_FOLDERS:
+            inside = sorted(f"{top}{one.name}/" for one in itertools.islice(os.scandir(path / top), 2000)
+                            if one.is_dir(follow_symlinks=False) and one.name not in ("chapters", "shaders", *LITTER))
+            found += inside[:MOST_FOLDERS - len(found)]
     return found
 
 

@@ -15,6 +15,7 @@ import subprocess
 import time
 from pathlib import Path
 
+from many import shards
 from many.shards import check_writable, course_version
 from progress import Progress
 from tree import BUILD, ROOT, Failure, UsageError, relative, warn, write_atomically
@@ -35,7 +36,8 @@ def add_arguments(parser):
 
 
 def check_arguments(arguments):
-    """Raises UsageError with sbatch's requirements."""
+    """Those of shards, too. Raises UsageError with sbatch's requirements."""
+    shards.check_arguments(arguments)
     if arguments.slurm is None:
         if arguments.shards is not None:
             raise UsageError("--shards says how many parts --slurm makes: give both")

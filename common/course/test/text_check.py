@@ -31,6 +31,14 @@ REJECTED_KEYS = ("chapter", "set", "use")
 PRIVATE = re.compile(r"(?<![\w.])/(?:%s)/\w" % "|".join(["work", "root", "home", "Users"]))
 
 
+def text_of(name: Path | str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def all_exercises() -> set[str]:
+    return {exercise for chapter in chapters() for exercise in exercises(chapter)}
+
+
 def prose(name: Path) -> list[tuple[int, str]]:
     """(line number, text) of a Markdown file without its code."""
     return [(number, re.sub(r"`[^`]*`", "", line)) for start, language, lines in blocks(name) if language == "text"
@@ -40,7 +48,7 @@ def prose(name: Path) -> list[tuple[int, str]]:
 def anchors(name: Path) -> set[str]:
     """The headings' anchors as GitHub makes them."""
     found = set()
-    text = (ROOT / name).read_text(encoding="utf-8")
+    text = text_of(name)
     for title in re.findall(r"^#+\s+(.*?)\s*#*$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M):
         base = slug(re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title))
         anchor, count = base, 0
@@ -72,7 +80,7 @@ def check_links(name: Path) -> list[str]:
 def blocks(name: Path) -> list[tuple[int, str, list[str]]]:
     """(line number, language or "", lines) of a Markdown file's blocks of code and, with a language of "text", of its paragraphs."""
     found, fence, language, block, start = [], None, "", [], 0
-    for number, line in enumerate([*(ROOT / name).read_text(encoding="utf-8").splitlines(), ""], 1):
+    for number, line in enumerate([*text_of(name).splitlines(), ""], 1):
         match = FENCE.match(line)
         if fence:
             if line.strip() == fence:
@@ -130,7 +138,7 @@ def check_next(name: Path) -> list[str]:
 
 def check_snippets(name: Path) -> list[str]:
     """GLSL that a page does not quote from a file compiles, as the stage that its words are of."""
-    wrong, lines = [], (ROOT / name).read_text(encoding="utf-8").splitlines()
+    wrong, lines = [], text_of(name).splitlines()
     for number, language, code in blocks(name):
         if language != "glsl" or QUOTE.match(lines[number - 2]) or not shutil.which("glslangValidator"):
             continue
@@ -159,7 +167,7 @@ ABOUT_THE_TREE = ("docs/framework.md", "docs/pixel.md", ".github/CONTRIBUTING.md
 def check_paths(name: Path) -> list[str]:
     """A page about the tree names only what is there: from the root, or as C++ and GLSL include it. NN and words in capitals
     stand for others, and so does a chapter that the page imagines."""
-    wrong, text = [], (ROOT / name).read_text(encoding="utf-8")
+    wrong, text = [], text_of(name)
     imagined = set(re.findall(r"\./course new (\d\d_\w+)", text))
     names = {path.name for path in files()}
     for span in re.finditer(r"(?<!`)`([^`\n]+)`(?!`)", text):
@@ -183,14 +191,14 @@ def check_walk() -> list[str]:
     """The way of a pixel leads through few files: a paragraph "**N. [FILE](...)**" quotes lines of its file, each but a command."""
     if not (ROOT / WALK).exists():
         return []
-    text = (ROOT / WALK).read_text(encoding="utf-8")
+    text = text_of(WALK)
     stations = [(paragraph, STATION.match(paragraph)[1]) for paragraph in re.split(r"\n{2,}", text) if STATION.match(paragraph)]
     wrong = [f"{WALK}: {len(stations)} files, at most {MOST_STATIONS}"] * (len(stations) > MOST_STATIONS)
     for paragraph, file in stations:
         if not (ROOT / file).is_file():
             wrong.append(f"{WALK}: there is no {file}")
             continue
-        code = " ".join((ROOT / file).read_text(encoding="utf-8").split())
+        code = " ".join(text_of(file).split())
         spans = [" ".join(span.split()) for span in re.findall(r"`([^`]+)`", paragraph) if not span.startswith("-")]
         if not spans:
             wrong.append(f"{WALK}: of {file} it quotes nothing")
@@ -200,8 +208,7 @@ def check_walk() -> list[str]:
 
 def check_chapters() -> list[str]:
     """Each chapter has a lesson and tests; its shots name existing files; one of them rejects an earlier chapter."""
-    wrong = []
-    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
+    wrong, known = [], all_exercises()
     for number, chapter in enumerate(chapters()):
         for needed in (f"docs/{chapter}.md", f"tests/{chapter}/shots.json"):
             if not (ROOT / needed).exists():
@@ -224,7 +231,7 @@ def check_chapters() -> list[str]:
         missing = sorted(scene for scene in scenes if not (ROOT / scene).is_file())
         wrong += [f"{file}: there is no scene {scene}" for scene in missing]
         scenes -= set(missing)
-        readable = not scenes or any(not re.search('"(knobs|include)"', (ROOT / scene).read_text(encoding="utf-8")) for scene in scenes)
+        readable = not scenes or any(not re.search('"(knobs|include)"', text_of(scene)) for scene in scenes)
         if found and number and readable and not earlier:
             wrong.append(f"{file}: no golden has to reject the picture of an earlier chapter")
         goldens = sorted(path.stem for path in (ROOT / "tests" / chapter / "golden").glob("*.png"))
@@ -243,7 +250,7 @@ def check_chapters() -> list[str]:
 
 def check_private_paths(name: Path) -> list[str]:
     try:
-        lines = (ROOT / name).read_text(encoding="utf-8").splitlines()
+        lines = text_of(name).splitlines()
     except UnicodeDecodeError:
         return []
     return [f"{name}:{number}: a path of one machine: {line.strip()[:80]}"
@@ -255,14 +262,14 @@ def check_lesson(chapter: str) -> list[str]:
     pages, wrong = lesson_pages(chapter), []
     if not pages:
         return []
-    name, text = pages[0], "\n".join((ROOT / page).read_text(encoding="utf-8") for page in lessons())
-    if any("\n## Exercises\n" in (ROOT / page).read_text(encoding="utf-8") for page in pages):
+    name, text = pages[0], "\n".join(map(text_of, lessons()))
+    if any("\n## Exercises\n" in text_of(page) for page in pages):
         graded = grades(chapter)
         wrong += [f"{name}: there is no heading '### {exercise} (easy)', or medium, or hard"
                   for exercise in exercises(chapter) if exercise not in graded]
         harder = ["easy", "medium", "hard"]
         for page in pages:
-            on_page = [grade for exercise, grade in graded.items() if f"\n### {exercise} (" in (ROOT / page).read_text(encoding="utf-8")]
+            on_page = [grade for exercise, grade in graded.items() if f"\n### {exercise} (" in text_of(page)]
             if sorted(on_page, key=harder.index) != on_page:
                 wrong.append(f"{page}: a harder exercise stands before an easier one")
         wrong += [f"{name}: it does not quote {relative(path)}#{marker[2]}, what the exercise asks for"
@@ -279,18 +286,17 @@ def check_index() -> list[str]:
     page = Path("docs/index.md")
     if not (ROOT / page).exists():
         return []
-    wrong, named, terms = [], set(), []
-    code = "\n".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
+    wrong, named, terms, known = [], set(), [], all_exercises()
+    code = "\n".join(text_of(name) for name in files() if name.suffix in (".h", ".cpp") and name.parts[0] in ("chapters", "common"))
     drawn = {f"{chapter[:2]}.{shot['name']}" for chapter in chapters() for shot in shots(chapter)}
-    known = {exercise for chapter in chapters() for exercise in exercises(chapter)}
-    for number, line in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
+    for number, line in enumerate(text_of(page).splitlines(), 1):
         cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
         if not line.startswith("|") or len(cells) != 6 or cells[0] in ("term", "---"):
             continue
         term, _, section, knobs, seen, asked = cells
         terms.append(term.casefold())
         target = re.search(r"\((\w+\.md)", section)
-        text = (ROOT / "docs" / target[1]).read_text(encoding="utf-8") if target and (ROOT / "docs" / target[1]).exists() else ""
+        text = text_of(f"docs/{target[1]}") if target and (ROOT / "docs" / target[1]).exists() else ""
         if term.casefold() not in " ".join(text.split()).casefold():
             wrong.append(f"{page}:{number}: {target and target[1]} does not have the word '{term}'")
         for knob in re.findall(r"`([^`]*)`", knobs):
@@ -309,7 +315,7 @@ def check_index() -> list[str]:
 
 def check_figures() -> list[str]:
     """docs/images/NAME.svg is the drawing of that name in docs/figures, and a lesson shows it."""
-    shown, wrong = "".join((ROOT / name).read_text(encoding="utf-8") for name in lessons()), []
+    shown, wrong = "".join(map(text_of, lessons())), []
     folder = str(ROOT / "docs/figures")
     sys.path.insert(0, folder)
     try:
@@ -325,7 +331,7 @@ def check_figures() -> list[str]:
             wrong.append(f"{image}: nothing in docs/figures draws it")
             continue
         try:
-            if name not in images or (ROOT / image).read_text(encoding="utf-8") != drawn[name]().svg():
+            if name not in images or text_of(image) != drawn[name]().svg():
                 wrong.append(f"{image}: not what its function draws; python3 docs/figures/draw.py {name}")
         except Exception as error:  # of a figure's own code
             wrong.append(f"docs/figures, {name}: {error}")
@@ -336,7 +342,7 @@ def check_figures() -> list[str]:
 
 def check_generated() -> list[str]:
     """Generated files are in the tree only if a text shows them: charts as PNG; ./course docs draws the others."""
-    texts = "".join((ROOT / name).read_text(encoding="utf-8") for name in files() if name.suffix == ".md" and name.parts[0] in ("docs", "README.md"))
+    texts = "".join(text_of(name) for name in files() if name.suffix == ".md" and name.parts[0] in ("docs", "README.md"))
     return [f"{name}: no text shows it; ./course docs draws charts from their JSON" for name in files()
             if (name.parts[:2] == ("docs", "studies") and name.suffix in (".png", ".svg") or
                 name.parts[:2] == ("docs", "images") and name.suffix in (".png", ".webp", ".jpg")) and name.name not in texts]
@@ -349,7 +355,7 @@ def check_variables() -> list[str]:
         return []
     code = [name for name in files() if name.suffix in (".cpp", ".h", ".py", ".sh") or str(name) in ("course", ".ci/run")]
     read = {"".join(found): name for name in code for found in VARIABLE.findall((ROOT / name).read_text(errors="replace", encoding="utf-8"))}
-    named = set(re.findall(r"^\| `(LIGHTWALK_\w+)`", (ROOT / page).read_text(encoding="utf-8"), re.M))
+    named = set(re.findall(r"^\| `(LIGHTWALK_\w+)`", text_of(page), re.M))
     return [f"{page}: {len(named)} environment variables, at most {MOST_VARIABLES}; a test's own is an option of the program"] * \
            (len(named) > MOST_VARIABLES) + \
            [f"{read[variable]}: {page} does not name {variable}" for variable in sorted(read.keys() - named)] + \
@@ -372,7 +378,7 @@ def check_credits() -> list[str]:
     if not (ROOT / credits).exists():
         return [f"{credits}: it is missing"] if present else []
     wrong, credited = [], set()
-    for number, line in enumerate((ROOT / credits).read_text(encoding="utf-8").splitlines(), 1):
+    for number, line in enumerate(text_of(credits).splitlines(), 1):
         cells = line.split("|")
         if len(cells) < 4 or cells[1].strip() in ("file", "") or set(cells[1].strip()) <= set("-: "):
             continue
@@ -392,14 +398,15 @@ def check_all() -> list[str]:
             wrong += check_quotes(name) + check_links(name) + tables.check_figures(name) + claims.check_claims(name)
             if name.parts[0] == "docs" and name.parts[:2] != ("docs", "studies"):
                 wrong += check_paragraphs(name) + check_next(name) + check_snippets(name)
-            wrong += wrong_words(name, (ROOT / name).read_text(encoding="utf-8"))
+            wrong += wrong_words(name, text_of(name))
         wrong += check_private_paths(name)
         if str(name) in ABOUT_THE_TREE:
             wrong += check_paths(name)
     wrong += [problem for chapter in chapters() for problem in check_lesson(chapter)]
     wrong += [problem for name in of_chapters(lessons()) for problem in check_named(name)]
     wrong += advice.check_page()
-    return wrong + check_walk() + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + check_index() + check_figures() + check_generated()
+    return wrong + check_walk() + check_order(files()) + check_chapters() + check_starters() + check_credits() + check_variables() + \
+        check_index() + check_figures() + check_generated()
 
 
 if __name__ == "__main__":
