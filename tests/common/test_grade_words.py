@@ -321,8 +321,9 @@ class Contained(unittest.TestCase):
         self.fail("it lives")
 
     def test_time_is_the_processors_or_a_share_of_the_clocks(self):
-        """An answer that sleeps is charged, and one that waits for a processor hardly."""
-        for script, least_s, most_s in (("while True: pass", 1.5, 2.5), ("import time; time.sleep(4)", 0.9, 3)):
+        """An answer that sleeps is charged, and one that waits for a processor hardly. Of the two limits the kernel knows, the first
+        process of a world heeds the hard one alone, which is 3 s beyond: on a busy machine the clock ends it before."""
+        for script, least_s, most_s in (("while True: pass", 1.5, 5.5), ("import time; time.sleep(4)", 0.9, 3)):
             running = sandbox.Running(["/usr/bin/python3", "-c", script], sandbox.Mounts(), sandbox.Limits(1 << 30, 2))
             done = running.finish()
             self.assertTrue(least_s < running.seconds < most_s, (script, done, running.seconds))
