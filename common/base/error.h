@@ -26,8 +26,8 @@ struct Failure : FormattedError {
     using FormattedError::FormattedError;
 };
 
-/// File and line of a C++ statement, relative to the course's folder (CMakeLists.txt), as std::source_location, which Debian 12's
-/// Clang has not.
+/// File and line of a C++ statement, relative to the course's folder (CMakeLists.txt). It stands for std::source_location, which
+/// Debian 12's Clang lacks.
 struct SourceLocation {
     const char* file = "";
     unsigned line = 0;

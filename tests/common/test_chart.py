@@ -239,6 +239,7 @@ class Added(unittest.TestCase):
     def test_a_chart_says_what_one_sees(self):
         self.assertEqual(said_by(three(says="Look.")), "Look.")
         self.assertEqual(said_by(three()), "Enough in the least time: b.")  # as fast as a within quartiles; below a step none is ranked
+        self.assertEqual(said_by(three(x="flip_mean", y="time")), "Enough in the least time: b.")
         self.assertEqual(said_by(three(methods=["none", "same"])), "Smallest error: same.")
         points = [point(scene, "m", error, 1, {"n": n}) for scene, error, n in (("s", 0.01, 1), ("s", 0.2, 2), ("t", 0.3, 1), ("t", 0.2, 2))]
         self.assertEqual(said_by(Chart(study(points=points), {"name": "a"})),

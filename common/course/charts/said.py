@@ -18,13 +18,13 @@ def said_by(chart) -> str:
 def front_said(chart) -> str:
     """Which method, or which row, is enough; and which has the smallest error where none is: below a limit none is ranked. Of two
     errors the level one stands for the time."""
-    work = chart.x.value if (chart.x.kind, chart.y.kind) == ("error", "error") else lambda p: p.time[1]
+    two_errors = (chart.x.kind, chart.y.kind) == ("error", "error")
+    work = chart.x.value if two_errors else lambda p: p.time[1]
 
     def enough_of(points):
         verdict = chart.verdict(points)
-        if chart.x.kind == "time" or not all(verdict.limits.values()):
-            return chart.enough_of(points)
-        return min(verdict.enough, key=work, default=None) if chart.y.kind == "error" else None
+        known = two_errors and all(verdict.limits.values())
+        return min(verdict.enough, key=work, default=None) if known else chart.enough_of(points)
 
     panels = [[p for p in chart.drawable if p.scene in scenes] for scenes in chart.panels]
     panels = [points for points in panels if points]
@@ -40,7 +40,7 @@ def front_said(chart) -> str:
 
     words = []
     if any(fastest):
-        least = "in the least time" if chart.x.kind == "time" else f"at the least {chart.x.label().partition('  (')[0]}"
+        least = f"at the least {chart.x.label().partition('  (')[0]}" if two_errors else "in the least time"
         words.append(f"Enough {least}: {counted([name(p) for p in fastest if p], len(chart.panels))}.")
     if not all(fastest):
         where = "Smallest error where none is enough" if any(fastest) else "Smallest error"
