@@ -123,8 +123,10 @@ class Chart:
 
     def label_of(self, point):
         """The values that tell a point from its neighbours: "16", or "taps 16, radius 2.5" where two knobs vary, or
-        "volumes on". Over a knob all points of a curve have the same."""
-        values = {name: value for name, value in point.knobs.items() if name in self.point_knobs}
+        "volumes on". Over a knob all points of a curve have the same. What a scene sets for all of a method tells nothing."""
+        curve = [p.knobs for p in self.points if (p.scene, p.method) == (point.scene, point.method)]
+        values = {name: value for name, value in point.knobs.items()
+                  if name in self.point_knobs and (name not in self.study.scene_knobs or any(knobs.get(name) != value for knobs in curve))}
         short = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in values.items()}
         return ", ".join(value if len(self.point_knobs) == 1 and value not in ("on", "off") else f"{name} {value}"
                          for name, value in short.items())
