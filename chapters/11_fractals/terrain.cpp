@@ -109,6 +109,7 @@ void Terrain::draw_visible(Frame& frame, const View& view, Canvas& canvas) {
     });
 }
 
+// [draw]
 void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     place(frame, view);
     grid_.ensure(frame.gpu, static_cast<uint32_t>(now_.cells));
@@ -129,5 +130,6 @@ void Terrain::draw(Frame& frame, const View& view, Canvas& canvas) {
     });
     fog.draw(frame, from_, canvas);
 }
+// [/draw]
 
 }  // namespace lightwalk

@@ -1,60 +1,51 @@
 // [minimal]
 #version 460
-// A landscape that is nothing but arithmetic: octaves of noise, a ray that looks for them, sunlight and shadow. Metres.
+// A Julia set of quaternions: the points that z = z² + c never drives away, found by steps of a safe length.
 layout(location = 0) in vec3 ray;  // of the pixel; y points up
 layout(location = 0) out vec4 color;
-layout(push_constant) uniform Frame { vec4 eye, to_sun; };
-const float highest_m = 900.0, cell_m = 1500.0;  // no ground above; the size of the largest hills
-// A random number, 0 to 1, for a lattice point: by integers, which keep all of their digits anywhere.
-float lattice(ivec2 cell) {
-    uvec2 v = uvec2(cell) * 1664525u + 1013904223u;
-    v += v.yx * 1664525u;
-    v ^= v >> 16u;
-    v += v.yx * 1664525u;
-    return float((v.x ^ (v.x >> 16u)) >> 8u) / 16777216.0;
+layout(push_constant) uniform Frame { vec4 eye, to_sun, c; };
+const float escape = 4.0, closest = 0.001;
+
+// The product of two quaternions; their order matters.
+vec4 times(vec4 a, vec4 b) {
+    return vec4(a.x * b.x - dot(a.yzw, b.yzw), a.x * b.yzw + b.x * a.yzw + cross(a.yzw, b.yzw));
 }
 
-// Value noise: the numbers of a cell's corners, mixed so that neither edges nor corners show.
-float noise(vec2 at) {
-    ivec2 cell = ivec2(floor(at));
-    vec2 s = smoothstep(0.0, 1.0, fract(at));
-    return mix(mix(lattice(cell), lattice(cell + ivec2(1, 0)), s.x),
-               mix(lattice(cell + ivec2(0, 1)), lattice(cell + ivec2(1, 1)), s.x), s.y);
+// A lower bound of the distance from a point to the set (J. Hart et al., 1989): |z'| grows with each step by 2 |z|.
+float distance_at(vec3 place) {
+    vec4 z = vec4(place, 0.0);
+    float slope = 1.0;
+    for (int i = 0; i < 40 && dot(z, z) < escape * escape; ++i) {
+        slope *= 2.0 * length(z);
+        z = times(z, z) + c;
+    }
+    float square = dot(z, z);
+    return square < escape * escape ? 0.0 : 0.25 * sqrt(square) / max(slope, 1e-12) * log(square);
 }
 
-// A fractal: each octave has half the height and half the width of the one before. It is turned as well, by 37°, so
-// that the cells of the octaves do not lie upon each other.
-float ground(vec2 at, int octaves) {
-    float sum = 0.0, height = 0.5;
-    for (int i = 0; i < octaves; ++i, height *= 0.5, at = mat2(1.6, 1.2, -1.2, 1.6) * at)
-        sum += height * noise(at / cell_m);
-    return highest_m * sum;
-}
-
-// Where a ray meets the ground, in metres along it; `far` where it does not. A step is a share of the height over the
-// ground: long where nothing is near. The first place below the ground and the one before it give the crossing.
-float march(vec3 origin, vec3 direction, float far, int octaves) {
-    float before = 0.0, above = 1.0, t = 1.0;
-    for (int i = 0; i < 400 && t < far; ++i) {
-        vec3 place = origin + t * direction;
-        float height = place.y - ground(place.xz, octaves);
-        if (height < 0.0) return mix(before, t, above / (above - height));
-        if (direction.y > 0.0 && place.y > highest_m) break;
-        before = t, above = height;
-        t += max(0.25 * height, 0.0005 * t);
+float march(vec3 from, vec3 direction, float far) {
+    float t = 0.0;
+    for (int i = 0; i < 160 && t < far; ++i) {
+        float step_m = distance_at(from + t * direction);
+        if (step_m < closest) return t;
+        t += step_m;
     }
     return far;
 }
 
 void main() {
-    vec3 direction = normalize(ray), place = eye.xyz, sky = vec3(0.5, 0.6, 0.8);
-    float t = march(place, direction, 20000.0, 9), e = 0.001 * t;
-    place += t * direction;
-    // The slope over the width of a pixel: finer ones would only be noise.
-    vec3 normal = normalize(vec3(ground(place.xz - vec2(e, 0.0), 9) - ground(place.xz + vec2(e, 0.0), 9), 2.0 * e,
-                                 ground(place.xz - vec2(0.0, e), 9) - ground(place.xz + vec2(0.0, e), 9)));
-    bool lit = march(place + 2.0 * normal, to_sun.xyz, 8000.0, 6) >= 8000.0;  // shadows need fewer octaves
-    vec3 light = vec3(0.3, 0.25, 0.2) * (float(lit) * max(dot(normal, to_sun.xyz), 0.0) + 0.15);
-    color = vec4(t < 20000.0 ? mix(sky, light, exp(-t / 8000.0)) : sky, 1.0);  // the air between takes and gives light
+    vec3 direction = normalize(ray);
+    float middle = -dot(eye.xyz, direction), beside = dot(eye.xyz, eye.xyz) - middle * middle;
+    color = vec4(mix(vec3(0.02, 0.03, 0.05), vec3(0.10, 0.13, 0.18), 0.5 + 0.5 * direction.y), 1.0);
+    if (beside > 4.0) return;  // the set lies in a ball of radius 2
+    float half_chord = sqrt(4.0 - beside), enters = max(middle - half_chord, 0.0);
+    float t = enters + march(eye.xyz + enters * direction, direction, 2.0 * half_chord);
+    if (t >= enters + 2.0 * half_chord) return;
+    vec3 place = eye.xyz + t * direction, e = vec3(0.002, -0.002, 0.0);
+    vec3 normal = normalize(e.xyy * distance_at(place + e.xyy) + e.yyx * distance_at(place + e.yyx) +
+                            e.yxy * distance_at(place + e.yxy) + e.xxx * distance_at(place + e.xxx) + vec3(1e-12));
+    float lit = march(place + 0.01 * normal, to_sun.xyz, 3.0) < 3.0 ? 0.0 : max(dot(normal, to_sun.xyz), 0.0);
+    vec3 stone = mix(vec3(0.75, 0.35, 0.15), vec3(0.25, 0.45, 0.65), 0.5 + 0.5 * normal.y);
+    color.rgb = stone * (1.3 * lit + 0.12 + 0.12 * normal.y);
 }
 // [/minimal]

@@ -81,14 +81,14 @@ TEST_CASE("11: the minimal ray stops on the ground, and has not passed any befor
         for (size_t k = 3; k < 6; ++k) row[k] = static_cast<double>(static_cast<float>(row[k] / length));
     }
     const Table found =
-        results_of("11_fractals.frag", "float march(vec3 origin, vec3 direction, float far, int octaves)", inputs, 1);
+        results_of("11a_landscape.frag", "float march(vec3 origin, vec3 direction, float far, int octaves)", inputs, 1);
     constexpr int parts = 500;
     for (size_t i = 0; i < inputs.size(); ++i)
         for (int k = 1; k <= parts; ++k) {
             const double t = found[i][0] * k / parts;
             heights.push_back({inputs[i][0] + t * inputs[i][3], inputs[i][2] + t * inputs[i][5], 6});
         }
-    const Table ground = results_of("11_fractals.frag", "float ground(vec2 at, int octaves)", heights, 1);
+    const Table ground = results_of("11a_landscape.frag", "float ground(vec2 at, int octaves)", heights, 1);
     int passed = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         REQUIRE(found[i][0] < 20000);  // a ray that goes down ends

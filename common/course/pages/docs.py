@@ -47,7 +47,7 @@ OTHERS = {"which.md": "What should I use?", "index.md": "Index", "keys.md": "Key
           "devices.md": "Devices",
           "publish.md": "Publish the lessons"}
 OWN = Path(__file__).parent / "site"
-SHOWN, TRIED, FIRST = "15", "11_julia", "02.lambert"  # on the first page: a chapter's picture, a program that runs, an exercise
+SHOWN, FIRST = "15", "02.lambert"  # on the first page: a chapter's picture, an exercise
 
 
 def add_arguments(parser):
@@ -186,11 +186,11 @@ def home(site: Site) -> str:
 
 def tried() -> dict:
     """The program that runs on the first page, and the exercise that it leads to; nothing in a course without them."""
-    scene, first = running.scenes().get(TRIED), FIRST in in_order(chapters()[1]) if len(chapters()) > 1 else False
-    chapter = next((name for name in chapters() if name[:2] == TRIED[:2]), None)
+    scene, first = running.scenes().get(running.TRIED), FIRST in in_order(chapters()[1]) if len(chapters()) > 1 else False
+    chapter = next((name for name in chapters() if name[:2] == running.TRIED[:2]), None)
     if not scene or not first or not chapter:
         return {}
-    return {"try": {"program": TRIED, "lines": len(scene["text"].splitlines()), "number": chapter[:2], "page": f"{chapter}.html"},
+    return {"try": {"program": running.TRIED, "lines": len(scene["text"].splitlines()), "number": chapter[:2], "page": f"{chapter}.html"},
             "first": {"exercise": FIRST, "page": f"{chapters()[1]}.html#{FIRST}"}}
 
 

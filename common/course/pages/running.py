@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pages import in_browser
 from pages.quotes import quoted
-from tree import ROOT, Failure, chapters, write_atomically
+from tree import ROOT, Failure, write_atomically
 
 OWN = Path(__file__).parent / "site" / "run"
 SCRIPTS = ["gl.js", "undefined.js", "tables.js", "program.js", "exercise.js", "answers.js", "states.js"]
@@ -15,6 +15,7 @@ CODEMIRROR = Path("/usr/share/javascript/codemirror")
 EDITOR = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js",
           "addon/edit/closebrackets.js", "addon/comment/comment.js"]
 MINIMAL = ROOT / "docs" / "minimal"
+TRIED = "11_fractals"  # the program that runs on the first page, which does not list it
 
 
 def write(assets: Path):
@@ -33,11 +34,10 @@ def write(assets: Path):
 
 
 def scenes() -> dict[str, dict]:
-    """docs/minimal/scenes.json, each with the text that it draws where no lesson lists it."""
+    """docs/minimal/scenes.json; the one of the first page with its text."""
     if not (MINIMAL / "scenes.json").exists():
         return {}
     found = json.loads((MINIMAL / "scenes.json").read_text(encoding="utf-8"))
-    for name, scene in found.items():
-        if name not in chapters():
-            scene["text"] = "\n".join(quoted((MINIMAL / f"{name}.frag").relative_to(ROOT), "minimal")) + "\n"
+    if TRIED in found:
+        found[TRIED]["text"] = "\n".join(quoted((MINIMAL / f"{TRIED}.frag").relative_to(ROOT), "minimal")) + "\n"
     return found

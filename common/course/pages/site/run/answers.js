@@ -184,10 +184,7 @@ class KeptExercise extends Exercise {
 addEventListener("DOMContentLoaded", () => {
   for (const title of document.querySelectorAll(".highlight span.filename")) {
     const name = title.textContent.match(/^docs\/minimal\/(\w+)\./)?.[1], listing = title.parentElement;
-    if (!name) continue;
-    let after = listing;
-    for (const scene of Object.keys(Program.scenes).filter(one => one === name || one.slice(0, 2) === name.slice(0, 2)).sort((a, b) => (b === name) - (a === name)))
-      after = new Program(scene, after, Program.scenes[scene].text ?? listing.querySelector("code").textContent).element;
+    if (name in Program.scenes) new Program(name, listing, listing.querySelector("code").textContent);
   }
   for (const place of document.querySelectorAll("[data-program]"))
     new Program(place.dataset.program, place, Program.scenes[place.dataset.program].text);
