@@ -8,6 +8,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "01_obj/lines.h"
+
 namespace lightwalk {
 
 // All of these may read up to 32 bytes past `at`; a zero byte ends every number.
@@ -108,23 +110,6 @@ inline const char* fast_index(const char* at, uint32_t& value) {
 }
 
 enum class FloatStatus { ok, not_a_number, too_large };
-
-/// True where a number that does not fit is so small rather than so large: the power of ten of its first digit.
-inline bool underflows(std::string_view number) {
-    const size_t e = number.find_first_of("eE");
-    const std::string_view digits = number.substr(0, e);
-    const size_t first = digits.find_first_of("123456789");
-    if (first == digits.npos) return true;
-    const size_t point = std::min(digits.find('.'), digits.size());
-    int64_t exponent = 0;
-    if (e != number.npos) {
-        const bool negative = number[e + 1] == '-';
-        const char* begin = number.data() + e + 1 + (number[e + 1] == '-' || number[e + 1] == '+');
-        if (std::from_chars(begin, number.data() + number.size(), exponent).ec != std::errc()) return negative;
-        if (negative) exponent = -exponent;
-    }
-    return exponent < (first < point ? -static_cast<int64_t>(point - first) : static_cast<int64_t>(first - point));
-}
 
 /// A whole word, [+-]digits[.digits][e[+-]digits], correctly rounded (to nearest, ties to even) as by strtof. Too small
 /// a number becomes a subnormal or a signed zero; one beyond the largest float is too_large; nan, inf, hexadecimal and

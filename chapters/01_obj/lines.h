@@ -1,5 +1,7 @@
 // Lexical layer shared by OBJ and MTL: statements, words, and their positions in the file.
 #pragma once
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -42,6 +44,24 @@ inline std::string_view next_word(std::string_view& rest) {
 inline std::string_view next_value(std::string_view& rest) {
     const std::string_view word = next_word(rest);
     return word.starts_with('#') ? std::string_view() : word;
+}
+
+/// Of a decimal number without its sign, out of a float's range: whether it is too small rather than too large, as the
+/// power of ten of its first digit other than 0 says.
+inline bool underflows(std::string_view number) {
+    const size_t e = number.find_first_of("eE");
+    const std::string_view digits = number.substr(0, e);
+    const size_t first = digits.find_first_of("123456789");
+    if (first == digits.npos) return true;
+    const size_t point = std::min(digits.find('.'), digits.size());
+    int64_t exponent = 0;
+    if (e != number.npos) {
+        const bool negative = number[e + 1] == '-';
+        const char* begin = number.data() + e + 1 + (number[e + 1] == '-' || number[e + 1] == '+');
+        if (std::from_chars(begin, number.data() + number.size(), exponent).ec != std::errc()) return negative;
+        if (negative) exponent = -exponent;
+    }
+    return exponent < (first < point ? -static_cast<int64_t>(point - first) : static_cast<int64_t>(first - point));
 }
 
 /// A piece of input for a message: printable, quoted, short.

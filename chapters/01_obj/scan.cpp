@@ -12,6 +12,33 @@ namespace {
 
 const char* plural(size_t count) { return count == 1 ? "" : "s"; }
 
+// The number that a word is.
+float float_or_throw(std::string_view word) {
+    float value = 0.0f;
+    switch (parse_float(word, value)) {
+        case FloatStatus::ok:
+            break;
+        case FloatStatus::not_a_number:
+            throw InputError("{} is not a number such as -1.5 or 2e-3", shown(word));
+        case FloatStatus::too_large:
+            throw InputError("{} is too large for a float, at most 3.4028e38", shown(word));
+    }
+    return value;
+}
+
+// Reads `least` to `most` numbers; returns how many.
+int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage) {
+    int count = 0;
+    for (;; ++count) {
+        const std::string_view word = next_value(rest);
+        if (word.empty()) break;
+        if (count == most) throw InputError("too many numbers, expected {}", usage);
+        values[count] = float_or_throw(word);
+    }
+    if (count < least) throw InputError("{} number{}, expected {}", count, plural(static_cast<size_t>(count)), usage);
+    return count;
+}
+
 }  // namespace
 
 uint32_t Scanner::index(std::string_view& word, size_t so_far, size_t total, const char* what) {

@@ -170,12 +170,6 @@ Piece read_lines(std::string_view text, Collected& into);
 /// Room for what a text of that size may hold, an estimate. Memory that is not touched costs nothing.
 void reserve(Collected& into, size_t text_bytes);
 
-/// The number that a word is. Throws InputError.
-float float_or_throw(std::string_view word);
-
-/// Reads `count` numbers at least and `most` at most; returns how many. Throws InputError with the reason alone.
-int read_floats(std::string_view rest, int least, int most, float* values, std::string_view usage);
-
 /// Throws InputError, with the reason alone, unless a keyword that means nothing to us is a word. The format has many
 /// statements that the course has no use for, and programs add their own.
 void check_keyword(std::string_view keyword);
@@ -188,7 +182,8 @@ std::string_view left_out_of(std::string_view keyword);
 uint32_t smoothing_group(std::string_view name);
 
 /// A colour among the numbers of a statement `v`: after x y z, or after x y z w. A colour that is no number (nan, as
-/// some programs write) is none. Throws InputError as read_floats, and where the count is neither 3, 4, 6 nor 7.
+/// some programs write) is none. Throws InputError where a position or a weight is no number, and where the count is
+/// neither 3, 4, 6 nor 7.
 struct VertexLine {
     float position[3];
     bool has_color = false;

@@ -90,6 +90,8 @@ CHECK_EXERCISE("01.parse_vertex_line",
     refuse("v nan 0 0", "nan is no position");
     refuse("v 0 -inf 0", "inf is no position");
     refuse("v 1e39 0 0", "1e39 does not fit a float");
+    refuse("v 0 -1e400 0", "-1e400 fits neither a float nor a double, and is not small");
+    refuse("v +-5 0 0", "a number has one sign");
 }
 
 CHECK_EXERCISE("01.parse_face", "a negative index counts back from the last one read so far: -1 is that one") {

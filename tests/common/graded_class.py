@@ -15,7 +15,7 @@ REAL = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REAL / "common/course"))
 from grading import sandbox  # noqa: E402
 from grading.grade import grade  # noqa: E402
-from grading.judge import HANDED_IN, Judge  # noqa: E402
+from grading.judge import Judge  # noqa: E402
 from grading.submission import find  # noqa: E402
 from tree import Failure, chapters, exercises, find_chapter  # noqa: E402
 from check.variants import handed_in  # noqa: E402
@@ -36,7 +36,7 @@ def why_not() -> str:
 
 def right(exercise: str, place: str = "") -> str:
     """An answer that is right: the reference, as a student would write it."""
-    place = REAL / HANDED_IN.get(exercise, (place or PLACES[exercise]).replace("/exercise/", "/solution/"))
+    place = REAL / (place or PLACES[exercise]).replace("/exercise/", "/solution/")
     return handed_in(place.read_text(encoding="utf-8"))
 
 

@@ -32,9 +32,8 @@ same kind of processor and the same release of the system as this one. --sources
   ./course handout FOLDER --autograder    an autograder for Gradescope and a workflow for GitHub Classroom; --autograder --help"""
 
 # Compiled on this machine, as an object beside where the source was.
-COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/read_floats.cpp",
-            "chapters/01_obj/load_bench.cpp", "chapters/07_mipmaps/level_view.cpp",
-            "chapters/07_mipmaps/texels.cpp", "chapters/09_post_effects/white_point.cpp")
+COMPILED = ("tests/*/checks_*.cpp", "chapters/01_obj/scan.cpp", "chapters/01_obj/load_bench.cpp",
+            "chapters/07_mipmaps/level_view.cpp", "chapters/07_mipmaps/texels.cpp", "chapters/09_post_effects/white_point.cpp")
 # Not handed out: files that the above includes, tests of those (and tests that include them), and answers with their
 # verdicts.
 LEFT_OUT = ("chapters/*/*truth.h", "chapters/*/table/*", "tests/*/variants/*", "tests/*/test_stability.cpp",
