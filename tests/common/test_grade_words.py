@@ -1,7 +1,9 @@
 """Tests of texts in ./course grade: names, cells of a table, macros, and error messages."""
 
 import contextlib
+import os
 import re
+import subprocess
 import tempfile
 import threading
 import time
@@ -19,8 +21,11 @@ from grading.grade import groups, table, write_files
 from grading.judge import Judge, Turns
 from grading.judge_picture import DriverEnded, Pictures, ToolFailed
 from grading.submission import cell, find, printable
-from tree import ROOT, Failure, UsageError
+from tree import PYTHON, ROOT, Failure, UsageError
 
+# A user namespace in which there can be no other, and root without the right to make namespaces.
+CLOSED = ("unshare", "--map-root-user", "sh", "-c", 'echo 0 >/proc/sys/user/max_user_namespaces && exec "$@"', "")
+BARE = ("setpriv", "--bounding-set=-sys_admin", "--inh-caps=-sys_admin")
 LAMBERT, PARALLAX = PLACES["02.lambert"], "04.parallax_occlusion"
 # An exercise, GLSL in its file, and a word of why it is refused.
 REACHES = [
@@ -227,15 +232,30 @@ class Words(unittest.TestCase):
             found = judge.decide("02.lambert", 0, None)
             self.assertEqual((found["ok"], "suspect" in found, "killed" in found), (False, True, killed), found)
 
-    def test_without_a_sandbox_it_refuses(self):
-        """And names the package, before a submission is opened or anything is built."""
-        with mock.patch("shutil.which", lambda name: None), mock.patch("grading.judge.build", side_effect=AssertionError):
-            with self.assertRaisesRegex(Failure, "bubblewrap alone, and it is not there.*apt-get install bubblewrap"):
-                Judge({"02.lambert": "02_lambert_phong"})
-        with mock.patch("grading.sandbox.run", side_effect=Failure("no namespaces")):
-            with self.assertRaisesRegex(Failure, "cannot contain anything here.*no namespaces"):
-                Judge({"02.lambert": "02_lambert_phong"})
+
+class NoSandbox(FolderCase):
+    """Where nothing can be contained nothing is judged or built, the exit code is the machine's, and earlier grades stay."""
+
+    def assert_refused(self, says: str, *wrapper, **environment):
+        self.write("class/ann/empty", "")
+        grades = self.write("grades/grades.json", '["mine"]')
+        done = subprocess.run([*wrapper, *PYTHON, REAL / "common/course/cli.py", "grade", self.folder / "class", "--out", grades.parent],
+                              env=os.environ | environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 3, done.stdout)
+        self.assertRegex(done.stdout, rf"\Acourse: [^\n]*{says}\n\Z")
+        self.assertEqual(grades.read_text(), '["mine"]')
+
+    def test_no_bubblewrap(self):
+        self.assert_refused("bubblewrap alone, and it is not there: as root, apt-get install bubblewrap", PATH="/nowhere")
         self.assertIn("bubblewrap", (REAL / "common/course/packages/grade").read_text().split())
+
+    @unittest.skipIf(subprocess.run([*CLOSED, "true"], stderr=subprocess.DEVNULL).returncode, "no user namespace can be made here")
+    def test_no_user_namespaces(self):
+        self.assert_refused(r"cannot contain anything here.*namespace.*; as root, type: sysctl user\.max_user_namespaces=10000", *CLOSED)
+
+    @unittest.skipIf(subprocess.run([*BARE, "true"], stderr=subprocess.DEVNULL).returncode, "only root has rights to give up")
+    def test_root_of_a_container_without_privileges(self):
+        self.assert_refused("cannot contain anything here.*; a container that was started with --privileged allows it", *BARE)
 
 
 @unittest.skipIf(why_not(), why_not())

@@ -8,6 +8,7 @@ an identical answer is judged once.
 import hashlib
 import json
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -100,10 +101,12 @@ def run(arguments, _rest) -> int:
 
 
 def out_folder(arguments) -> Path:
-    """Where the files go. Raises UsageError where they cannot."""
+    """Where the files go; those of a run before stay until there are new ones. Raises UsageError where none can be written."""
     out = (arguments.out or BUILD / "grades").absolute()
     try:
-        write_atomically(out / "grades.json", "[]\n", 0o600)
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out) as file:
+            file.write(b"[]\n")
     except OSError as error:
         raise unwritable(out, error) from None
     return out

@@ -89,7 +89,7 @@ class Turns:
 
 
 class Judge:
-    """Shared state for all students. Raises Failure if nothing can be contained here."""
+    """Shared state for all students. Raises Unjudged if nothing can be contained here."""
 
     broken = False  # a control failed in this run, each time that it was tried
     fresh = frozenset()  # exercises to judge again despite a known verdict

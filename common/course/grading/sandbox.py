@@ -25,12 +25,15 @@ import time
 from pathlib import Path
 
 from grading.cage import Cage
-from tree import BUILD, ROOT, Failure, cores
+from tree import BUILD, ROOT, Failure, Unjudged, cores
 
 PACKAGE = "bubblewrap"
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache", "/etc/vulkan")
 DEVICES = ("/dev/null", "/dev/full", "/dev/random", "/dev/urandom")  # /dev/zero is memory that no limit counts
 COVERED = ("/proc/sys", "/proc/irq", "/proc/bus", "/proc/fs", "/proc/acpi", "/proc/scsi")  # the machine's own settings
+# The kernel's settings that keep a user from making namespaces: the value that does, and another.
+NAMESPACES = {"user.max_user_namespaces": ("0", "10000"), "kernel.unprivileged_userns_clone": ("0", "1"),
+              "kernel.apparmor_restrict_unprivileged_userns": ("1", "0")}
 NOBODY = 65534  # who runs it where root asks for it
 TMP_BYTES = 256 << 20
 OUTPUT_BYTES = 1 << 20
@@ -123,20 +126,29 @@ def require_readable(paths):
 
 
 def require():
-    """Raises Failure, with the remedy, if nothing can be contained on this machine."""
+    """Raises Unjudged, with the remedy, if nothing can be contained on this machine."""
     if not shutil.which("bwrap"):
-        raise Failure(f"students' code runs in bubblewrap alone, and it is not there: as root, apt-get install {PACKAGE}")
+        raise Unjudged(f"students' code runs in bubblewrap alone, and it is not there: as root, apt-get install {PACKAGE}")
     try:
         import seccomp  # noqa: F401
     except ImportError:
-        raise Failure("students' code runs behind a filter of system calls alone: as root, apt-get install python3-seccomp") from None
+        raise Unjudged("students' code runs behind a filter of system calls alone: as root, apt-get install python3-seccomp") from None
     try:
         done = run(["/usr/bin/true"], Mounts(), Limits(1 << 30, 20))
         said = done.said() if done.code else ""
     except Failure as failure:
         said = str(failure)
     if said:
-        raise Failure(f"bubblewrap cannot contain anything here, and students' code runs in it alone: {said}")
+        raise Unjudged(f"bubblewrap cannot contain anything here, and students' code runs in it alone: {said}; {remedy()}")
+
+
+def remedy() -> str:
+    """How this machine, or its container, allows namespaces."""
+    for name, (closed, opened) in NAMESPACES.items() if not drops_root() else ():
+        with contextlib.suppress(OSError):
+            if Path("/proc/sys", name.replace(".", "/")).read_text(encoding="utf-8").strip() == closed:
+                return f"as root, type: sysctl {name}={opened}"
+    return "a container that was started with --privileged allows it"
 
 
 def write_filter(limits: Limits, file):
