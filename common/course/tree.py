@@ -304,7 +304,7 @@ def relative(path: Path) -> str:
 
 
 def write_atomically(path: Path, data: bytes | str, mode: int | None = None):
-    """Writes beside `path` and renames: a reader sees the old file or the whole new one."""
+    """Writes beside `path` and renames: a reader sees the old file or the whole new one. An OSError names `path`."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident():x}")
     try:
@@ -313,8 +313,12 @@ def write_atomically(path: Path, data: bytes | str, mode: int | None = None):
             beside.chmod(mode)
         beside.write_bytes(data.encode() if isinstance(data, str) else data)
         os.replace(beside, path)
+    except OSError as error:
+        error.filename, error.filename2 = str(path), None
+        raise
     finally:
-        beside.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            beside.unlink(missing_ok=True)
 
 
 def has_display() -> bool:

@@ -10,7 +10,7 @@ from unittest import mock
 
 from chart_fixture import point, study
 from charts.verdict import verdict_of
-from pages import advice, claims, tables
+from pages import advice, claims, quotes, tables
 from tree import ROOT, Failure, lessons
 
 
@@ -111,3 +111,8 @@ class Advice(unittest.TestCase):
             self.assertIn("x.md:2: the verdict 02.x is not that of its studies", advice.check_blocks(Path("x.md"), filled)[0][0])
             self.assertIn("there is no verdict 03.y", advice.check_blocks(Path("x.md"), ["<!-- verdict: 03.y -->", "<!-- /verdict -->"])[0][0])
             self.assertIn("does not end", advice.check_blocks(Path("x.md"), ["<!-- verdict: 02.x -->", "text"])[0][0])
+
+    def test_a_page_as_it_should_be_is_not_written(self):
+        """Where nothing can be written, either."""
+        with mock.patch.object(quotes, "lessons", return_value=[]), mock.patch.object(quotes, "write_atomically", side_effect=AssertionError):
+            self.assertEqual(quotes.run(None, []), 0)

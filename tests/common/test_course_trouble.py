@@ -165,6 +165,14 @@ class Trouble(Course):
 
 
 class Saves(Course):
+    def test_what_cannot_be_written_is_named(self):
+        """Not the file beside it, which nobody knows."""
+        folder = self.outside / "folder"
+        folder.mkdir()
+        with self.assertRaises(IsADirectoryError) as raised:
+            write_atomically(folder, "text")
+        self.assertEqual(raised.exception.filename, str(folder))
+
     def test_on_a_full_disk_the_old_file_stays(self):
         file = self.outside / "full"
         write_atomically(file, "old")

@@ -35,7 +35,7 @@ def add_arguments(parser):
 
 
 def run(_arguments, _rest) -> int:
-    if advice.questions():
+    if advice.check_page():
         write_atomically(ROOT / advice.PAGE, advice.page())
     wrong = [problem for name in lessons() for problem in check_quotes(name, write=True)]
     check_starters(write=True)
