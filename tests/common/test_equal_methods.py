@@ -53,13 +53,15 @@ EQUAL = [
     # docs/06a: from the frame before, hidden objects; the picture is the same from the first frame on.
     Equal("culling.method", ("none", "frustum_cpu", "frustum_gpu", "occlusion"), sets=("culling.least=0",), frames=3),
     Equal("culling.method", ("none", "frustum_cpu", "occlusion"), sets=("gbuffer.method=forward", "culling.least=0")),
+    Equal("culling.bounds", ("box", "sphere"), sets=("culling.least=0", "culling.method=frustum_gpu")),
+    Equal("culling.least", ("0", "1000000"), sets=("culling.method=frustum_cpu",)),
     Equal("prepass", ("on", "off")),
     Equal("overdraw", ("1", "3")),
     Equal("order", ("file", "front_to_back", "random", "back_to_front")),
     # docs/07: for a texture with powers of two as sides, 2x2 means; single_pass rounds to codes later than box does.
     Equal("mips.method", ("box", "polyphase")),
     Equal("mips.method", ("box", "single_pass"), codes=4),
-    Equal("mips.reduction", ("shared", "shuffle"), codes=1, sets=("mips.method=single_pass",)),
+    Equal("mips.reduction", ("auto", "shared", "shuffle"), codes=1, sets=("mips.method=single_pass",)),
     Equal("mips.bilinear", ("on", "off"), codes=1, sets=("mips.method=single_pass",)),
     Equal("remake", ("on", "off"), frames=2),
     Equal("remake", ("on", "off")),
@@ -73,8 +75,8 @@ EQUAL = [
     # uniform is height with a falloff of 0.
     Equal("fog.method", ("uniform", "height"), sets=("fog.falloff=0", "fog.density=0.00003")),
     Equal("terrain.fog.method", ("uniform", "height"), sets=("terrain.fog.falloff=0", "world=terrain"), scenes=("default",)),
-    # docs/13: distances double, or quadruple.
-    Equal("mlaa.reads", ("two", "four")),
+    # docs/13: distances double or quadruple, or come from words of edges.
+    Equal("mlaa.reads", ("two", "four", "words")),
     # docs/01: they read one file; assimp rounds a normal otherwise.
     Equal("loader", ("textbook", "tinyobjloader", "assimp", "scan", "parallel"), codes=1, scenes=("default",)),
 ]

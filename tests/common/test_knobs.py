@@ -10,6 +10,7 @@ from pathlib import Path
 
 from picture_drawing import BUILT, CHAPTERS, EVERYTHING, ROOT, Drawer, Live, cheap, knobs_of, sets, steps, thing
 from shots.rendering import text
+from test_equal_methods import EQUAL
 from tree import shots
 
 # A small scene for knobs of materials, lights and shadows: a map for every slot, holes, and three kinds of light with
@@ -56,19 +57,8 @@ SCENES = {"terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": 
           "planets.flow": "scenes/jupiter.json", "planets.air": "scenes/earth_portrait.json"}
 
 
-# Replacements for the ends in chapters that borrow the knob: their scenes have many more triangles and lights than
-# the original chapter's, and take seconds for one picture.
-BORROWED = {"maps.subdivide": ["1", "2"], "shadow.resolution": ["16", "512"], "shadow.blur": ["0", "4"],
-            "rays.truth_samples": ["1", "4"], "lamps.samples": ["1", "64"], "shadow.taps": ["1", "64"], "shadow.search_taps": ["1", "64"],
-            "maps.steps": ["1", "64"], "julia.iterations": ["1", "64"], "skin.map_size": ["0", "64"],
-            "skin.sky_rays": ["1", "4"], "skin.sky_size": ["16", "32"], "dof.views": ["1", "4"],
-            "environment.turn_deg": ["0", "90"]}
-
-
-def settings_of(knob, borrowed: bool) -> list[str]:
+def settings_of(knob: dict, borrowed: bool) -> list[str]:
     """The values to try: as --set takes them."""
-    if borrowed and knob["name"] in BORROWED:
-        return BORROWED[knob["name"]]
     if knob["type"] == "switch":
         return ["on", "off"]
     if "options" in knob:
@@ -81,6 +71,8 @@ def settings_of(knob, borrowed: bool) -> list[str]:
         return ["-1", "0"]  # numbers of objects
     if knob["range"] == [-360, 360]:
         return ["-360", "90", "360"]  # whole turns change nothing
+    if borrowed and knob["type"] == "integer" and (half := knob["default"] // 2) > knob["range"][0]:
+        return [str(knob["range"][0]), str(half)]  # more triangles and lights than in the knob's own chapter: the upper end takes seconds
     count = len(knob["default"]) if isinstance(knob["default"], list) else 1
     return [",".join([str(int(end) if knob["type"] == "integer" else end)] * count) for end in knob["range"]]
 
@@ -137,15 +129,12 @@ def used_with(chapter: str, name: str, knobs: dict) -> list[str]:
 # chapter that has it.
 LOOKED_AT = ("01", "02", "03", "04", "05", "06", "07", "08", "09", "10", "11")
 ACCEPTED = ("15", "19")
-# Knobs that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter.
+# Knobs that by design change nothing in the chapter's own scene, and why; "NN NAME" for one chapter. Those whose values
+# test_equal_methods.py shows to be equal need no entry.
 SILENT = {
-    "01 loader": "all read one file alike",
     "mtl.tr": "acts on files that state Tr (tests/01_obj/test_as_written.cpp)",
     **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course run --models)"),
-    **dict.fromkeys(("lights.method", "shadow.fetch", "shadow.blur_by", "shadow.keep", "gbuffer.volumes", "overdraw",
-                     "prepass", "order", "culling.method", "culling.bounds", "culling.least", "mips.bilinear", "remake", "atmosphere.refresh", "mlaa.reads"),
-                    "they draw equal pictures (test_equal_methods.py)"),
-    "mips.reduction": "two ways to one mean, which differ in time alone",
+    "overdraw": "draws the same surfaces again",
     "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
@@ -159,6 +148,11 @@ SILENT = {
 
 # Settings that are not tried in a program that goes on, and why.
 COLD_ALONE = {"select=0": "what is selected stays so", "environment.levels.method=none": "levels are left unwritten: those of before stay"}
+
+
+def are_equal(knob: dict) -> bool:
+    """Whether test_equal_methods.py compares all values of the knob that are tried here."""
+    return any(set(settings_of(knob, False)) <= set(equal.values) for equal in EQUAL if equal.knob == knob["name"])
 
 
 def scene_of(chapter: str, name: str) -> list[str]:
@@ -221,7 +215,7 @@ def silent_knobs(chapter: str, known: set, draw) -> list[str]:
         values = settings_of(knob, name in known)
         for value in values:
             changes |= (not changes or name not in known) and acts(name, [value], used, draw)
-        if changes or chapter.startswith(ACCEPTED) or {name, f"{chapter[:2]} {name}"} & SILENT.keys():
+        if changes or chapter.startswith(ACCEPTED) or are_equal(knob) or {name, f"{chapter[:2]} {name}"} & SILENT.keys():
             continue
         tried = (list({one.split("=")[0]: one for one in [*used, *guess] if one.split("=")[0] != name}.values())
                  for guess in guesses(chapter, name, knobs))
