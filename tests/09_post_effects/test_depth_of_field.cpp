@@ -126,7 +126,7 @@ TEST_CASE_METHOD(
 }
 
 TEST_CASE_METHOD(OnLens, "what is in focus gives no light to what is behind it; a blur of the whole picture does",
-                 "[figures]") {
+                 "[figures][09.focus_leaks]") {
     const std::vector<Card> cards{{everywhere, black, 50}, {left_half, white, 2}};
     const ImageRgb gathered = picture("gather", cards), blurred = picture("gaussian", cards);
     double leaks = 0, halo = 0;

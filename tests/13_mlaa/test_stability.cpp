@@ -245,7 +245,7 @@ TEST_CASE_METHOD(OnMlaa, "a NaN, an infinity and a negative pixel stay where the
 }
 
 TEST_CASE_METHOD(OnMlaa, "lines of one pixel stay broken, a checkerboard stays, and strokes lose contrast",
-                 "[figures]") {
+                 "[figures][13.thin_lines]") {
     // A black line one pixel wide at 10 degrees: the area between two lines of edges.
     const auto line_error = [&](const std::string& method, double width, double angle_deg = 10) {
         const double angle = glm::radians(angle_deg);

@@ -75,7 +75,7 @@ TEST_CASE("a uniform curve swings up to two chords wide of a short one, a centri
     CHECK(c.p95 < 0.5 * u.p95);
 }
 
-TEST_CASE("only the centripetal curve never crosses itself between two keys", "[figures]") {
+TEST_CASE("only the centripetal curve never crosses itself between two keys", "[figures][19.crossing]") {
     Random random(2);
     int uniform = 0, centripetal = 0;
     for (int i = 0; i < 2000; ++i) {
