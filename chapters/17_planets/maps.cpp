@@ -20,7 +20,7 @@ namespace {
 
 constexpr int slope_rows = 512, ring_texels = 4096;
 
-// Slopes from a map of any size, at 1024 x 512.
+// Slopes from a map of any size, at 1024 x 512, and in alpha its brightness from the darkest to the brightest, as height.
 struct Slopes {
     glm::uvec2 size;
     std::vector<glm::u8vec4> texels;
@@ -43,9 +43,14 @@ Slopes slopes_of(const ImageRgb& map, const BodyTraits& body) {
             brightness.push_back(std::sqrt(std::max(sum, 0.0f) / static_cast<float>(across * down)));
         }
     const std::vector<glm::vec3> normals = overlay_normals(width, height, brightness, body.octaves, body.slope);
+    const auto [least, most] = std::minmax_element(brightness.begin(), brightness.end());
+    const float scale = 1 / std::max(*most - *least, 1e-6f);
     std::vector<glm::u8vec4> texels;
     texels.reserve(normals.size());
-    for (const glm::vec3& n : normals) texels.emplace_back(glm::vec4(255.0f * (0.5f + 0.5f * n) + 0.5f, 255.0f));
+    for (size_t i = 0; i < normals.size(); ++i) {
+        const glm::vec4 texel(0.5f + 0.5f * normals[i], scale * (brightness[i] - *least));
+        texels.emplace_back(255.0f * texel + 0.5f);
+    }
     return {{width, height}, std::move(texels)};
 }
 

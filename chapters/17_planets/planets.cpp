@@ -69,7 +69,7 @@ void Planets::prepare(Gpu& gpu, Scene&) {
     pool_ = std::make_unique<ImagePool>(gpu);
     maps_.clear();
     white_ = pool_->constant(glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
-    flat_ = pool_->constant({0.5f, 0.5f, 1.0f, 1.0f});
+    flat_ = pool_->constant({0.5f, 0.5f, 1.0f, 0.0f});
     for (size_t i = 0; i < body_count; ++i) {
         const auto body = static_cast<BodyId>(i);
         const bool pair = (at.is("earth") && body == BodyId::moon) || (at.is("moon") && body == BodyId::earth);

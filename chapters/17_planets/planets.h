@@ -104,6 +104,15 @@ struct Planets : Drawing {
                          "Exposure: radiance of a white surface that faces the Sun, at the body at the origin"};
     Knob<float> sun{*this, "sun", 60.0f, {0.0f, 6e4f}, "Largest radiance of the Sun's disc"};
     Knob<float> relief{*this, "relief", 1.0f, {0.0f, 4.0f}, "Scale factor for the slopes of the ground"};
+    Choice parallax{*this,
+                    "parallax",
+                    {"none", "offset", "march", "truth"},
+                    "none",
+                    "Parallax of the ground: none, by the height where the ray meets the ball, in layers with a secant "
+                    "in the last, "
+                    "or in 512 layers and 12 bisections (the reference)"};
+    Knob<int> parallax_steps{*this, "parallax_steps", 16, {1, 256}, "Number of layers of parallax (method march)"};
+    Knob<float> height_m{*this, "height_m", 8e3f, {0.0f, 5e4f}, "Height of the highest ground, for parallax", "m"};
     Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "Opacity of the Earth's clouds"};
     Knob<float> night{*this, "night", 0.05f, {0.0f, 1e3f}, "Radiance of the Earth's cities by night"};
     Knob<float> waves{*this, "waves", 0.16f, {0.02f, 1.0f}, "Standard deviation of the slopes of the Earth's waves"};

@@ -7,6 +7,7 @@
 #include "17_planets/ellipsoid_shadow.glsl"
 #include "17_planets/ground.glsl"
 #include "17_planets/map_lookup.glsl"
+#include "17_planets/parallax.glsl"
 #include "17_planets/rings.glsl"
 #include "17_planets/sun_surface.glsl"
 
@@ -54,6 +55,13 @@ vec4 seen_body(vec3 direction, float pixel_rad) {
     vec4 light = vec4(0.0);
     if (covered > 0.0) {
         vec3 at = (ray.round_eye + way * ray.round_direction) * (b > body.radius ? body.radius / b : 1.0);
+#if !defined(BODY_STAR) && PLANETS_PARALLAX != PLANETS_PARALLAX_NONE
+        if (body.surface.relief > 0.0) {
+            float footprint_rad = footprint_of(max(way, 0.0) / ray.stretch * pixel_rad, body.radius, half_chord / body.radius);
+            way = ground_way(ray.round_eye, ray.round_direction, ray.nearest, b, footprint_rad);
+            at = body.radius * normalize(ray.round_eye + way * ray.round_direction);
+        }
+#endif
         light = covered * vec4(seen_surface(at, -ray.direction, to_sun, max(way, 0.0) / ray.stretch * pixel_rad), 1.0);
     }
 #ifdef BODY_AIR

@@ -3,8 +3,8 @@
 
 layout(scalar) uniform BodyBlock { BodyNow body; };
 layout(scalar) uniform PlanetsBlock {
-    int air_steps, walks;
-    float relief, clouds, night, waves;
+    int air_steps, walks, parallax_steps;
+    float relief, height_m, clouds, night, waves;
 } planets;
 layout(scalar) uniform AtmosphereBlock { int paths; } atmosphere;
 layout(scalar) uniform SeedBlock { uint seed; };

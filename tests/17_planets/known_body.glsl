@@ -14,6 +14,13 @@
 #define PLANETS_METHOD_MINNAERT 3
 #define PLANETS_METHOD_HAPKE 4
 #define PLANETS_METHOD_OWN 5
+#ifndef PLANETS_PARALLAX
+#define PLANETS_PARALLAX 0
+#endif
+#define PLANETS_PARALLAX_NONE 0
+#define PLANETS_PARALLAX_OFFSET 1
+#define PLANETS_PARALLAX_MARCH 2
+#define PLANETS_PARALLAX_TRUTH 3
 #define PLANETS_FLOW 0
 #define PLANETS_FLOW_FROZEN 0
 #define PLANETS_FLOW_SCROLLED 1
@@ -33,20 +40,25 @@
 #define ATMOSPHERE_ORDERS 0
 #define ATMOSPHERE_ORDERS_SINGLE 0
 #define ATMOSPHERE_ORDERS_MULTIPLE 1
-#ifdef MAP_BY_PLACE
+#ifdef KNOWN_TEXEL
+#define map_texel(map, uv, footprint_rad) vec4(KNOWN_TEXEL(uv))
+#elif defined(MAP_BY_PLACE)
 #define map_texel(map, uv, footprint_rad) vec4((uv).x)
 #else
 #define map_texel(map, uv, footprint_rad) vec4(footprint_rad)
 #endif
 
 struct CheckKnownPlanets {
-    int air_steps;
-    float relief, clouds, night, waves;
+    int air_steps, parallax_steps;
+    float relief, height_m, clouds, night, waves;
 };
 #ifndef KNOWN_RELIEF
 #define KNOWN_RELIEF 0.0
 #endif
-const CheckKnownPlanets planets = CheckKnownPlanets(8, KNOWN_RELIEF, 1.0, 0.0, 0.0);
+#ifndef KNOWN_HEIGHT_M
+#define KNOWN_HEIGHT_M 0.0
+#endif
+const CheckKnownPlanets planets = CheckKnownPlanets(8, 16, KNOWN_RELIEF, KNOWN_HEIGHT_M, 1.0, 0.0, 0.0);
 BodyNow body;
 
 vec3 sunlight_on(Place place) { return vec3(0.0); }

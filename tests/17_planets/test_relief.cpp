@@ -1,4 +1,6 @@
 // Where the relief of a map of normals belongs, and where it does not.
+#include <fmt/core.h>
+
 #include <glm/gtc/constants.hpp>
 
 #include "planets_fixture.h"
@@ -103,4 +105,95 @@ TEST_CASE_METHOD(DeviceTest, "a slope towards the sun is dark where the ground b
     CHECK(lit[1][0] == 0);
     // Of the texels (0.75, 0.75, 0.75): a normal of (1, 1, 1), and an albedo.
     CHECK(lit[3][0] / lit[2][0] == Approx((std::sqrt(0.75) + 0.5) / (std::sqrt(0.99) + 0.1)).epsilon(1e-3));
+}
+
+// Round body of radius 1000, highest ground 10. A ray that meets the ball at longitude 0 comes from the east.
+static Probe parallax_probe(const char* method, const char* texel) {
+    return {.include = "common/srgb.glsl",
+            .before = fmt::format("{}#define PLANETS_PARALLAX PLANETS_PARALLAX_{}\n#define KNOWN_HEIGHT_M 10.0\n"
+                                  "#define KNOWN_TEXEL(uv) ({})\n#include \"../tests/17_planets/known_body.glsl\"\n"
+                                  "#include \"17_planets/body.glsl\"\n"
+                                  "float shifted(float angle) {{\n"
+                                  "    check_known_body(1000.0);\n"
+                                  "    vec3 way = -vec3(sin(angle), 0.0, cos(angle));\n"
+                                  "    vec3 eye = vec3(0.0, 0.0, 1000.0) - 500.0 * way;\n"
+                                  "    float nearest = -dot(eye, way), b = length(eye + nearest * way);\n"
+                                  "    vec3 at = eye + ground_way(eye, way, nearest, b, 0.0) * way;\n"
+                                  "    return atan(at.x, at.z);\n}}\n",
+                                  with_known_air, method, texel),
+            .signature = "float shifted(float angle)",
+            .inputs = {{0}, {0.3}, {0.7}, {1.1}, {1.4}},
+            .bound = {.absolute = 3e-6},
+            .macros = known_air(earth_air())};
+}
+
+// Between two spheres a ray that passes the centre at b turns by the difference of asin(b / r).
+static double turned(double angle) {
+    const double b = 1000 * std::sin(angle);
+    return angle - std::asin(b / 1010);
+}
+
+TEST_CASE_METHOD(DeviceTest, "parallax: ground of height h moves by what the angle of view turns on the way from h",
+                 "[17.parallax_shift]") {
+    for (const char* method : {"OFFSET", "MARCH", "TRUTH"}) {
+        INFO(method);
+        Probe level = parallax_probe(method, "1.0");
+        level.truth = [](auto in) { return Row{turned(in[0])}; };
+        CHECK(worst_of(level, run_probe(gpu, level, 1)) == "");
+    }
+    CHECK(turned(0.3) * 1000 == Approx(10 * std::tan(0.3)).epsilon(0.01));  // of a plane: h tan θ
+}
+
+// East of 0.6° a plateau, west of it the ball: what a ray at a low angle would see behind the edge is hidden.
+TEST_CASE_METHOD(DeviceTest, "parallax: a march meets the plateau before the plain, one step does not",
+                 "[17.parallax_edge]") {
+    const double edge = glm::radians(0.6);
+    for (const char* method : {"OFFSET", "MARCH", "TRUTH"}) {
+        INFO(method);
+        Probe cliff = parallax_probe(method, "(uv).x > 0.5 + 0.6 / 360.0 ? 1.0 : 0.0");
+        cliff.truth = [&](auto in) {
+            return Row{method == std::string("OFFSET") || turned(in[0]) < edge ? 0.0 : turned(in[0])};
+        };
+        CHECK(turned(0.7) < edge);
+        CHECK(turned(1.1) > edge);
+        CHECK(worst_of(cliff, run_probe(gpu, cliff, 1)) == "");
+    }
+}
+
+TEST_CASE_METHOD(OnPlanets, "parallax of Mars from 400 km: each method is nearer to the reference than the one before",
+                 "[figures][17.parallax_errors]") {
+    look_at("mars", 1.118, 60);
+    const double r = traits(BodyId::mars).radius_m, a = glm::radians(60.0), ahead = glm::radians(8.0);
+    const glm::dvec3 up(std::sin(a), 0, std::cos(a));
+    camera.target = glm::vec3(r * (std::cos(ahead) * up + std::sin(ahead) * glm::dvec3(0, 1, 0)));
+    camera.up = glm::vec3(up);
+    camera.fov_y_rad = 0.7f;
+    planets.turn_deg.value = 33.4f;
+    size = {160, 90};
+    const auto drawn = [&](const char* method, int steps) {
+        planets.parallax.set(method);
+        planets.parallax_steps.value = steps;
+        return picture();
+    };
+    const ImageRgb right = drawn("truth", 16);
+    const auto error = [&](const char* method, int steps) {
+        const ImageRgb found = drawn(method, steps);
+        double off = 0, all = 0;
+        for (size_t i = 0; i < right.pixels.size(); ++i) {
+            const glm::dvec3 b(right.pixels[i]), d = glm::dvec3(found.pixels[i]) - b;
+            off += glm::dot(d, d);
+            all += glm::dot(b, b);
+        }
+        return std::sqrt(off / all);
+    };
+    const double none = error("none", 1), offset = error("offset", 1), few = error("march", 4),
+                 many = error("march", 16);
+    fmt::print("Mars without parallax: off by {:.4f}\n", none);
+    fmt::print("Mars by one step: off by {:.4f}\n", offset);
+    fmt::print("Mars in 4 layers: off by {:.4f}\n", few);
+    fmt::print("Mars in 16 layers: off by {:.4f}\n", many);
+    CHECK(is_finite(right));
+    CHECK(offset < none);
+    CHECK(few < offset);
+    CHECK(many < few);
 }
