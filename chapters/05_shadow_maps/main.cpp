@@ -1,5 +1,6 @@
 // Chapter 05: shadow maps, depth as seen from each light.
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "01_obj/model_chapter.h"
 #include "05_shadow_maps/lit_stage.h"
 #include "05_shadow_maps/shadow_error.h"
+#include "common/app/render.h"
 #include "common/window/run.h"
 
 using namespace lightwalk;
@@ -33,6 +35,27 @@ void wrong_shares(Gpu& gpu, const Image& picture, nlohmann::json& error) {
     add("edge", SHADOW_EDGE);
 }
 
+// RMS error of `shown` where `right` is partly visible, both as shares of `lit`; NaN where no pixel is.
+double penumbra_error(const ImageRgb& shown, const ImageRgb& right, const ImageRgb& lit) {
+    double squares = 0, count = 0;
+    for (size_t i = 0; i < lit.pixels.size(); ++i) {
+        const float share = right.pixels[i].g / lit.pixels[i].g;
+        if (!(share > 0.01f && share < 0.99f)) continue;
+        squares += std::pow(double(shown.pixels[i].g / lit.pixels[i].g) - double(share), 2);
+        ++count;
+    }
+    return std::sqrt(squares / count);
+}
+
+double mib_of_maps(const Shadow& shadow) {
+    const double texels = double(shadow.resolution) * shadow.resolution * shadow.views;
+    double bytes = texels * texel_bytes(VK_FORMAT_D32_SFLOAT);
+    if (shadow.has_moments()) bytes += texels * 4 / 3 * texel_bytes(shadow.moments().desc.format);  // with mips
+    return shadow.method.is("none") ? 0 : bytes / (1 << 20);
+}
+
+double mib_of(const Bvh& bvh) { return double(bvh.nodes().size_bytes() + bvh.triangles().size_bytes()) / (1 << 20); }
+
 }  // namespace
 
 struct ShadowMaps : ModelChapter {
@@ -48,12 +71,27 @@ struct ShadowMaps : ModelChapter {
     }
     std::string default_scene() const override { return "scenes/colonnade_evening.json"; }
 
-    // Shares of wrong shadows, from a picture a quarter as wide, since each pixel takes many rays.
+    // Shares of wrong shadows, error in penumbrae and MiB, from pictures a quarter as wide, since each pixel takes many rays.
     void measure(Gpu& gpu, glm::uvec2 size, nlohmann::json& error) override {
-        world.show.set("wrong");
-        Frame own(gpu);
-        render(*this, own, {glm::max(size / 4u, 1u), 0.0f, 0, {}});
-        wrong_shares(gpu, own.hdr, error);
+        const glm::uvec2 quarter = glm::max(size / 4u, 1u);
+        const bool by_rays = world.visibility.is("rays");
+        world.show.set("visibility");
+        const ImageRgb shown = render_linear(*this, gpu, quarter);
+        error["mib"] = by_rays ? mib_of(world.rays.bvh()) : mib_of_maps(shadow);
+        if (!by_rays) {
+            world.show.set("wrong");
+            Frame own(gpu);
+            render(*this, own, {quarter, 0.0f, 0, {}});
+            wrong_shares(gpu, own.hdr, error);
+            world.show.set("visibility");
+        }
+        shadow.method.set("none");
+        const ImageRgb lit = render_linear(*this, gpu, quarter);
+        shadow.method.set("hard");
+        world.visibility.set("rays");
+        world.rays.truth_samples.set("64");
+        const double wrong = penumbra_error(shown, render_linear(*this, gpu, quarter), lit);
+        if (std::isfinite(wrong)) error["penumbra"] = wrong;
     }
 
     // [frame]
@@ -80,7 +118,9 @@ struct ShadowMaps : ModelChapter {
         const Shadow::Casters casters = objects.casters(frame);
         shadow.find_maps(frame, scene, lights, view, casters);
 
-        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // light or casters have changed
+        const bool reads_maps = world.visibility.is("maps") || world.show.is("wrong");
+        for (const Shadow::MapView& map :
+             reads_maps ? shadow.maps_to_draw() : Shadow::MapViews()) {  // those that changed
             // 4. Shadow map: depth of the casters from the light.
             {
                 const ViewScope from_light(frame, map.view.view);

@@ -196,9 +196,10 @@ class SceneStudy {
             json per_pass = json::object(), knobs = as_json(scene_.set);
             for (const auto& [name, values] : samples[i]) per_pass[name] = median(values);
             knobs.update(as_json(points[i].set));
+            if (!points[i].name.empty()) knobs[points[i].knob] = points[i].method;
             result.push_back(
                 {{"scene", scene_.label},
-                 {"method", points[i].method},
+                 {"method", points[i].shown()},
                  {"knobs", knobs},
                  {"error", errors[i]},
                  {"time_ms",

@@ -213,10 +213,11 @@ class PlanReader {
     }
 
     void read_curve(const JsonNode& curve, std::vector<StudyPoint>& into) const {
-        curve.expect_keys({"method", "set", "where"});
+        curve.expect_keys({"method", "set", "where", "as"});
         std::vector<StudyPoint> points{
             {.method = curve.has("method") ? checked(curve["method"], method_ ? method_->name : "method") : ""}};
         if (method_) points[0].knob = method_->path();
+        if (curve.has("as")) points[0].name = curve["as"].text();
         if (curve.has("where")) points[0].where = read_set(curve["where"]);
         if (curve.has("set")) {
             curve["set"].expect(curve["set"].value.is_object(), "an object { } of knobs");
@@ -314,7 +315,7 @@ class PlanReader {
             if (chart.has("methods"))
                 for (const JsonNode& method : chart["methods"].items())
                     if (std::none_of(plan_.points.begin(), plan_.points.end(),
-                                     [&](const StudyPoint& known) { return known.method == method.text(); }))
+                                     [&](const StudyPoint& known) { return known.shown() == method.text(); }))
                         method.refuse(": no curve has the method '" + method.text() + "'");
         }
         plan_.charts = charts.value;

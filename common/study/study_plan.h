@@ -45,8 +45,10 @@ struct StudyPoint {
     KnobValues set;
     KnobValues where;             ///< only in scenes where these knobs have these values
     std::string knob = "method";  ///< whose value the method is
+    std::string name{};           ///< the method's in the result; empty: `method`
 
     KnobValues all() const;  ///< its settings, including the method
+    const std::string& shown() const { return name.empty() ? method : name; }
 };
 
 /// The sweep of one frame study.

@@ -1,4 +1,4 @@
-// The dipole against random walks: how far diffusion is from what light does in a half space.
+// The dipole and the six Gaussians against random walks: how far they are from what light does in a half space.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "12_skin/truth.h"
 #include "catch.h"
 
 namespace {
@@ -95,14 +96,30 @@ LeavingBeam dipole(double scattering, double absorption) {
     return of_light(rings, 1);
 }
 
+/// By the sum of six Gaussians of channel k, in rings of equal ratio.
+LeavingBeam six_gaussians(int k) {
+    std::vector<std::pair<double, double>> rings;
+    for (double r = 1e-4; r < 100; r *= 1.002) {
+        const double middle = r * 1.001;
+        const double ring = 2 * std::numbers::pi * middle * r * 0.002;
+        rings.emplace_back(middle, lightwalk::truth::profile(middle)[k] * ring);
+    }
+    return of_light(rings, 1);
+}
+
 }  // namespace
 
-TEST_CASE("skin: the dipole against random walks in a half space", "[12.walks]") {
+TEST_CASE("skin: the dipole and six Gaussians against random walks in a half space", "[12.walks]") {
     const double scattering[] = {0.74, 0.88, 1.01}, absorption[] = {0.032, 0.17, 0.48},
-                 reflected[] = {0.44, 0.23, 0.13}, measured[] = {0.438, 0.213, 0.115}, nearer[] = {0.94, 0.69, 0.50};
+                 reflected[] = {0.44, 0.23, 0.13}, measured[] = {0.438, 0.213, 0.115}, nearer[] = {0.94, 0.69, 0.50},
+                 gaussians[] = {0.694, 0.166, 0.123}, gaussians_most[] = {2.76, 0.580, 0.355};
     for (int k = 0; k < 3; ++k) {
-        const LeavingBeam formula = dipole(scattering[k], absorption[k]),
+        const LeavingBeam formula = dipole(scattering[k], absorption[k]), sum = six_gaussians(k),
                           right = walk(scattering[k], absorption[k], 200000);
+        fmt::print("six Gaussians {:.3f}, half {:.2f}, 90% {:.2f} mm; ", sum.share, sum.half_mm, sum.nine_tenths_mm);
+        CHECK(sum.share == Approx(1).margin(0.002));
+        CHECK(sum.half_mm == Approx(gaussians[k]).epsilon(0.01));
+        CHECK(sum.nine_tenths_mm == Approx(gaussians_most[k]).epsilon(0.01));
         fmt::print("dipole {:.3f}, half {:.2f}, 90% {:.2f} mm; walks {:.3f}, half {:.2f}, 90% {:.2f} mm\n",
                    formula.share, formula.half_mm, formula.nine_tenths_mm, right.share, right.half_mm,
                    right.nine_tenths_mm);

@@ -306,6 +306,17 @@ TEST_CASE_METHOD(StudyTest, "study: a curve sets a scene's knob only where it sa
     CHECK(refusal().empty());
 }
 
+TEST_CASE_METHOD(StudyTest,
+                 "study: a method that knobs make another one of has a name of its own, and says how to draw it") {
+    study["curves"] = {{{"method", "coarse"}, {"as", "finest"}, {"set", {{"looks", {4}}}}}};
+    const json points = measure()["points"];
+    REQUIRE(points.size() == 2);
+    for (const json& point : points) {
+        CHECK(point["method"] == "finest");
+        CHECK(point["knobs"]["method"] == "coarse");
+    }
+}
+
 TEST_CASE_METHOD(StudyTest, "study: what cannot be is one line with file, line and key") {
     struct Case {
         const char *pointer, *value, *says;

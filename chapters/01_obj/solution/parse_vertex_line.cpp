@@ -10,10 +10,9 @@ namespace {
 float read_number(std::string_view word) {
     // std::from_chars takes no plus sign, and does take "nan" and "inf".
     const std::string_view digits = word.substr(word.starts_with('+') && !word.starts_with("+-") ? 1u : 0u);
-    const char* const end = digits.data() + digits.size();
     float value = 0.0f;
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (error == std::errc::invalid_argument || stop != end || std::isnan(value))
+    const auto [rest, error] = std::from_chars(digits.begin(), digits.end(), value);
+    if (error == std::errc::invalid_argument || rest != digits.end() || std::isnan(value))
         throw InputError("{} is not a number such as -1.5 or 2e-3", shown(word));
     const bool negative = digits.starts_with('-');
     if (error == std::errc::result_out_of_range && underflows(digits.substr(negative ? 1u : 0u)))
