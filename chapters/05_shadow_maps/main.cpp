@@ -118,9 +118,7 @@ struct ShadowMaps : ModelChapter {
         const Shadow::Casters casters = objects.casters(frame);
         shadow.find_maps(frame, scene, lights, view, casters);
 
-        const bool reads_maps = world.visibility.is("maps") || world.show.is("wrong");
-        for (const Shadow::MapView& map :
-             reads_maps ? shadow.maps_to_draw() : Shadow::MapViews()) {  // those that changed
+        for (const Shadow::MapView& map : shadow.maps_to_draw()) {  // light or casters have changed
             // 4. Shadow map: depth of the casters from the light.
             {
                 const ViewScope from_light(frame, map.view.view);

@@ -109,8 +109,7 @@ struct Planets : Drawing {
                     {"none", "offset", "march", "truth"},
                     "none",
                     "Parallax of the ground: none, by the height where the ray meets the ball, in layers with a secant "
-                    "in the last, "
-                    "or in 512 layers and 12 bisections (the reference)"};
+                    "in the last, or in 512 layers and 12 bisections (the reference)"};
     Knob<int> parallax_steps{*this, "parallax_steps", 16, {1, 256}, "Number of layers of parallax (method march)"};
     Knob<float> height_m{*this, "height_m", 8e3f, {0.0f, 5e4f}, "Height of the highest ground, for parallax", "m"};
     Knob<float> clouds{*this, "clouds", 1.0f, {0.0f, 1.0f}, "Opacity of the Earth's clouds"};
