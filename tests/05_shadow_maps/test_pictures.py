@@ -127,6 +127,21 @@ class LowPolyTest(ChapterPictures):
         self.assertLess(sum(one > 4 for one in darker), 60)
 
 
+class PaneTest(ChapterPictures):
+    chapter = "05_shadow_maps"
+
+    def test_a_pane_has_its_shadows_where_rays_shade_what_is_opaque(self):
+        """Transparent surfaces read the maps in both: in a picture of a pane alone nothing else can differ."""
+        scene = {"camera": {"position": [0, 3, 4], "target": [0, 0, 0], "fov_deg": 30, "near_m": 0.1, "far_m": 50}, "background": [0.1, 0.2, 0.3],
+                 "objects": [{"model": "models/plane.obj", "scale": 6, "material": {"diffuse": [0.8, 0.8, 0.8], "opacity": 0.6}},
+                             {"model": "models/sphere.obj", "position": [0, 5, 0]}],
+                 "lights": [{"type": "directional", "direction": [0, -1, 0.1], "intensity": 0.9, "shadow": True}]}
+        maps, rays, lit = [Image.open(self.draw(scene, "--set", setting, name=setting)).convert("L")
+                           for setting in ("visibility=maps", "visibility=rays", "shadow.method=none")]
+        self.assertGreater(sum(one > 20 for one in ImageChops.difference(maps, lit).getdata()), 100)  # the ball's shadow is in view
+        self.assertEqual(max(ImageChops.difference(maps, rays).getdata()), 0)
+
+
 class ScaleTest(ChapterPictures):
     """Maps show the shadows that rays find, whatever the scale of the scene and however far it is from the camera."""
     chapter = "05_shadow_maps"
