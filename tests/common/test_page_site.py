@@ -10,12 +10,14 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from statistics import mean
 from unittest import mock
 
 from browser import WHY_NONE, Browser
 from contrast import hard_to_read
 from site_page import COLORS, DRAWN, DRAWN_BY, LAMBERT, PICTURE, SQUARE, Solving, remove, serve, site
 
+from charts.drawn import DRAWN as DRAWN_CHARTS
 from pages import docs, drawn_pictures, knob_links, publish, running, states
 from shots.golden import golden_path
 from tree import UsageError, lessons
@@ -27,7 +29,6 @@ LOADED = "performance.getEntriesByType('resource').reduce((sum, one) => sum + on
          "performance.getEntriesByType('navigation')[0].encodedBodySize)"
 MOST_PAGE_BYTES = 1_500_000
 STATES = "States.all.find(one => one.has('method', 'gouraud'))"
-POINT_BYTES = 20_000  # of the picture at a chart's point
 
 
 def state_bytes(golden: Path) -> int:
@@ -212,10 +213,29 @@ class OnDisk(unittest.TestCase):
             plan = states.planned(text, chapter, knob_links.knobs_of(chapter))
             for shot in [*(one[0] for one in plan), *{one[0] for one in plan}]:
                 states_of_all += state_bytes(golden_path(chapter, shot))
-            states_of_all += states.MOST_STATES * len(states.CHART.findall(text)) * POINT_BYTES
+            points = sum(len(states.points_of(chart)) for chart in states.CHART.findall(text))
+            states_of_all += points * mean(state_bytes(golden) for golden in golden_path(chapter, "").parent.glob("*.png"))
         print(f"the site: {size / 1e6:.1f} MB, and {states_of_all / 1e6:.1f} MB of states")
         self.assertGreater(states_of_all, 2e6)
         self.assertLess(size + states_of_all, publish.MOST_BYTES)
+
+    def test_a_shorter_chart_is_the_same_picture(self):
+        from PIL import Image, ImageChops, ImageStat
+
+        chart = DRAWN_CHARTS / "04_surface_maps.h200.svg"
+        shorter = site() / "studies" / chart.name
+        self.assertLess(shorter.stat().st_size, 0.75 * chart.stat().st_size)
+        with tempfile.TemporaryDirectory() as folder, Browser(960, 1100) as browser:
+            pictures = []
+            for file in (chart, shorter):
+                Path(folder, "page.html").write_text(f'<img src="{file.as_uri()}">')
+                browser.open(Path(folder, "page.html"))
+                browser.wait("document.images[0].naturalWidth > 0")
+                browser.picture(Path(folder, "seen.png"))
+                with Image.open(Path(folder, "seen.png")) as picture:
+                    pictures.append(picture.convert("L"))
+        self.assertLess(ImageStat.Stat(ImageChops.difference(*pictures)).mean[0], 0.1)
+        self.assertGreater(ImageStat.Stat(pictures[0]).stddev[0], 20)
 
     def test_its_exercises(self):
         listed = json.loads((site() / "assets/tables/list.json").read_text())

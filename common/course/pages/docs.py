@@ -155,7 +155,7 @@ def source_page(path: Path) -> str:
 def whole_page(path: Path) -> str:
     """A shader with all includes; exercises are starters, so that no page reveals an answer."""
     text = whole(str(path.relative_to("shaders")), "exercise")
-    return (f"---\nhide:\n  - toc\nsearch:\n  exclude: true\n---\n\n# {path}\n\n"
+    return (f"---\nhide:\n  - toc\n---\n\n# {path}\n\n"
             f"The whole shader, as `./course shader {path.relative_to('shaders')} --use exercise` prints it without knobs.\n\n"
             f"```glsl\n{text.rstrip()}\n```\n")
 
@@ -236,7 +236,7 @@ def finish(made: Path):
         (made / name).unlink(missing_ok=True)
     index = json.loads((made / "search" / "search_index.json").read_text(encoding="utf-8"))
     index["docs"] = [entry | {"text": plain(entry["text"])} for entry in index["docs"]
-                     if not entry["location"].startswith(("source/", "studies/", "tree/"))]
+                     if not entry["location"].startswith(("source/", "studies/", "tree/", "whole/"))]
     worker = next((made / "assets" / "javascripts" / "workers").glob("search.*.js")).read_text(encoding="utf-8")
     write_atomically(made / "search" / "search_index.json", script(index))
     write_atomically(made / "search" / "search_index.js", f"window.__index = {script(index)};\n")

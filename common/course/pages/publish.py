@@ -28,6 +28,7 @@ FILM = "assets/films/ambiance.film"
 BEST_S = [[48.5, 50], [57, 58.2], [70, 71.2], [124, 125.2], [90, 91.2], [26, 27.2], [109, 110], [153, 154.2], [141, 142],
           [205, 206.2], [42, 43]]
 DRAWN_AS = ["--cut", "short", "--size", "640x360", "--fps", "24", "--samples", "1", "--codec", "h264"]
+INDENTED = re.compile(r"(<(pre|textarea|script|style)\b.*?</\2>)|\n\s+", re.S)
 ENCODED_AS = ["-an", "-c:v", "libx264", "-preset", "veryslow", "-crf", "31", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
 
 
@@ -75,6 +76,8 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
     """Makes the pages, written to a folder, into the site; the pictures of these chapters are drawn for it."""
     states.offer(made, drawn)
     smaller_fonts(made)
+    for chart in made.rglob("*.svg"):
+        chart.write_text(short(chart.read_text(encoding="utf-8")), encoding="utf-8")
     smaller = {path: small(path) for path in sorted(made.rglob("*")) if path.suffix in (".png", ".jpg") and "assets/images" not in str(path)}
     for path in made.rglob("*.html"):
         up = "../" * (len(path.relative_to(made).parts) - 1)
@@ -86,12 +89,14 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
         text = text.replace("<head>", f"<head>{head}", 1).replace("</body>", f'<script src="{up}offline.js"></script></body>', 1)
         if path == made / "index.html":
             text = start_page(made, text, clip)
-        path.write_text(re.sub(r'<img (?![^>]*width=)([^>]*)src="([^":]+)"', lambda found: sized(found, path), text), encoding="utf-8")
+        text = re.sub(r'<img (?![^>]*width=)([^>]*)src="([^":]+)"', lambda found: sized(found, path), text)
+        path.write_text(INDENTED.sub(lambda found: found[1] or "\n", text), encoding="utf-8")
     for path, other in smaller.items():
         if other:
             path.unlink()
     for path in made.rglob("*.js.map"):
         path.unlink()
+    shutil.rmtree(made / "assets" / "javascripts" / "lunr")  # the search's stemmers for languages other than English
     for name in ("offline.js", "worker.js"):
         shutil.copyfile(OWN / name, made / name)
     (made / MARK).write_text("Written by ./course docs --site, which replaces this folder.\n", encoding="utf-8")
@@ -102,6 +107,15 @@ def finish(made: Path, clip: Path | None, drawn: list[str]):
         warn(f"the site has {size / 1e6:.0f} MB, more than the {MOST_BYTES / 1e6:.0f} MB that it should have")
     else:
         say(f"the site has {size / 1e6:.0f} MB")
+
+
+def short(chart: str) -> str:
+    """A vector picture with places in hundredths of its units, and without names that nothing refers to."""
+    used = set(re.findall(r'(?:url\(#|href="#)([^)"]+)', chart))
+    chart = re.sub(r' id="([^"]*)"', lambda found: found[0] if found[1] in used else "", chart)
+    chart = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", chart, flags=re.S)
+    chart = re.sub(r' (?:d|x|y)="[^"]*"', lambda found: re.sub(r"(\.\d\d)\d+", r"\1", found[0]), chart).replace("DejaVuSans-", "").replace("xlink:href", "href")
+    return re.sub(r"\s*\n\s*", "\n", chart)
 
 
 def smaller_fonts(made: Path):
