@@ -12,7 +12,10 @@ COURSE = """#!/bin/sh
 cd "$(dirname "$0")" && mkdir -p build/results || exit
 write() { echo "<testsuite><testcase name='shots.01' status='run'/><testcase name='shots.02' status='$2'/></testsuite>" >build/results/$1.xml; }
 case "$*" in
-    *--all*) write tests run ;;
+    *--all*)
+        [ ! -e build/cut ] || [ "$4" != 3/8 ] || { rm build/cut; kill -9 $PPID; exit 1; }
+        echo "$4" >>build/parts
+        write tests run ;;
     *--sanitize*) write sanitizer fail; exit 1 ;;
     *) echo "course: only root can | make a container" >&2; exit 2 ;;
 esac
@@ -39,12 +42,12 @@ class Release(Course):
         self.put("course", COURSE)
         self.put("docs/release.md")
         commit = self.commit()
-        self.assertIn("all: passed\ndocs/release.md: 1 of 6 steps passed\n", self.release("all"))
-        self.assertEqual(self.rows()["test --all"], ("2", "0", "passed"))
+        self.assertIn("all.8-of-8: passed\ndocs/release.md: 1 of 6 steps passed\n", self.release("all"))
+        self.assertEqual(self.rows()["test --all"], ("16", "0", "passed"))
         self.assertEqual(self.rows()["release --only gpu"], ("0", "0", "not run yet"))
         self.assertIn(f"| commit | `{commit}` |", (self.root / "docs/release.md").read_text())
         self.assertIn("1 of 6 steps passed", self.release("sanitizers", "trixie", code=1))
-        for command, row in (("test --all", ("2", "0", "passed")), ("test --sanitize", ("2", "1", "failed: shots.02")),
+        for command, row in (("test --all", ("16", "0", "passed")), ("test --sanitize", ("2", "1", "failed: shots.02")),
                              ("test --on trixie", ("0", "0", "not run: only root can / make a container"))):
             self.assertEqual(self.rows()[command], row)
         self.commit()
@@ -53,3 +56,16 @@ class Release(Course):
         self.put("docs/01_obj.md", "changed")
         self.put("new.txt")
         self.assertRegex(self.release(code=2), r"\Acourse: a release is of a commit, [^\n]*docs/01_obj.md and 1 more\n\Z")
+
+    def test_a_run_that_was_cut_short_goes_on(self):
+        self.put("course", COURSE)
+        self.put("docs/release.md")
+        self.commit()
+        self.put("build/cut")
+        self.put("build/parts")
+        self.release("all", code=-9)
+        self.assertEqual(self.rows()["test --all"], ("4", "0", "6 of its 8 parts are not run yet"))
+        self.release("all")
+        self.assertEqual(self.rows()["test --all"], ("16", "0", "passed"))
+        self.release("all")
+        self.assertEqual((self.root / "build/parts").read_text().split(), [f"{part}/8" for part in range(1, 9)])

@@ -31,11 +31,14 @@ HELP = """Proves a commit before people get it, and writes docs/release.md. It r
   ./course release                               all steps
   ./course release --only driver --only gpu      these steps; the page keeps what others have shown of the same commit
 
+A step, or a part of all, that has passed for this commit is not run again: a run that was cut short goes on.
+
 Steps:
 """ + "\n".join(f"  {step:11} {what}" for step, what in STEPS.items()) + """
 
 A step that cannot run here (no root, no network, no GPU) says why in its row. The exit code is 1 if a step failed."""
 FOLDER, PAGE = BUILD / "release", ROOT / "docs" / "release.md"
+PARTS = {"all": 8}  # of a step that takes hours: a run that was cut short goes on with the first that has not passed
 MOST_NAMED = 8  # failed tests in a row of the page
 ROW = "| `{command}` | {what} | {tests} | {failed} | {minutes:.1f} | {processor_minutes:.1f} | {result} |\n"
 
@@ -54,27 +57,38 @@ def run(arguments, _rest) -> int:
         raise UsageError(f"a release is of a commit, and this tree differs from it: {changed[0]}"
                          + (f" and {len(changed) - 1} more" if changed[1:] else ""))
     for step in arguments.only or STEPS:
-        row = run_step(step)
-        say(f"{step}: {row['result']}")
-        write_atomically(FOLDER / f"{step}.json", json.dumps(row | {"commit": commit}, indent=1) + "\n")
-        write_atomically(PAGE, page(commit))
+        for part in parts_of(step):
+            if kept(part).get("commit") == commit and kept(part)["ok"]:
+                continue
+            row = run_part(step, part)
+            say(f"{part}: {row['result']}")
+            write_atomically(FOLDER / f"{part}.json", json.dumps(row | {"commit": commit}, indent=1) + "\n")
+            write_atomically(PAGE, page(commit))
+    write_atomically(PAGE, page(commit))
     rows = rows_of(commit)
     say(f"{relative(PAGE)}: {sum(row['ok'] is True for row in rows)} of {len(STEPS)} steps passed")
     return 1 if any(row["ok"] is False for row in rows) else 0
 
 
-def run_step(step: str) -> dict:
+def parts_of(step: str) -> list[str]:
+    """Names of the step's parts, of logs and results: the step's own where it is run as one."""
+    count = PARTS.get(step, 1)
+    return [f"{step}.{number}-of-{count}" for number in range(1, count + 1)] if count > 1 else [step]
+
+
+def run_part(step: str, part: str) -> dict:
     try:
         words, environment, which = prepared(step)
     except UsageError as why:
         return row_of(step, f"not run: {why}", None)
-    junit, log = junit_of(step), FOLDER / f"{step}.log"
+    more = ["--shard", part.removeprefix(f"{step}.").replace("-of-", "/"), "--out", FOLDER / step] if part != step else []
+    junit, log = junit_of(step), FOLDER / f"{part}.log"
     junit.unlink(missing_ok=True)
     log.parent.mkdir(parents=True, exist_ok=True)
-    say(f"{step}: ./course {' '.join(words)}; its output goes to {relative(log)}")
+    say(f"{part}: ./course {' '.join(map(str, [*words, *more[:2]]))}; its output goes to {relative(log)}")
     began_s, used_s = time.monotonic(), processor_s()
     with open(log, "w", encoding="utf-8") as out:
-        course = subprocess.Popen([ROOT / "course", *words], env=os.environ | environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
+        course = subprocess.Popen([ROOT / "course", *words, *more], env=os.environ | environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
         try:
             code = course.wait()
         except BaseException:
@@ -165,13 +179,24 @@ def unpack(folder: Path, command: list):
         raise UsageError(f"{command[0]} could not get Mesa of bookworm-backports: {said[0] if said else f'it ended with {done.returncode}'}")
 
 
+def kept(part: str) -> dict:
+    path = FOLDER / f"{part}.json"
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
 def rows_of(commit: str) -> list[dict]:
-    rows = []
-    for step in STEPS:
-        path = FOLDER / f"{step}.json"
-        row = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-        rows.append(row if row.get("commit") == commit else row_of(step, "not run yet", None))
-    return rows
+    return [whole(step, [row for part in parts_of(step) if (row := kept(part)).get("commit") == commit]) for step in STEPS]
+
+
+def whole(step: str, rows: list[dict]) -> dict:
+    """One row of those of a step's parts that have run."""
+    missing = len(parts_of(step)) - len(rows)
+    if not rows:
+        return row_of(step, "not run yet", None)
+    sums = {key: sum(row[key] for row in rows) for key in ("tests", "failed", "minutes", "processor_minutes")}
+    results = [*dict.fromkeys(row["result"] for row in rows if not row["ok"]), *[f"{missing} of its {len(rows) + missing} parts are not run yet"] * bool(missing)]
+    ok = False if any(row["ok"] is False for row in rows) else True if not results else None
+    return rows[0] | sums | {"ok": ok, "result": "; ".join(results) or "passed"}
 
 
 def page(commit: str) -> str:
