@@ -50,6 +50,7 @@ OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 
 # Scenes by the beginning of a knob's name, where no shot of the chapter suits.
 SCENES = {"terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
+          "05 maps.coverage": "scenes/ring_shadow.json", "sphere_shadow.": "scenes/ringed_planet.json",
           "lamp": "mapped", "shadow.transparent": "glass",
           # Chapter 09's own scene has no light with cascades.
           **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
@@ -100,7 +101,7 @@ USED_WITH = {
     "walk_m_per_s": ["time=0.5"],
     "turn_deg_per_s": ["time=0.5"], "terrain.": ["world=terrain"], "fog.": ["fog.method=height", "fog.density=0.0001"],
     "maps.subdivide": ["maps.mesh=displaced", "maps.strength=0"], "lamps.": ["surface.model=ggx"],
-    "maps.scroll": ["time=0.3"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
+    "maps.scroll": ["time=0.3"], "05 maps.coverage": ["maps.cutoff=0.5"], "sphere_shadow.": ["sphere_shadow.method=power"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
     "post.store": ["post.method=pass_each", "post.contrast=on", "post.gamma=on"], "sphere.": ["sphere.shown=on", "time=1.5"],
     "volume.wave_speed": ["volume.wave=0.1", "time=1.234"], "volume.shell_speed": ["time=1.234"],
     "planets.flow": ["planets.flow_days=1"], "planets.flow_days": ["planets.flow_period_days=1.7"],
