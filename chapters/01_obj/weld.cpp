@@ -183,6 +183,19 @@ std::vector<glm::dvec3> smooth_normals(const ObjData& data) {
     return sums;
 }
 
+bool has_zero_normal(const ObjData& data) {
+    for (uint32_t i = 0; i < data.normals.size() / 3; ++i)
+        if (at3(data.normals, i) == glm::vec3(0.0f)) return true;
+    return false;
+}
+
+// A normal of length 0 is none.
+ObjData without_zero_normals(ObjData data) {
+    for (Corner& c : data.corners)
+        if (c.normal != none && at3(data.normals, c.normal) == glm::vec3(0.0f)) c.normal = none;
+    return data;
+}
+
 // One stretch for each run, grouped by mesh and material, in order of first use.
 std::vector<Stretch> stretches_by_mesh(const ObjData& data, Model& model, const std::string& name) {
     std::vector<uint32_t> mesh_of(data.objects.size() + 1, none);
@@ -206,9 +219,7 @@ std::vector<Stretch> stretches_by_mesh(const ObjData& data, Model& model, const 
     return stretches;
 }
 
-}  // namespace
-
-Model weld(const ObjData& data, std::vector<Material> materials, const std::string& name) {
+Model welded(const ObjData& data, std::vector<Material> materials, const std::string& name) {
     Model model;
     model.materials = std::move(materials);
     const std::vector<Stretch> stretches = stretches_by_mesh(data, model, name);
@@ -248,6 +259,13 @@ Model weld(const ObjData& data, std::vector<Material> materials, const std::stri
         mesh.parts.back().index_count = static_cast<uint32_t>(mesh.indices.size()) - mesh.parts.back().first_index;
     }
     return model;
+}
+
+}  // namespace
+
+Model weld(const ObjData& data, std::vector<Material> materials, const std::string& name) {
+    if (has_zero_normal(data)) return welded(without_zero_normals(data), std::move(materials), name);
+    return welded(data, std::move(materials), name);
 }
 
 }  // namespace lightwalk

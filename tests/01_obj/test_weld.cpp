@@ -36,6 +36,11 @@ TEST_CASE("weld: missing normals are smooth, by area, also across a seam of uvs"
     // A normal of length 0 counts as missing.
     CHECK(welded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3\n").meshes[0].vertices[0].normal ==
           glm::vec3(0, 0, 1));
+    for (const std::string smooth : {"", "s 1\n", "s off\n"}) {
+        const Model none_given =
+            welded("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 0\n" + smooth + "f 1//1 2//1 3//1 4//1\n");
+        for (const Vertex& v : none_given.meshes[0].vertices) CHECK(v.normal == glm::vec3(0, 0, 1));
+    }
     // Given and missing ones in a file.
     const Model mixed = welded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1 2 3\n");
     CHECK(mixed.meshes[0].vertices[0].normal == glm::vec3(1, 0, 0));
