@@ -192,6 +192,10 @@ struct Reader {
         if (said.ka && !is_grey && glm::length(glm::cross(m.ambient, m.diffuse)) > 1e-3f) m.left_out.push_back("Ka");
         if (m.opacity_map && !m.opacity_map.channel) m.opacity_map.channel = alpha_if_any;
         if (m.ambient_map && m.ambient_map.file != m.diffuse_map.file) m.left_out.push_back("map_Ka");
+        // Heights lie at the mesh's coordinates; roughness and metalness become one texture.
+        if (m.displacement_map && !m.displacement_map.place.is_plain()) m.left_out.push_back("-s and -o of disp");
+        if (m.roughness_map && m.metalness_map && m.roughness_map.place != m.metalness_map.place)
+            m.left_out.push_back("-s and -o of map_Pm");
     }
 
     // An opaque material passes nothing to filter. White is no filter; black is what programs write where they mean

@@ -80,6 +80,10 @@ TEST_CASE("mtl: maps and all their options") {
     CHECK(one("map_Kd C:\\Users\\me\\wood.png").diffuse_map.file == fs::path("folder/wood.png"));
     CHECK(one("map_Kd ../wood.png").diffuse_map.file == fs::path("wood.png"));
     CHECK(one("map_Kd -wood.png").diffuse_map.file == fs::path("folder/-wood.png"));
+    using Names = std::vector<std::string>;
+    CHECK(one("disp -s 2 2 2 h.png").left_out == Names{"-s and -o of disp"});
+    CHECK(one("map_Pr -s 2 2 2 r.png\nmap_Pm m.png").left_out == Names{"-s and -o of map_Pm"});
+    CHECK(one("disp h.png\nmap_Pr -s 2 2 2 r.png\nmap_Pm -s 2 2 2 m.png").left_out.empty());
     const Material m = one("map_Ka a\nmap_Ks b\nmap_Ke c\nmap_Ns d\nmap_d e\nnorm f\ndisp g\nmap_Pr h\nmap_Pm i");
     for (const TextureMap* each : {&m.ambient_map, &m.specular_map, &m.emissive_map, &m.shininess_map, &m.opacity_map,
                                    &m.normal_map, &m.displacement_map, &m.roughness_map, &m.metalness_map})
