@@ -11,15 +11,16 @@
 namespace lightwalk {
 namespace {
 
+const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
+
+// Calls visit(a, b, c) with the vertices' indices.
 template <class Visit>
-void for_each_triangle(const DrawItem& item, const std::vector<Vertex>& vertices, const Visit& visit) {
-    const Mesh& mesh = item.model->model.meshes[item.mesh];
+void for_each_triangle(const DrawItem& item, const Visit& visit) {
+    const Mesh& mesh = mesh_of(item);
     const Part& part = mesh.parts[item.part];
     for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
-        visit(vertices[mesh.indices[i]], vertices[mesh.indices[i + 1]], vertices[mesh.indices[i + 2]]);
+        visit(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
 }
-
-const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
 
 // Alpha masks of textures that cut holes, each once. Mask 0 is one texel of 255, without holes.
 class Masks {
@@ -61,14 +62,28 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
     for (size_t i = 0; i < scene.items.size(); ++i) {
         const DrawItem& item = scene.items[i];
         if (item.transparent) continue;
-        // As the surface is drawn: a material's own threshold is one of alpha times its opacity.
+        const Mesh& mesh = mesh_of(item);
+        // Both masks lie where the colours do.
+        const MapPlace& place =
+            item.maps.places[static_cast<size_t>(cut_by[i].x ? MapSlot::diffuse : MapSlot::opacity)];
+        const bool is_second = place.set == 1 && !mesh.second_uvs.empty();
+        const auto uv = [&](uint32_t vertex) {
+            return place.turn * (is_second ? mesh.second_uvs[vertex] : mesh.vertices[vertex].uv) + place.offset;
+        };
+        // As the surface is drawn: a material's own threshold is one of alpha times its opacity and its vertices' alpha,
+        // here the mean of a triangle's.
         const float own = item.material.alpha_cutoff;
-        const float cutoff = own > 0.0f ? own / std::max(item.material.opacity, 1e-3f) : -1.0f;
-        for_each_triangle(item, mesh_of(item).vertices, [&](const Vertex& a, const Vertex& b, const Vertex& c) {
+        const auto cutoff = [&](uint32_t a, uint32_t b, uint32_t c) {
+            const auto& of = mesh.colors;
+            const float alpha = of.empty() ? 1.0f : (of[a].a + of[b].a + of[c].a) / 3.0f;
+            return own > 0.0f ? own / std::max(item.material.opacity * alpha, 1e-3f) : -1.0f;
+        };
+        for_each_triangle(item, [&](uint32_t a, uint32_t b, uint32_t c) {
             RayTriangle& triangle = triangles.at(next++);
-            if (cut_by[i] == glm::uvec2(0)) return;
+            const float least = cutoff(a, b, c);
+            if (cut_by[i] == glm::uvec2(0) && least <= 1.0f) return;
             triangle.cutout = static_cast<uint32_t>(with_holes.size());
-            with_holes.push_back({a.uv, b.uv, c.uv, cut_by[i].x, cut_by[i].y, cutoff});
+            with_holes.push_back({uv(a), uv(b), uv(c), cut_by[i].x, cut_by[i].y, least});
         });
     }
     return with_holes;
@@ -80,13 +95,13 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     std::vector<RayTriangle> triangles;
     for (const DrawItem& item : scene.items) {
         if (item.transparent) continue;
-        for_each_triangle(item, vertices_of(*item.model, item.mesh),
-                          [&](const Vertex& a, const Vertex& b, const Vertex& c) {
-                              const auto placed = [&](const Vertex& v) {
-                                  return glm::vec3(item.transform * glm::vec4(v.position, 1.0f));
-                              };
-                              triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
-                          });
+        const std::vector<Vertex>& vertices = vertices_of(*item.model, item.mesh);
+        const auto placed = [&](uint32_t vertex) {
+            return glm::vec3(item.transform * glm::vec4(vertices[vertex].position, 1.0f));
+        };
+        for_each_triangle(item, [&](uint32_t a, uint32_t b, uint32_t c) {
+            triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
+        });
     }
     return triangles;
 }

@@ -9,6 +9,8 @@
 #include "05_shadow_maps/rays.h"
 #include "catch.h"
 #include "common/base/error.h"
+#include "common/base/files.h"
+#include "common/image/image.h"
 #include "common/scene_fixture.h"
 
 using namespace lightwalk;
@@ -102,6 +104,60 @@ TEST_CASE("rays meet skins and morphs where they are by now") {
     CHECK(skin.blocked() == Approx(0.5).margin(0.01));  // its upper edge is 2 m to the right, then above the lower one
     animate(skin.scene, skin.time_s = 0.5f);
     CHECK(skin.blocked() == Approx(1).margin(0.01));
+}
+
+// KHR_texture_transform: uv times the scale, plus the offset. The texture's left half is opaque: with a scale of a half one
+// half of it is seen. The second coordinates are half of the first.
+TEST_CASE("rays go through a texture's holes where its transform and its coordinates place them", "[05.placed_holes]") {
+    const FileFolder folder;
+    Image8 half(2, 1);
+    half.pixels = {glm::u8vec4(255), glm::u8vec4(255, 255, 255, 0)};
+    write_png(folder / "half.png", half);
+    const std::array<float, 28> numbers{-1, -1, 0,    1, -1,   0, 1, 1, 0, -1, 1, 0,  // positions
+                                        0,  1,  1,    1, 1,    0, 0, 0,               // first coordinates
+                                        0,  1,  0.5f, 1, 0.5f, 0, 0, 0};              // second ones
+    write_file(folder / "quad.bin", std::string_view(reinterpret_cast<const char*>(numbers.data()), sizeof numbers));
+    const auto blocked = [&](const std::string& how) {
+        write_file(folder / "quad.gltf",
+                   R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "buffers": [{"byteLength": 112, "uri": "quad.bin"}], "bufferViews": [{"buffer": 0, "byteLength": 48},
+                {"buffer": 0, "byteOffset": 48, "byteLength": 32}, {"buffer": 0, "byteOffset": 80, "byteLength": 32}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 2}, "material": 0,
+                "mode": 6}]}], "images": [{"uri": "half.png"}], "textures": [{"source": 0}],
+            "materials": [{"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0)" +
+                       how + "}}}]}");
+        return RayScene({object_at((folder / "quad.gltf").c_str(), {0, 0, 0})}).blocked();
+    };
+    const std::string transform = R"(, "extensions": {"KHR_texture_transform": {"scale": [0.5, 1])";
+    CHECK(blocked("") == Approx(0.5).margin(0.01));
+    CHECK(blocked(transform + "}}") == 1);
+    CHECK(blocked(transform + R"(, "offset": [0.5, 0]}})") == 0);
+    CHECK(blocked(R"(, "texCoord": 1)") == 1);
+}
+
+// glTF 2.0, 3.9.3: alpha is the product of texture, factor and the vertices' colour; what is below the cutoff is not there.
+TEST_CASE("rays go through what a factor or vertex colours cut out", "[05.untextured_holes]") {
+    const FileFolder folder;
+    const auto blocked = [&](const char* alpha, const char* color) {
+        // A triangle of half a square metre, whose first twelve bytes, its colours, are 0.
+        write_file(folder / "triangle.gltf",
+                   fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}],
+            "nodes": [{{"mesh": 0}}], "buffers": [{{"byteLength": 36, "uri":
+            "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteLength": 12}}],
+            "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                          {{"bufferView": 1, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC4"}}],
+            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0{}}}, "material": 0}}]}}],
+            "materials": [{{"alphaMode": "MASK", "pbrMetallicRoughness": {{"baseColorFactor": [1, 1, 1, {}]}}}}]}})",
+                               color, alpha));
+        return RayScene({object_at((folder / "triangle.gltf").c_str(), {0, 0, 0})}).blocked();
+    };
+    CHECK(blocked("0.6", "") == Approx(0.125).margin(0.01));
+    CHECK(blocked("0.4", "") == 0);
+    CHECK(blocked("1", R"(, "COLOR_0": 1)") == 0);
 }
 
 TEST_CASE("an empty scene stops no ray") {
