@@ -1,5 +1,6 @@
 // Scene animation: placement of items, and the resulting uploads.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/scene/scene.h"
@@ -28,10 +29,20 @@ void upload_marked(Frame& frame, const char* name, const Buffer& buffer, std::ve
     marks.assign(marks.size(), false);
 }
 
+// For normals. What flattens has no inverse: then the cofactors, a multiple of the inverse transpose elsewhere.
+glm::mat3 inverse_transpose(const glm::mat3& m) {
+    if (std::isnormal(glm::determinant(m))) return glm::transpose(glm::inverse(m));
+    const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    float most = 0.0f;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) most = std::max(most, std::abs(cofactors[column][row]));
+    return most > 0.0f ? cofactors / most : glm::mat3(1.0f);
+}
+
 }  // namespace
 
 Instance instance_of(const DrawItem& item, size_t index) {
-    return {item.transform, glm::transpose(glm::inverse(glm::mat3(item.transform))), static_cast<uint32_t>(index)};
+    return {item.transform, inverse_transpose(glm::mat3(item.transform)), static_cast<uint32_t>(index)};
 }
 
 bool Scene::place(DrawItem& item) const {

@@ -1,4 +1,5 @@
 // Scenes that move: placement at a time, and minimal uploads.
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.h"
@@ -273,6 +274,25 @@ TEST_CASE("normals of a skin under joints of unequal scale are those of the elli
         CHECK(worst(test.at(0.5f)) < 1e-4f);
         CHECK(test.scene.items[0].mirrored == (glm::determinant(above * joints[0]) < 0));
     }
+}
+
+// A plate's normal is at right angles to both of its edges, whatever becomes of its thickness.
+TEST_CASE("normals of what a node flattens are those of its plane", "[common.flattened]") {
+    const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 0.7f, glm::normalize(glm::vec3(1, 2, 3)));
+    for (const float size : {1e-15f, 1.0f, 1e3f})
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 scale = size * glm::vec3(1, 2, 3), along(0.0f);
+            scale[axis] = 0.0f;
+            along[axis] = 1.0f;
+            DrawItem item;
+            item.transform = glm::scale(turned, scale);
+            const glm::vec3 normal = glm::normalize(instance_of(item, 0).normal_matrix * along);
+            CAPTURE(size, axis);
+            CHECK(glm::length(normal - glm::vec3(turned[axis])) < 1e-5f);
+        }
+    DrawItem nothing;
+    nothing.transform = glm::scale(turned, glm::vec3(0.0f));
+    CHECK(std::isfinite(instance_of(nothing, 0).normal_matrix[0].x));
 }
 
 TEST_CASE("a morph of a mesh without normals keeps the normals of its triangles", "[common.morph_flat]") {
