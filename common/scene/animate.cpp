@@ -101,7 +101,8 @@ void Scene::find_batches() {
     for (size_t i = 1; i < items.size(); ++i) {
         const DrawItem &a = items[i - 1], &b = items[i];
         const bool same = a.model == b.model && a.mesh == b.mesh && a.part == b.part && a.maps == b.maps &&
-                          a.mirrored == b.mirrored && a.transparent == b.transparent && a.two_sided == b.two_sided;
+                          a.mirrored == b.mirrored && a.transparent == b.transparent && a.two_sided == b.two_sided &&
+                          a.material.microfacets == b.material.microfacets;
         batch_of_[i] = batch_of_[i - 1] + (same ? 0 : 1);
     }
 }

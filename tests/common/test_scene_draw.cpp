@@ -46,6 +46,21 @@ TEST_CASE("equal parts are instances of one batch; opaque ones come first, other
     CHECK(two.scene.batches().size() == 2);
 }
 
+// A batch is drawn by one shader: a scene that gives an exponent to one of two equal metals asks for two.
+TEST_CASE("equal parts of another reflection model are another batch", "[common.batch_model]") {
+    SceneFile file;
+    file.objects = {object_at(quad_file, {-1, 0, 0}), object_at(quad_file, {1, 0, 0})};
+    file.objects[1].material.shininess = 50.0f;
+    Scene scene;
+    scene.load(check_device(), std::move(file), [](const std::filesystem::path& name) {
+        Model model = test_model(name);
+        model.materials[0].metallic_roughness = model.materials[0].microfacets = true;
+        return model;
+    });
+    REQUIRE(scene.batches().size() == 2);
+    for (const Batch& batch : scene.batches()) CHECK(batch.item().material.microfacets == (batch.item().object == 0));
+}
+
 TEST_CASE("an instance is its own item: gl_InstanceIndex is its place, and numbers of its material are its own") {
     std::vector<SceneObject> objects;
     for (int i = 0; i < 4; ++i) {
