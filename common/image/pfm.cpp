@@ -48,6 +48,8 @@ ImageRgb read_pfm(const std::filesystem::path& path) {
     const int width = number<int>(next_word(rest), path);
     const int height = number<int>(next_word(rest), path);
     const bool big_endian = number<float>(next_word(rest), path) > 0.0f;
+    // One byte ends the header, two where its lines end in CR LF.
+    if (rest.starts_with('\n') && rest.data()[-1] == '\r') rest.remove_prefix(1);
     const int channels = kind == "PF" ? 3 : 1;
     check_image_size(path, width, height);
     const size_t row = static_cast<size_t>(width) * size_t(channels);

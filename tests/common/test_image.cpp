@@ -123,6 +123,8 @@ TEST_CASE("A PFM keeps every bit, NaN and Inf included") {
     const ImageRgb grey = read_pfm(scratch / "grey.pfm");
     CHECK(grey.at(0, 0) == glm::vec3(2.0f));  // the last row of the file is the top one
     CHECK(grey.at(0, 1) == glm::vec3(1.0f));
+    write_file(scratch / "crlf.pfm", std::string("Pf\r\n1 2\r\n1.0\r\n\x3F\x80\0\0\x40\0\0\0", 22));
+    CHECK(read_pfm(scratch / "crlf.pfm").pixels == grey.pixels);
 }
 
 TEST_CASE("A .hdr is linear as it stands") {
