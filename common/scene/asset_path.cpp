@@ -92,6 +92,12 @@ std::string decode_uri(std::string_view text) {
     return out;
 }
 
+fs::path resolve_uri(std::string_view uri, const fs::path& folder) {
+    const fs::path decoded = resolve_file(decode_uri(uri), folder), written = resolve_file(uri, folder);
+    std::error_code ignored;
+    return !fs::exists(decoded, ignored) && fs::exists(written, ignored) ? written : decoded;
+}
+
 size_t bytes_to_import(const std::filesystem::path& path) {
     size_t bytes = InputFile(path).bytes;
     if (strcasecmp(path.extension().c_str(), ".gltf") != 0) return bytes;
@@ -112,7 +118,7 @@ size_t bytes_to_import(const std::filesystem::path& path) {
     for (const std::string& name : names) {
         if (name.starts_with("data:")) continue;
         std::error_code error;
-        const std::filesystem::path file = path.parent_path() / decode_uri(name);
+        const std::filesystem::path file = resolve_uri(name, path.parent_path());
         if (std::filesystem::is_regular_file(file, error)) bytes += std::filesystem::file_size(file, error);
     }
     return bytes;

@@ -17,6 +17,9 @@ std::vector<std::filesystem::path> resolve_files(std::string_view written, const
 /// Decodes percent-encoded URIs (RFC 3986, 2.1), as used by glTF and Collada.
 std::string decode_uri(std::string_view text);
 
+/// File named by a URI in a model file: percent-encoded, or as some programs write it, and else as resolve_file().
+std::filesystem::path resolve_uri(std::string_view uri, const std::filesystem::path& folder);
+
 /// Bytes of a model file and, for glTF, of the files it references. Throws InputError if the model file is missing.
 size_t bytes_to_import(const std::filesystem::path& path);
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,9 +18,9 @@ glm::mat4 local_of(const json& node) {
         for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m->at(size_t(i)).get<float>();
         return matrix;
     }
-    const glm::vec4 q = vector_or(node, "rotation", glm::vec4(0, 0, 0, 1));
+    const glm::quat q = unit_rotation(vector_or(node, "rotation", glm::vec4(0, 0, 0, 1)));
     const glm::mat4 moved = glm::translate(glm::mat4(1), vector_or(node, "translation", glm::vec3(0)));
-    return glm::scale(moved * glm::mat4_cast(glm::quat(q.w, q.x, q.y, q.z)), vector_or(node, "scale", glm::vec3(1)));
+    return glm::scale(moved * glm::mat4_cast(q), vector_or(node, "scale", glm::vec3(1)));
 }
 
 class GltfReader {
@@ -33,6 +34,7 @@ class GltfReader {
         for (size_t i = 0; i < file_.count("nodes"); ++i)
             if (nodes_[i] >= 0 && in_scene_[i]) fill_node(i);
         read_gltf_motions(file_, nodes_, model_);
+        name_moving();
         list_gltf_extensions(file_, model_);
         if (file_.count("scenes") > 1) leave_out(model_, "further scenes");
         if (model_.meshes.empty()) {
@@ -63,13 +65,15 @@ class GltfReader {
         std::reverse(waiting.begin(), waiting.end());
         add_trees(std::move(waiting));
         for (const int node : nodes_) in_scene_.push_back(node >= 0);
-        // Joints may lie outside the scene: their trees give transforms, but are not drawn.
+        // Joints may lie outside the scene, or be hidden: their trees give transforms, but are not drawn.
         for (size_t i = 0; i < file_.count("skins"); ++i)
             for (const json& joint : file_.entry("skins", i).at("joints")) {
                 size_t root = joint.get<size_t>();
                 if (root >= nodes_.size() || nodes_[root] >= 0) continue;
-                for (size_t up = 0; parents[root] >= 0 && up < nodes_.size(); ++up) root = size_t(parents[root]);
-                if (nodes_[root] < 0) add_trees({{root, -1}});
+                const auto is_missing = [&](int node) { return node >= 0 && nodes_[size_t(node)] < 0; };
+                for (size_t up = 0; is_missing(parents[root]) && up < nodes_.size(); ++up) root = size_t(parents[root]);
+                if (is_missing(parents[root])) continue;  // its own ancestor
+                add_trees({{root, parents[root] < 0 ? -1 : nodes_[size_t(parents[root])]}}, true);
             }
     }
 
@@ -82,14 +86,14 @@ class GltfReader {
         return parents;
     }
 
-    void add_trees(std::vector<std::pair<size_t, int>> waiting) {
+    void add_trees(std::vector<std::pair<size_t, int>> waiting, bool with_hidden = false) {
         while (!waiting.empty()) {
             const auto [number, parent] = waiting.back();
             waiting.pop_back();
             const json& from = file_.entry("nodes", number);
             if (nodes_[number] >= 0) file_.refuse("node {} has two parents, or is its own", number);
             if (const json* visibility = extension(from, "KHR_node_visibility");
-                visibility && !value_or(*visibility, "visible", true))
+                visibility && !with_hidden && !value_or(*visibility, "visible", true))
                 continue;
             nodes_[number] = static_cast<int>(model_.nodes.size());
             model_.nodes.push_back({value_or<std::string>(from, "name", ""), parent, local_of(from), {}});
@@ -106,6 +110,18 @@ class GltfReader {
         if (from.contains("camera")) add_camera(file_.entry("cameras", from.at("camera").get<size_t>()), node);
         if (const json* light = extension(from, "KHR_lights_punctual"))
             add_light(light->at("light").get<size_t>(), node);
+    }
+
+    // A file's cameras and lights stand as at 0 s.
+    void name_moving() {
+        std::vector<bool> moves(model_.nodes.size(), false);
+        for (const NodeMotion& motion : model_.motions) moves[motion.node] = !motion.position.empty();
+        for (size_t i = 0; i < moves.size(); ++i)
+            if (const int parent = model_.nodes[i].parent; parent >= 0 && moves[size_t(parent)]) moves[i] = true;
+        for (const FileCamera& camera : model_.cameras)
+            if (moves[camera.node]) leave_out(model_, "motions of cameras", "camera");
+        for (const FileLight& light : model_.lights)
+            if (moves[light.node]) leave_out(model_, "motions of lights", "light");
     }
 
     void drop_unused_default() {
@@ -206,9 +222,7 @@ class GltfReader {
         for (size_t i = 0; i < count; ++i) {
             glm::mat4 local(1);
             if (i < moved.size() / 3) local = glm::translate(local, glm::make_vec3(&moved[3 * i]));
-            if (i < turned.size() / 4)
-                local *=
-                    glm::mat4_cast(glm::quat(turned[4 * i + 3], turned[4 * i], turned[4 * i + 1], turned[4 * i + 2]));
+            if (i < turned.size() / 4) local *= glm::mat4_cast(unit_rotation(glm::make_vec4(&turned[4 * i])));
             if (i < scaled.size() / 3) local = glm::scale(local, glm::make_vec3(&scaled[3 * i]));
             Node& node = model_.nodes.emplace_back(Node{"", static_cast<int>(parent), local, meshes});
             for (size_t c = 0; c < channels && (i + 1) * channels <= colors.size(); ++c)
@@ -262,6 +276,11 @@ class GltfReader {
 };
 
 }  // namespace
+
+glm::quat unit_rotation(glm::vec4 q) {
+    const glm::quat given(q.w, q.x, q.y, q.z);
+    return std::abs(glm::dot(q, q) - 1.0f) < 1e-6f ? given : glm::normalize(given);
+}
 
 Model read_gltf(const std::filesystem::path& path) {
     try {

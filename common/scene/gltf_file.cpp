@@ -1,7 +1,9 @@
 #include "common/scene/gltf_file.h"
 
 #include <array>
+#include <cctype>
 #include <cstring>
+#include <optional>
 
 #include "common/base/files.h"
 #include "common/scene/asset_path.h"
@@ -10,14 +12,18 @@ namespace lightwalk {
 namespace {
 using nlohmann::json;
 
-std::string decode_base64(std::string_view text) {
+// RFC 4648, section 4. Padding may be missing, and blanks, where some writers break lines, are skipped; empty: other
+// characters.
+std::optional<std::string> decode_base64(std::string_view text) {
     std::string out;
     uint32_t bits = 0;
     int count = 0;
     for (const char c : text) {
+        if (c == '=') break;
+        if (std::isspace(static_cast<unsigned char>(c))) continue;
         const size_t digit =
             std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
-        if (digit == std::string_view::npos) break;
+        if (digit == std::string_view::npos) return {};
         bits = bits << 6 | static_cast<uint32_t>(digit);
         if ((count += 6) >= 8) out += static_cast<char>(bits >> (count -= 8) & 255u);
     }
@@ -144,11 +150,14 @@ std::string GltfFile::read_uri(const std::string& uri) const {
     if (uri.starts_with("data:")) {
         const size_t comma = uri.find(',');
         if (comma == uri.npos) refuse("a data URI without data");
-        const std::string_view data = std::string_view(uri).substr(comma + 1);
-        return uri.substr(0, comma).ends_with(";base64") ? decode_base64(data) : decode_uri(data);
+        std::string data = decode_uri(std::string_view(uri).substr(comma + 1));
+        if (!std::string_view(uri).substr(0, comma).ends_with(";base64")) return data;
+        std::optional<std::string> bytes = decode_base64(data);
+        if (!bytes) refuse("a data URI that is not base64");
+        return std::move(*bytes);
     }
     try {
-        return read_file(path.parent_path() / decode_uri(uri));
+        return read_file(resolve_uri(uri, path.parent_path()));
     } catch (const InputError& e) { refuse("{}", e.what()); }
 }
 

@@ -159,7 +159,7 @@ class GltfMaterials {
         const auto uri = from.find("uri");
         TextureMap map;
         if (uri != from.end() && !uri->get<std::string>().starts_with("data:")) {
-            map.file = (file_.path.parent_path() / decode_uri(uri->get<std::string>())).lexically_normal();
+            map.file = resolve_uri(uri->get<std::string>(), file_.path.parent_path());
         } else {
             const std::string name = value_or<std::string>(from, "name", "");
             map.file = file_.path.string() + fmt::format(", image {}{}{}", index, name.empty() ? "" : " ", name);

@@ -230,6 +230,10 @@ std::vector<uint32_t> read_gltf_mesh(const GltfFile& file, size_t index, uint32_
             continue;
         }
         if (mode < 0 || mode > fan) file.refuse("mesh '{}': primitive mode {}", name, mode);
+        if (!primitive.at("attributes").contains("POSITION")) {
+            leave_out(model, "triangles without positions", "mesh");
+            continue;
+        }
         json surface = primitive;
         surface.erase("material");
         const auto same = known.find(surface);

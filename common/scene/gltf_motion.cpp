@@ -11,7 +11,13 @@ using nlohmann::json;
 
 void set_numbers(glm::vec3& value, const float* from, size_t) { value = glm::make_vec3(from); }
 void set_numbers(glm::quat& value, const float* from, size_t) { value = glm::quat(from[3], from[0], from[1], from[2]); }
+void set_key(glm::quat& value, const float* from, size_t) { value = unit_rotation(glm::make_vec4(from)); }
 void set_numbers(std::vector<float>& value, const float* from, size_t count) { value.assign(from, from + count); }
+
+template <class T>
+void set_key(T& value, const float* from, size_t count) {
+    set_numbers(value, from, count);
+}
 
 template <class T>
 KeyTrack<T> track_of(const GltfFile& file, const json& sampler, size_t components, size_t size) {
@@ -31,7 +37,7 @@ KeyTrack<T> track_of(const GltfFile& file, const json& sampler, size_t component
         const float* from = numbers.data() + i * size * (cubic ? 3 : 1);
         TimedValue<T>& key = track.emplace_back();
         key.time_s = times[i];
-        set_numbers(key.value, from + (cubic ? size : 0), size);
+        set_key(key.value, from + (cubic ? size : 0), size);
         if (!cubic) continue;
         set_numbers(track.slopes.emplace_back(), from, size);
         set_numbers(track.slopes.emplace_back(), from + 2 * size, size);
@@ -47,16 +53,19 @@ void fill(KeyTrack<T>& track, const T& value) {
 // Missing channels keep the node's own value.
 void fill_from_node(const json& node, NodeMotion& motion) {
     if (motion.position.empty() && motion.scale.empty() && motion.rotation.empty()) return;
-    const glm::vec4 q = vector_or(node, "rotation", glm::vec4(0, 0, 0, 1));
     fill(motion.position, vector_or(node, "translation", glm::vec3(0)));
     fill(motion.scale, vector_or(node, "scale", glm::vec3(1)));
-    fill(motion.rotation, glm::quat(q.w, q.x, q.y, q.z));
+    fill(motion.rotation, unit_rotation(vector_or(node, "rotation", glm::vec4(0, 0, 0, 1))));
 }
 
+// The most of a primitive: some have fewer, or none.
 size_t target_count(const GltfFile& file, const json& node) {
-    if (!node.contains("mesh")) return 0;
-    const json& primitives = file.entry("meshes", node.at("mesh").get<size_t>()).at("primitives");
-    return primitives.empty() || !primitives.at(0).contains("targets") ? 0 : primitives.at(0).at("targets").size();
+    size_t most = 0;
+    if (!node.contains("mesh")) return most;
+    for (const json& primitive : file.entry("meshes", node.at("mesh").get<size_t>()).at("primitives"))
+        if (const auto targets = primitive.find("targets"); targets != primitive.end())
+            most = std::max(most, targets->size());
+    return most;
 }
 
 // Animation without a duration: one pose, for all times.
@@ -67,9 +76,12 @@ void hold_pose(Model& model) {
             model.nodes[motion.node].local =
                 glm::scale(moved * glm::mat4_cast(motion.rotation.back().value), motion.scale.back().value);
         }
-        for (Mesh& mesh : model.meshes)
-            if (mesh.deformation && mesh.deformation.node == motion.node && !motion.weights.empty())
-                mesh.deformation.weights = motion.weights.back().value;
+        for (Mesh& mesh : model.meshes) {
+            Deformation& how = mesh.deformation;
+            if (!how || how.node != motion.node || motion.weights.empty()) continue;
+            how.weights = motion.weights.back().value;
+            how.weights.resize(how.targets.size());
+        }
     }
     model.motions.clear();
 }

@@ -33,6 +33,9 @@ void check_gltf_required(const GltfFile& file);
 
 void list_gltf_extensions(const GltfFile& file, Model& model);
 
+/// From x, y, z, w. Normalised integers leave a length that is not quite 1; a rotation has 1.
+glm::quat unit_rotation(glm::vec4 q);
+
 class DracoPrimitive {
   public:
     /// `how`: the extension's JSON object. Throws InputError for damaged data.

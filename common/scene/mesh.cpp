@@ -121,8 +121,11 @@ void Mesh::add_copies(const std::vector<uint32_t>& copies) {
 
 std::vector<float> morph_weights(const Model& model, const Mesh& mesh, float time_s) {
     for (const NodeMotion& motion : model.motions)
-        if (motion.node == mesh.deformation.node && !motion.weights.empty())
-            return value_at(motion.weights, time_within(model, time_s));
+        if (motion.node == mesh.deformation.node && !motion.weights.empty()) {
+            std::vector<float> weights = value_at(motion.weights, time_within(model, time_s));
+            weights.resize(mesh.deformation.targets.size());
+            return weights;
+        }
     return mesh.deformation.weights;
 }
 

@@ -131,13 +131,10 @@ bool is_consistent(const NodeMotion& motion, const Model& model) {
     if (motion.node >= model.nodes.size() || motion.position.empty() != motion.scale.empty() ||
         motion.position.empty() != motion.rotation.empty())
         return false;
-    for (const Mesh& mesh : model.meshes) {
-        if (!mesh.deformation || mesh.deformation.node != motion.node) continue;
-        for (const auto& [time_s, weights] : motion.weights)
-            if (weights.size() != mesh.deformation.targets.size()) return false;
-        for (const auto& slopes : motion.weights.slopes)
-            if (slopes.size() != mesh.deformation.targets.size()) return false;
-    }
+    for (const auto& [time_s, weights] : motion.weights)
+        if (weights.size() != motion.weights[0].value.size()) return false;
+    for (const auto& slopes : motion.weights.slopes)
+        if (motion.weights.empty() || slopes.size() != motion.weights[0].value.size()) return false;
     return is_consistent(motion.position) && is_consistent(motion.scale) && is_consistent(motion.rotation) &&
            is_consistent(motion.weights);
 }

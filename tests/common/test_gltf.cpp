@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/scene/asset_path.h"
 #include "common/scene/bare.h"
 #include "import_fixture.h"
 #include "scene_fixture.h"
@@ -163,6 +164,114 @@ TEST_CASE("glTF: joints outside of the scene") {
     const Model model = Gltf().read("", skinned);
     REQUIRE((model.nodes.size() == 3 && model.nodes[1].meshes.empty()));
     CHECK(glm::vec3(world_transforms(model)[2][3]) == glm::vec3(1, 2, 0));
+}
+
+// KHR_node_visibility: what is hidden is not rendered; its transforms stay.
+TEST_CASE("glTF: joints that are hidden move a visible skin", "[common.hidden_joints]") {
+    const std::string hidden = R"("extensions": {"KHR_node_visibility": {"visible": false}})";
+    const std::string skinned = R"("skins": [{"joints": [3]}], "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0},
+        {"children": [2], "translation": [1, 0, 0]}, {"children": [3], "mesh": 0, )" +
+                                hidden + R"(}, {"translation": [0, 2, 0], "mesh": 0}])";
+    const Model model = Gltf().read("", skinned);
+    REQUIRE(model.nodes.size() == 4);
+    for (size_t i = 1; i < 4; ++i) CHECK(model.nodes[i].meshes.empty());
+    CHECK(glm::vec3(world_transforms(model)[3][3]) == glm::vec3(1, 2, 0));
+}
+
+// glTF 2.0, 3.6.2.2: f = c / 127. A quarter turn about z has x = y = 0 and z = w: 90 / 127 each, whose length is 1.002.
+TEST_CASE("glTF: rotations by normalised integers have the length 1", "[common.integer_rotation]") {
+    Gltf file;
+    std::string text =
+        head + R"(}], "nodes": [{"mesh": 0, "children": [1]}, {"rotation": [0, 0, 0.71, 0.71]}], "animations": [{
+        "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}], "samplers": [{"input": 0, "output": 3}]}]})";
+    const std::string old = R"("count": 2, "type": "VEC3"})", view = R"("byteOffset": 8, "byteLength": 36})";
+    text.replace(text.find(old), old.size(), old + R"(,
+        {"bufferView": 2, "componentType": 5120, "normalized": true, "count": 2, "type": "VEC4"})");
+    text.replace(text.find(view), view.size(), view + R"(, {"buffer": 1, "byteLength": 8})");
+    const std::string list = R"(AAAAAACAPwAAAAA="}])";
+    text.replace(text.find(list), list.size(),
+                 R"(AAAAAACAPwAAAAA="}, {"byteLength": 8, "uri": "data:;base64,AABaWgAAWlo="}])");
+    write_file(file.folder / "turned.gltf", text);
+    const Model model = import_model(file.folder / "turned.gltf");
+    const glm::mat4 quarter({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1});
+    const glm::mat4 turned = world_transforms(model, 0.5f).at(0);
+    for (int i = 0; i < 4; ++i) {
+        CHECK(glm::length(turned[i] - quarter[i]) < 1e-6f);
+        CHECK(glm::length(model.nodes.at(1).local[i] - quarter[i]) < 1e-6f);
+    }
+}
+
+// RFC 2397 and RFC 3986: a data URI may be percent-encoded; writers also break its lines, or leave out the padding.
+TEST_CASE("glTF: data URIs as they are written", "[common.data_uri]") {
+    Gltf file;
+    const std::string whole = head + R"(}], "nodes": [{"mesh": 0}]})";
+    const auto read_with = [&](const std::string& old, const std::string& by) {
+        std::string text = whole;
+        text.replace(text.find(old), old.size(), by);
+        write_file(file.folder / "data.gltf", text);
+        return import_model(file.folder / "data.gltf").meshes.at(0).vertices.at(2).position;
+    };
+    CHECK(read_with("PwAAAAA=", "PwAAAAA") == glm::vec3(0, 1, 0));
+    CHECK(read_with("PwAAAAA=", "PwAAAAA%3D") == glm::vec3(0, 1, 0));
+    CHECK(read_with("AAAAIA/", R"(AAAAIA\r\n %2F)") == glm::vec3(0, 1, 0));
+    CHECK(refusal_of([&] { read_with("AAAAIA/", "AAAAIA_"); }).find("not base64") != std::string::npos);
+}
+
+// RFC 3986, 2.1: %20 is a blank. Other programs write names as they are, with backslashes, or in other capitals.
+TEST_CASE("glTF: names of files as they are written", "[common.uri_names]") {
+    Gltf file;
+    const float floats[11] = {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    std::filesystem::create_directory(file.folder / "parts");
+    const auto position = [&](const std::string& name, const std::string& uri) {
+        write_file(file.folder / "parts" / name,
+                   std::string_view(reinterpret_cast<const char*>(floats), sizeof floats));
+        std::string text = head + R"(}], "nodes": [{"mesh": 0}]})";
+        const size_t begin = text.find("data:"), end = text.find('"', begin);
+        text.replace(begin, end - begin, uri);
+        write_file(file.folder / "names.gltf", text);
+        const size_t bytes = bytes_to_import(file.folder / "names.gltf");
+        CHECK(bytes == text.size() + sizeof floats);
+        const glm::vec3 read = import_model(file.folder / "names.gltf").meshes.at(0).vertices.at(1).position;
+        std::filesystem::remove(file.folder / "parts" / name);
+        return read;
+    };
+    CHECK(position("a b.bin", "parts/a%20b.bin") == glm::vec3(1, 0, 0));
+    CHECK(position("a%20b.bin", "parts/a%20b.bin") == glm::vec3(1, 0, 0));
+    CHECK(position("a b.bin", R"(parts\\a b.bin)") == glm::vec3(1, 0, 0));
+    CHECK(position("a.bin", "parts/A.BIN") == glm::vec3(1, 0, 0));
+}
+
+// glTF 2.0, 3.7.2.1: a primitive without positions is skipped.
+TEST_CASE("glTF: a primitive without positions is skipped and named", "[common.no_positions]") {
+    const Model model =
+        Gltf().read("", R"("nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"NORMAL": 1}},
+        {"attributes": {"POSITION": 1}}]}])");
+    CHECK(model.meshes.size() == 1);
+    CHECK(left_out_text(model) == "triangles without positions (1 mesh)");
+}
+
+// glTF 2.0, 3.7.2.2: a vertex moves by the weighted sum of its primitive's targets.
+TEST_CASE("glTF: weights animate primitives of which some have fewer targets", "[common.fewer_targets]") {
+    const Model model =
+        Gltf().read("", R"("nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 1}},
+        {"attributes": {"POSITION": 1}, "targets": [{"POSITION": 1}]}]}], "animations": [{"channels": [{"sampler": 0,
+        "target": {"node": 0, "path": "weights"}}], "samplers": [{"input": 0, "output": 0}]}])");
+    REQUIRE(model.meshes.size() == 2);
+    const auto x = [&](size_t mesh) {
+        const auto world = world_transforms(model, 0.25f);
+        return model.meshes[mesh].deformation ? deformed(model, model.meshes[mesh], world, 0.25f)[1].position.x
+                                              : model.meshes[mesh].vertices[1].position.x;
+    };
+    CHECK(x(0) == 1.0f);
+    CHECK(x(1) == 1.25f);
+}
+
+TEST_CASE("glTF: motions of cameras and lights are named", "[common.moving_camera]") {
+    const Model model = Gltf().read("", R"("nodes": [{"mesh": 0, "children": [1]}, {"camera": 0}, {"camera": 0}],
+        "scenes": [{"nodes": [0, 2]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}],
+        "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                        "samplers": [{"input": 0, "output": 2}]}])");
+    CHECK(left_out_text(model) == "motions of cameras (1 camera)");
 }
 
 // glTF 2.0, 3.11: an animation's value is that of its only key, before it and after it.
