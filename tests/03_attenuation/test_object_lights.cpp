@@ -1,4 +1,6 @@
 // Each object's lights where the objects move.
+#include <algorithm>
+
 #include "03_attenuation/lights.h"
 #include "catch.h"
 #include "common/scene_fixture.h"
@@ -39,4 +41,33 @@ TEST_CASE("an object that has moved away from a light has another list") {
     CHECK(reaching_above(0.001f) == 1);  // 32 m
     CHECK(reaching_above(0.5f) == 0);    // 1.4 m
     CHECK(reaching(0) == 1);
+}
+
+// Lights 1 m above the floor, 4 m apart, reach 2 m: 1.73 m on the floor, so that no point has two of them.
+TEST_CASE("a large floor has every light in its list, though each point is reached by one at most",
+          "[03.large_object]") {
+    TestScene test({object_at(quad_file, {0, 0, 0}, {20, 20, 1})});
+    std::vector<Light> all;
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 10; ++x)
+            all.push_back({.kind = Light::Kind::point, .position = {4 * x - 18, 4 * y - 18, 1}, .range_m = 2});
+    int most = 0;
+    for (double y = -20; y <= 20; y += 0.25)
+        for (double x = -20; x <= 20; x += 0.25) {
+            int reaching = 0;
+            for (const Light& light : all)
+                reaching += glm::distance(glm::dvec3(light.position), glm::dvec3(x, y, 0)) < double(light.range_m);
+            most = std::max(most, reaching);
+        }
+    CHECK(most == 1);
+    LightBuffer lights;
+    ObjectLights lists;
+    Frame frame(test.gpu);
+    frame.begin({4, 4}, 0);
+    lights.update(frame, all);
+    lists.update(frame, test.scene, lights, 0);
+    frame.end();
+    uint32_t end = 0;
+    std::memcpy(&end, test.gpu.read_back(lists.ends).data(), 4);
+    CHECK(end == 100);
 }

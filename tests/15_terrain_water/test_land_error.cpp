@@ -118,6 +118,19 @@ TEST_CASE_METHOD(OnViews, "chunks are drawn within land.error_px of the ground",
     CHECK(pixels > 40'000);
 }
 
+TEST_CASE_METHOD(OnViews, "above a ridge that is drawn too low, a pixel of chunks shows ground far behind it",
+                 "[15.behind_ridges]") {
+    double farthest = 0;
+    for (int i = 0; i < 24; ++i) {
+        next(0.05, 800, 8);
+        const std::vector<float> drawn = found("chunks"), truth = found("rays");
+        for (size_t p = 0; p < drawn.size(); ++p)
+            if (drawn[p] > 0 && truth[p] > 0) farthest = std::max(farthest, double(drawn[p]) / double(truth[p]));
+    }
+    fmt::print("a pixel shows ground {:.1f} times as far away as it should\n", farthest);
+    CHECK(farthest > 1.3);
+}
+
 TEST_CASE_METHOD(OnViews, "the skyline of chunks is within land.error_px of that of rays", "[15.bound]") {
     size = {128, 80};
     double worst = 0;

@@ -239,6 +239,7 @@ TEST_CASE("rings: how far single scattering with a fit of the rest is from rando
     CHECK(most[1] < 0.1);
     CHECK(least[0] > -0.8);
     CHECK(most[0] < 1.5);
+    CHECK(most[0] > 0.5);  // what chapter 17 warns of
 }
 
 // Henyey and Greenstein's, with 0.45 back and 0.7 forward. Least squares: what is left has no part along the share.

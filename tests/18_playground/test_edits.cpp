@@ -1,4 +1,5 @@
 // Edits shown on the device: the scene that was edited is the scene that would have been loaded; dragging; picking.
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
@@ -188,6 +189,29 @@ TEST_CASE("the gizmo has one size on the screen, and nothing jumps where an axis
     }
     fmt::print("an axis at the eye: a pixel is at most {:.1f} pixels' worth\n", most);
     CHECK(most < 40);
+}
+
+TEST_CASE("rays pass through the ball of glass, which ids find", "[18.glass]") {
+    Playground chapter;
+    chapter.name = "18_playground";
+    Gpu& gpu = check_device();
+    load_scene(chapter, gpu, "scenes/workbench.json");
+    chapter.show.set("ids");
+    const auto pixels_of_glass = [&](const char* method) {
+        chapter.picker.method.set(method);
+        Frame frame(gpu);
+        render(chapter, frame, {{480, 270}, 0, 0, {}});
+        const auto bytes = gpu.read_back(chapter.picker.ids);
+        std::vector<uint32_t> ids(bytes.size() / 4);
+        std::memcpy(ids.data(), bytes.data(), bytes.size());
+        const std::vector<DrawItem>& items = chapter.scene.items;
+        return std::count_if(ids.begin(), ids.end(), [&](uint32_t id) {
+            return id > 0 && chapter.scene.file.objects[items[id - 1].object].name == "glass";
+        });
+    };
+    CHECK(pixels_of_glass("ids") > 500);
+    CHECK(pixels_of_glass("rays") == 0);
+    CHECK(pixels_of_glass("rays_cut") == 0);
 }
 
 TEST_CASE("rays and the id buffer agree on 10,000 pixels, but for silhouettes a bit wide", "[18.id_rays]") {
