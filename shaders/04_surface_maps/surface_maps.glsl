@@ -60,7 +60,7 @@ float side_seen() {
 #if !MAPS_TWO_SIDED
     return 1.0;
 #elif defined(SEEN)
-    return dot(world_normal, view.eye - world_position) < 0.0 ? -1.0 : 1.0;
+    return dot(winding_normal, view.eye - world_position) < 0.0 ? -1.0 : 1.0;
 #else
     return gl_FrontFacing ? 1.0 : -1.0;
 #endif

@@ -11,6 +11,7 @@ uint material_index, item;
 
 // Screen-space derivatives of the stand-ins.
 vec3 change_across, change_down;  // derivatives of the position
+vec3 winding_normal;              // normal of the triangle's front face, any length
 vec2 uv_across, uv_down;
 
 vec2 moved_across(vec2 moved, float time_s);
@@ -62,6 +63,8 @@ bool look_up(ivec2 pixel, ivec2 size, mat4 view_projection, out vec4 frag_coord)
         hands[i] = handedness;
         cosines[i] = cos_uv;
     }
+    winding_normal = cross(positions[1] - positions[0], positions[2] - positions[0]);
+    if (determinant(mat3(instances[item].model)) < 0.0) winding_normal = -winding_normal;
     Shares s = shares_at(corners, pixel, size);
     world_position = positions * s.here;
     change_across = positions * s.across;

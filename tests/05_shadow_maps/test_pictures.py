@@ -127,6 +127,25 @@ class LowPolyTest(ChapterPictures):
         self.assertLess(sum(one > 4 for one in darker), 60)
 
 
+class TwoSidedTest(ChapterPictures):
+    chapter = "05_shadow_maps"
+
+    def test_a_closed_surface_looks_the_same_with_both_sides_drawn(self):
+        """Of a ball no back is seen; the normals of its corners face away at its outline. Also mirrored."""
+        write_smooth(self.folder / "ball.obj", *ball(4))
+        for shaded in ("raster", "visibility"):
+            for scale in (1, [-1, 1, 1]):
+                one, both = [Image.open(self.draw(
+                    {"camera": {"position": [0, 0.5, 4], "target": [0, 0, 0], "fov_deg": 35}, "ambient": [0.1, 0.1, 0.1],
+                     "objects": [{"model": str(self.folder / "ball.obj"), "scale": scale,
+                                  "material": {"diffuse": [0.7, 0.7, 0.7], "two_sided": two_sided}}],
+                     "lights": [{"type": "directional", "direction": [-1, -0.5, -0.4]}]},
+                    "--set", f"shaded={shaded}", size="96x96")).convert("L") for two_sided in (False, True)]
+                with self.subTest(shaded=shaded, scale=scale):
+                    self.assertGreater(max(one.getdata()), 150)
+                    self.assertEqual(sum(code > 2 for code in ImageChops.difference(one, both).getdata()), 0)
+
+
 class PaneTest(ChapterPictures):
     chapter = "05_shadow_maps"
 
