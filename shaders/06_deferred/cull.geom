@@ -1,4 +1,5 @@
-// Back-face culling in a geometry shader. LEFT_OUT: emits the culled triangles instead.
+// Back-face culling in a geometry shader, of surfaces with one side. LEFT_OUT: emits the culled triangles instead.
+#include "04_surface_maps/plain_draw.glsl"
 #include "common/structs.h"
 #include "06_deferred/cull_back_face.glsl"
 
@@ -17,6 +18,14 @@ layout(location = 5) in vec2 uv_in[];
 layout(location = 6) flat in uint material_in[];
 layout(location = 7) flat in uint item_in[];
 layout(location = 8) in float cos_uv_in[];
+#if MAPS_SECOND_UVS
+layout(location = 9) in vec2 second_uv_in[];
+layout(location = 9) out vec2 second_uv;
+#endif
+#if MAPS_COLORS
+layout(location = 10) in vec4 vertex_color_in[];
+layout(location = 10) out vec4 vertex_color;
+#endif
 
 layout(location = 0) out vec3 world_position;
 layout(location = 1) out vec3 world_normal;
@@ -32,6 +41,9 @@ invariant gl_Position;
 void main() {
     bool mirrored = determinant(mat3(instances[item_in[0]].model)) < 0.0;
     bool culled = is_back_face(position_in[0] - view.eye, position_in[1] - view.eye, position_in[2] - view.eye, mirrored);
+#if MAPS_TWO_SIDED
+    culled = false;
+#endif
 #ifdef LEFT_OUT
     culled = !culled;
 #endif
@@ -47,6 +59,12 @@ void main() {
         material_index = material_in[i];
         item = item_in[i];
         cos_uv = cos_uv_in[i];
+#if MAPS_SECOND_UVS
+        second_uv = second_uv_in[i];
+#endif
+#if MAPS_COLORS
+        vertex_color = vertex_color_in[i];
+#endif
         EmitVertex();
     }
     EndPrimitive();

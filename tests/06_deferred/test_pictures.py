@@ -4,6 +4,7 @@ import subprocess
 
 from PIL import Image
 
+from parts import Gltf
 from pictures import BUILD, ROOT, ChapterPictures
 from shots.rendering import render_many
 
@@ -46,6 +47,23 @@ class PicturesTest(ChapterPictures):
             colors = {color for _, color in Image.open(picture).convert("RGB").getcolors()}
             self.assertLessEqual(len(colors), 2, f"{picture.stem}: {sorted(colors)}")
             self.assertEqual(self.steps(pictures[0], picture)[0], 0, picture.stem)
+
+    def test_a_geometry_shader_draws_what_the_device_culls_not(self):
+        """Surfaces with two sides from behind; and it hands on colours of vertices and second texture coordinates."""
+        Image.linear_gradient("L").resize((16, 16)).convert("RGB").save(self.folder / "shades.png")
+        gltf = Gltf({"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0, "texCoord": 1}},
+                     "doubleSided": True}, camera=False).texture({"uri": "shades.png"})
+        gltf.primitive()["attributes"] |= {"COLOR_0": gltf.floats([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1], [1, 1, 0, 1]]),
+                                           "TEXCOORD_1": gltf.floats([[0, 2], [2, 2], [2, 0], [0, 0]])}
+        gltf.write(str(self.folder / "square.gltf"))
+        for turn in (20, 160):
+            scene = {"camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fov_deg": 30}, "ambient": [0.5, 0.5, 0.5], "lights": [],
+                     "objects": [{"model": str(self.folder / "square.gltf"), "rotation_deg": [0, turn, 0]}]}
+            fixed, geometry = [self.draw(scene, "--method", "packed", "--set", "surface.model=ggx", "--set", f"cull={cull}",
+                                         size="64x64", name=cull) for cull in ("fixed", "geometry")]
+            with self.subTest(turn=turn):
+                self.assertGreater(len(Image.open(fixed).convert("RGB").getcolors(64 * 64)), 100)
+                self.assertLessEqual(self.steps(fixed, geometry)[0], 1)
 
     def test_a_shader_that_never_emits_draws_nothing_after_one_that_does(self):
         """The starter culls no triangle, so none is left out; Mesa 22.3 read its outputs, which a compiler had removed."""
