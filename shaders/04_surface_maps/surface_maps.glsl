@@ -116,12 +116,13 @@ vec3 read_normal(sampler2D map, Coordinates at, float scale, out float mean_leng
     return unpack_normal(texel.xy, maps.strength * scale);
 }
 
-// Tangent directions of a rotated map.
+// From the frame of a rotated or mirrored map to that of u and v. A scale moves texels apart and leaves their normals.
 vec3 turned_back(vec3 normal) {
 #if MAPS_PLACED
     mat2 turn = map_placements[material_index * MAP_COUNT + 4u].turn;
-    float area = abs(determinant(turn));
-    if (area > 1e-12) normal.xy = sqrt(area) * inverse(turn) * normal.xy;
+    float side = sign(determinant(turn));
+    vec2 along_u = side * normalize(vec2(turn[1][1], -turn[0][1]));  // of the map: its v stays
+    if (side != 0.0) normal.xy = mat2(along_u, side * vec2(-along_u.y, along_u.x)) * normal.xy;
 #endif
     return normal;
 }

@@ -75,6 +75,23 @@ class PicturesTest(ChapterPictures):
         self.assertLessEqual(self.largest_difference(by_first, by_second), 1)
         self.assertGreater(self.largest_difference(by_first, upright), 40)
 
+    def test_a_scaled_normal_map_has_the_normals_of_its_texels(self):
+        """KHR_texture_transform moves texels apart; what they hold are unit vectors. A turned map's lean with it."""
+        Image.new("RGB", (4, 4), (204, 128, 230)).save(self.folder / "right.png")  # leans towards u by 37 degrees
+        Image.new("RGB", (4, 4), (128, 52, 230)).save(self.folder / "down.png")
+
+        def middle(image, **transform) -> int:
+            placed = {"index": 0} | ({"extensions": {"KHR_texture_transform": transform}} if transform else {})
+            return self.shown(self.square("placed.gltf", image=image, material={**self.PLAIN, "normalTexture": placed},
+                                          uv=self.UPRIGHT)).getpixel((22, 14))[0]
+
+        right, down, quarter = middle("right.png"), middle("down.png"), math.pi / 2
+        self.assertGreater(abs(right - down), 10)
+        for scale in ([1, 1], [4, 1], [1, 4], [0.2, 0.2]):
+            with self.subTest(scale=scale):
+                self.assertAlmostEqual(middle("right.png", scale=scale), right, delta=1)
+                self.assertAlmostEqual(middle("right.png", scale=scale, rotation=quarter), down, delta=1)
+
     def test_normal_map_of_a_skin_turns_with_its_joint(self):
         """A joint that turns the square looks like a node that does; also where both are mirrored or stretched."""
         image, material = self.waves(), {**self.PLAIN, "normalTexture": {"index": 0}}
