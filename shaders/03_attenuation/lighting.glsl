@@ -25,7 +25,7 @@ float falloff(float distance, float range, float fade_k) {
 // own lights have, and a cone whose edge is a square (KHR_lights_punctual).
 float punctual_falloff(float distance, float range) {
     float share = min(distance / range, 1.0), square = share * share;
-    return (1.0 - square * square) / max(distance * distance, 1e-4);
+    return (1.0 - square * square) / max(distance * distance, 1e-12);  // finite at the light itself
 }
 
 // [arriving_light]

@@ -17,7 +17,7 @@ struct LampShape {
     bool is_tube;
 };
 
-vec3 safe_normalize(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-20)); }
+vec3 safe_normalize(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-36)); }
 
 LampShape shape_of(LightData light, vec3 position) {
     LampShape s;
@@ -28,7 +28,7 @@ LampShape shape_of(LightData light, vec3 position) {
     s.along = s.is_tube ? light.half_tube : light.radius * safe_normalize(cross(s.across, s.middle));
     float away = dot(s.middle, s.middle), squared = light.radius * light.radius;
     float area = s.is_tube ? 4.0 * light.radius * length(light.half_tube) : pi * squared;
-    s.weight = (s.is_tube ? away : away + squared) * pi / max(area, 1e-12);
+    s.weight = (s.is_tube ? away : away + squared) * pi / max(area, 1e-30);
     return s;
 }
 
@@ -53,7 +53,7 @@ Reflected reflect_by_nearest_point(Surface surface, LampShape s) {
     if (s.is_tube) {
         vec3 end = s.middle - s.along, tube = 2.0 * s.along;
         float turned = dot(mirrored, tube), over = dot(tube, tube) - turned * turned;
-        nearest = end + tube * clamp((dot(mirrored, end) * turned - dot(end, tube)) / max(over, 1e-6), 0.0, 1.0);
+        nearest = end + tube * clamp((dot(mirrored, end) * turned - dot(end, tube)) / max(over, 1e-6 * dot(tube, tube)), 0.0, 1.0);
     }
     nearest = nearest_on_lamp(nearest, length(s.across), mirrored);
     float alpha = alpha_of(surface.shininess), away = 2.0 * length(s.middle);

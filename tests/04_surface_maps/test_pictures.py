@@ -5,6 +5,7 @@ import pathlib
 from PIL import Image, ImageChops
 
 from parts import Gltf
+from picture_drawing import sets
 from pictures import ROOT, ChapterPictures
 
 TEXTURES = ROOT / "assets" / "textures"
@@ -143,6 +144,24 @@ class PicturesTest(ChapterPictures):
         kept, averaged = share("--maps.coverage", "kept"), share("--maps.coverage", "averaged")
         self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
         self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
+
+    # --- lamps
+
+    def test_lamps_scale_with_the_scene(self):
+        """A light that is a thousandth as large and as far has the same shape in the sky."""
+        def seen(method, scale, **lamp):
+            light = {"type": "point", "position": [0, 0.5 * scale, 0], "range_m": 100 * scale} | {
+                key: [scale * x for x in one] if isinstance(one, list) else scale * one for key, one in lamp.items()}
+            scene = {"camera": {"position": [0, 0.6 * scale, 1.5 * scale], "target": [0, 0, 0], "fov_deg": 40,
+                                "near_m": 0.05 * scale, "far_m": 100 * scale}, "lights": [light],
+                     "objects": [{"model": "models/plane.obj", "scale": 4 * scale,
+                                  "material": {"diffuse": [0.1, 0.1, 0.1], "roughness": 0.3, "metalness": 0}}]}
+            return Image.open(self.draw(scene, *sets(f"lamps.method={method}", "falloff=range_fade", "fade_k=0"),
+                                        size="48x36")).convert("RGB")
+
+        for method, lamp in (("representative", {"tube_m": [0.4, 0, 0], "size_m": 0.02}), ("sampled", {"size_m": 0.01})):
+            with self.subTest(method=method):
+                self.assertLessEqual(self.largest_difference(seen(method, 1, **lamp), seen(method, 0.001, **lamp)), 2)
 
     # --- hits
 

@@ -67,7 +67,7 @@ class Punctual(File):
     def test_candela_at_a_distance_are_lux(self):
         lux = self.middle({"type": "point" if self.has_sun else "directional", "intensity": 1.2})
         self.assertGreater(lux, 0.2)
-        for candela, metres in ((1.2, 1), (0.048, 0.2), (30, 5)):
+        for candela, metres in ((1.2, 1), (0.048, 0.2), (30, 5), (1.2e-6, 0.001)):
             with self.subTest(candela=candela, metres=metres):
                 self.assertAlmostEqual(self.middle({"type": "point", "intensity": candela}, metres) / lux, 1, delta=0.02)
 
