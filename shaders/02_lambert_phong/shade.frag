@@ -22,7 +22,8 @@ void main() {
 #if METHOD == METHOD_GOURAUD
     Lit lit = Lit(lit_diffuse, lit_specular);
 #else
-    Lit lit = light_surface(world_position, normalize(world_normal), view.eye, material.shininess);
+    vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
+    Lit lit = light_surface(world_position, normal, view.eye, material.shininess);
 #endif
 #if AMBIENT
     lit.diffuse += ambient;

@@ -26,7 +26,7 @@ vec3 count_color(uint count) {
 
 void main() {
     MaterialData material = materials[material_index];
-    vec3 normal = normalize(world_normal);
+    vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
     Surface surface = Surface(normal, normalize(view.eye - world_position), material.shininess, normal);
     Lit lit = light_surface(surface, surface.normal, world_position, item, gl_FragCoord);
     vec3 radiance = diffuse_color(material, uv, view.lod_bias) * (lit.diffuse + ambient) + material.specular * lit.specular +

@@ -1,5 +1,5 @@
 """What glTF 2.0 states of alpha, and KHR_lights_punctual of lights, holds in every chapter that lights such files."""
-# Builds: 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 14_environment 15_terrain_water 18_playground
+# Builds: 02_lambert_phong 03_attenuation 04_surface_maps 05_shadow_maps 06_deferred 14_environment 15_terrain_water 18_playground
 import functools
 import math
 import os
@@ -106,11 +106,29 @@ class Alpha(File):
                     self.assertAlmostEqual(found, 0.9 * alpha, delta=0.012)  # black plastic reflects ambient light
 
 
-class Attenuation(Punctual):
+class Sides(File):
+    """glTF 2.0, 3.9.6: of a material with two sides the back is lit with its normal reversed."""
+
+    def test_the_back_is_lit_as_the_front_is(self):
+        found = []
+        for degrees in (-90, 90):  # about the x axis: its front is above, or its back
+            gltf = lit_from_above({"type": "directional", "intensity": 1.2}, 1.0, 0.0)
+            gltf.json["materials"][0]["doubleSided"] = True
+            gltf.json["nodes"][0]["rotation"] = turned(degrees)
+            found.append(self.seen(gltf))
+        self.assertGreater(found[0], 0.2)
+        self.assertAlmostEqual(found[1], found[0], delta=0.01)
+
+
+class LambertPhong(Sides):
+    chapter = "02_lambert_phong"
+
+
+class Attenuation(Punctual, Sides):
     chapter = "03_attenuation"
 
 
-class SurfaceMaps(Punctual, Alpha):
+class SurfaceMaps(Punctual, Alpha, Sides):
     chapter = "04_surface_maps"
 
 
@@ -134,4 +152,4 @@ class Playground(Punctual, Alpha):
     chapter, settings = "18_playground", LINEAR_TONES
 
 
-del File, Punctual, Alpha, ChapterPictures  # no tests of their own
+del File, Punctual, Alpha, Sides, ChapterPictures  # no tests of their own
