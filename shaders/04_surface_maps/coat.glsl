@@ -82,12 +82,3 @@ Reflected reflect_light(Surface surface, vec3 to_light) {
     return reflect_by_blinn_phong(surface, to_light);
 #endif
 }
-
-// Blinn–Phong exponent equivalent to the coat's alpha.
-float shininess_of(float shininess, float alpha) {
-#if SURFACE_GGX
-    return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 0.0, most_shininess);
-#else
-    return shininess;
-#endif
-}

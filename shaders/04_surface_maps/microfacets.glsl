@@ -1,5 +1,6 @@
 // Microfacets: GGX with Smith's height-correlated masking, and reflection of a light by a microfacet coat.
 #include "04_surface_maps/ggx_visibility.glsl"
+#include "04_surface_maps/plain_draw.glsl"
 #include "common/schlick.glsl"
 #include "common/structs.h"
 
@@ -86,6 +87,15 @@ vec3 entering_towards(Coat coat, vec2 ab) {
 // GGX alpha of a Blinn–Phong exponent (B. Walter et al., EGSR 2007, section 5.2). Exponents are at most 8192, so alpha
 // is at least 1/64.
 float alpha_of(float shininess) { return sqrt(2.0 / (shininess + 2.0)); }
+
+// Blinn–Phong exponent equivalent to the coat's alpha.
+float shininess_of(float shininess, float alpha) {
+#if SURFACE_GGX
+    return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 0.0, most_shininess);
+#else
+    return shininess;
+#endif
+}
 
 // Light in the unit of white's radiance, hence the pi. Coloured by Fresnel's term already (Schlick, 1994). `ab`: A and B of
 // the split sum for the light's direction.

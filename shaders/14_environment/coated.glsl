@@ -65,5 +65,6 @@ CoatedSurface coated_surface() {
     c.alpha = own.alpha >= 0.0 ? own.alpha : sqrt(2.0 / (c.m.surface.shininess + 2.0));
     if (substance.roughness >= 0.0) c.alpha = substance.roughness * substance.roughness;
     if (c.is_paint) c.alpha = paint.coat_roughness * paint.coat_roughness;
+    c.m.surface.shininess = shininess_of(c.m.surface.shininess, c.alpha);
     return c;
 }

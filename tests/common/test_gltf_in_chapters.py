@@ -120,6 +120,20 @@ class Sides(File):
         self.assertAlmostEqual(found[1], found[0], delta=0.01)
 
 
+class Metalness(File):
+    """glTF 2.0, appendix B: a metalness of one half is half of the plastic and half of the metal."""
+
+    def test_half_a_metal_is_half_of_each(self):
+        def seen(metalness):
+            gltf = lit_from_above({"type": "point", "intensity": 1.2}, 1.0, 0.0)
+            gltf.json["materials"][0]["pbrMetallicRoughness"] = {"metallicFactor": metalness, "roughnessFactor": 1}
+            return self.seen(gltf)
+
+        plastic, half, metal = seen(0), seen(0.5), seen(1)
+        self.assertGreater(metal, 0.2)
+        self.assertAlmostEqual(half, (plastic + metal) / 2, delta=0.015)
+
+
 class LambertPhong(Sides):
     chapter = "02_lambert_phong"
 
@@ -128,7 +142,7 @@ class Attenuation(Punctual, Sides):
     chapter = "03_attenuation"
 
 
-class SurfaceMaps(Punctual, Alpha, Sides):
+class SurfaceMaps(Punctual, Alpha, Sides, Metalness):
     chapter = "04_surface_maps"
 
 
@@ -152,4 +166,8 @@ class Playground(Punctual, Alpha):
     chapter, settings = "18_playground", LINEAR_TONES
 
 
-del File, Punctual, Alpha, Sides, ChapterPictures  # no tests of their own
+class DeferredPlayground(Metalness):
+    chapter, settings = "18_playground", (*LINEAR_TONES, "gbuffer.method=packed", "surface.model=ggx")
+
+
+del File, Punctual, Alpha, Sides, Metalness, ChapterPictures  # no tests of their own
