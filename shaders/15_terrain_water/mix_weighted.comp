@@ -11,7 +11,7 @@ void main() {
     vec4 weighted = texelFetch(sum, at, 0);
     vec4 behind = texelFetch(share, at, 0);
     if (behind == vec4(1.0)) return;
-    vec3 mean = weighted.rgb / max(weighted.a, 1e-5);
+    vec3 mean = weighted.rgb / max(weighted.a, 1e-10);
     vec4 before = imageLoad(picture, at);
     imageStore(picture, at, vec4((1.0 - behind.a) * mean + behind.rgb * before.rgb, before.a));
 }

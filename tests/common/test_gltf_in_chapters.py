@@ -162,6 +162,20 @@ class TerrainWater(Punctual, Alpha):
     chapter, settings, has_sun = "15_terrain_water", (*LINEAR_TONES, "atmosphere.sun_klx=0"), True
 
 
+class WeightedSums(File):
+    """One surface is its own weighted mean, whatever it weighs."""
+    chapter = "15_terrain_water"
+    settings = (*LINEAR_TONES, "atmosphere.sun_klx=0", "transparency.method=wboit", "transparency.sums=fp32")
+
+    def test_a_faint_surface_far_away_keeps_its_light(self):
+        gltf = before_black({"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 0.02], **PLASTIC},
+                             "emissiveFactor": [1, 1, 1], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 20}}})
+        gltf.json["extensionsUsed"].append("KHR_materials_emissive_strength")
+        square, _, wall, camera = gltf.json["nodes"]
+        square["scale"], wall["scale"], camera["translation"] = [100, 100, 1], [300, 300, 1], [0, 0, 400]
+        self.assertAlmostEqual(self.seen(gltf), 0.02 * 20, delta=0.02)
+
+
 class Playground(Punctual, Alpha):
     chapter, settings = "18_playground", LINEAR_TONES
 
