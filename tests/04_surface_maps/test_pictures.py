@@ -145,6 +145,27 @@ class PicturesTest(ChapterPictures):
         self.assertLess(abs(kept - truth), 0.15 * truth, (truth, kept, averaged))
         self.assertGreater(abs(averaged - truth), 0.2 * truth, (truth, kept, averaged))
 
+    # --- objects
+
+    def test_an_object_looks_the_same_beside_another_of_its_model(self):
+        """One has the microfacets of its file, the other a highlight that the scene states."""
+        Gltf({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.1, 0.1, 1], "metallicFactor": 0, "roughnessFactor": 0.4}},
+             camera=False).write(str(self.folder / "square.gltf"))
+        plain = {"model": str(self.folder / "square.gltf"), "position": [-1.1, 0, 0], "rotation_deg": [0, 30, 0]}
+        shiny = plain | {"position": [1.1, 0, 0], "material": {"specular": [0.4, 0.4, 0.4], "shininess": 20}}
+
+        def halves(*objects):
+            scene = {"camera": {"position": [0, 0, 5], "target": [0, 0, 0], "fov_deg": 30}, "objects": objects,
+                     "lights": [{"type": "directional", "direction": [-0.7, 0, -0.7]}], "ambient": [0.1, 0.1, 0.1]}
+            picture = Image.open(self.draw(scene, size="80x40")).convert("RGB")
+            return picture.crop((0, 0, 40, 40)), picture.crop((40, 0, 80, 40))
+
+        left, right = halves(plain)[0], halves(shiny)[1]
+        for order in ((plain, shiny), (shiny, plain)):
+            both = halves(*order)
+            self.assertLessEqual(self.largest_difference(both[0], left), 1)
+            self.assertLessEqual(self.largest_difference(both[1], right), 1)
+
     # --- lamps
 
     def test_lamps_scale_with_the_scene(self):
