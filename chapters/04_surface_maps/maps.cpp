@@ -153,7 +153,8 @@ Macros Maps::variant(const DrawItem& item) const {
 bool Maps::has_holes(const DrawItem& item) const {
     const float own = item.material.alpha_cutoff;
     if (own == 0.0f) return false;
-    if (own > 0.0f && (item.material.opacity < 1.0f || !item.model->model.meshes[item.mesh].colors.empty()))
+    if (own > 0.0f &&
+        (item.material.opacity < 1.0f || own > 1.0f || !item.model->model.meshes[item.mesh].colors.empty()))
         return true;
     return (diffuse && with_holes_.contains(item.maps[MapSlot::diffuse].get())) ||
            (opacity && with_holes_.contains(item.maps[MapSlot::opacity].get()));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -11,39 +12,53 @@
 namespace lightwalk {
 namespace {
 
-const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
-
-// Calls visit(a, b, c) with the vertices' indices.
 template <class Visit>
 void for_each_triangle(const DrawItem& item, const Visit& visit) {
-    const Mesh& mesh = mesh_of(item);
+    const Mesh& mesh = item.model->model.meshes[item.mesh];
     const Part& part = mesh.parts[item.part];
     for (uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
         visit(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
+const Mesh& mesh_of(const DrawItem& item) { return item.model->model.meshes[item.mesh]; }
+
+uint32_t wrap_of(Wrap wrap) {
+    return wrap == Wrap::repeat ? MASK_REPEATS : wrap == Wrap::mirror ? MASK_MIRRORS : MASK_CLAMPS;
+}
+
 // Alpha masks of textures that cut holes, each once. Mask 0 is one texel of 255, without holes.
 class Masks {
   public:
-    std::vector<RayMask> masks{{0, 1, 1}};
+    std::vector<RayMask> masks{{0, 1, 1, MASK_REPEATS, MASK_REPEATS}};
     std::vector<uint32_t> texels{0xff};
 
     explicit Masks(Gpu& gpu) : gpu_(gpu) {}
-    uint32_t of(const std::shared_ptr<Image>& image, int channel) {
+    uint32_t of(const MaterialMaps& maps, MapSlot slot, int channel) {
+        const Image* const image = maps[slot].get();
         if (!image) return 0;
-        const auto [place, added] = known_.try_emplace({image.get(), channel}, 0);
+        const Sampler& sampler = maps.samplers[static_cast<size_t>(slot)];
+        const Key key{image, channel, wrap_of(sampler.wrap), wrap_of(sampler.wrap_v.value_or(sampler.wrap))};
+        const auto [place, added] = known_.try_emplace(key, 0);
         if (!added) return place->second;
         const Level level = read_level(gpu_, *image);
-        place->second = unlocked([&] { return add(level, channel); });
+        place->second = unlocked([&] { return add(level, key); });
         return place->second;
     }
 
   private:
-    uint32_t add(const Level& level, int channel) {
+    struct Key {
+        const Image* image;
+        int channel;
+        uint32_t wrap_u, wrap_v;
+        auto operator<=>(const Key&) const = default;
+    };
+
+    uint32_t add(const Level& level, const Key& key) {
+        const int channel = key.channel;
         const bool whole = std::all_of(level.texels.begin(), level.texels.end(),
                                        [&](const glm::vec4& texel) { return texel[channel] >= 1.0f; });
         if (whole) return 0;
-        masks.push_back({static_cast<uint32_t>(texels.size()), level.size.x, level.size.y});
+        masks.push_back({static_cast<uint32_t>(texels.size()), level.size.x, level.size.y, key.wrap_u, key.wrap_v});
         for (size_t i = 0; i < level.texels.size(); ++i) {
             if (i % 4 == 0) texels.push_back(0);
             texels.back() |= static_cast<uint32_t>(std::lround(level.texels[i][channel] * 255.0f)) << 8 * (i % 4);
@@ -51,8 +66,22 @@ class Masks {
         return static_cast<uint32_t>(masks.size() - 1);
     }
     Gpu& gpu_;
-    std::map<std::pair<const Image*, int>, uint32_t> known_;
+    std::map<Key, uint32_t> known_;
 };
+
+// Coordinates of a map at a vertex, as surfaces are drawn.
+glm::vec2 placed_uv(const DrawItem& item, MapSlot slot, uint32_t vertex) {
+    const Mesh& mesh = mesh_of(item);
+    const MapPlace& place = item.maps.places[static_cast<size_t>(slot)];
+    const bool second = place.set == 1 && !mesh.second_uvs.empty();
+    return place.turn * (second ? mesh.second_uvs[vertex] : mesh.vertices[vertex].uv) + place.offset;
+}
+
+// True if alpha cuts holes whatever the textures say.
+bool has_cut_numbers(const DrawItem& item) {
+    const MaterialNumbers& of = item.material;
+    return of.alpha_cutoff > 0.0f && (of.opacity < 1.0f || of.alpha_cutoff > 1.0f || !mesh_of(item).colors.empty());
+}
 
 // Cut-outs of triangles with holes.
 std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Scene& scene,
@@ -62,28 +91,24 @@ std::vector<RayCutout> cut_with(const std::vector<glm::uvec2>& cut_by, const Sce
     for (size_t i = 0; i < scene.items.size(); ++i) {
         const DrawItem& item = scene.items[i];
         if (item.transparent) continue;
-        const Mesh& mesh = mesh_of(item);
-        // Both masks lie where the colours do.
-        const MapPlace& place =
-            item.maps.places[static_cast<size_t>(cut_by[i].x ? MapSlot::diffuse : MapSlot::opacity)];
-        const bool is_second = place.set == 1 && !mesh.second_uvs.empty();
-        const auto uv = [&](uint32_t vertex) {
-            return place.turn * (is_second ? mesh.second_uvs[vertex] : mesh.vertices[vertex].uv) + place.offset;
-        };
-        // As the surface is drawn: a material's own threshold is one of alpha times its opacity and its vertices' alpha,
-        // here the mean of a triangle's.
+        const glm::uvec2 masks = cut_by[i];
+        const bool is_cut = masks != glm::uvec2(0) || has_cut_numbers(item);
+        const std::vector<glm::vec4>& colors = mesh_of(item).colors;
         const float own = item.material.alpha_cutoff;
-        const auto cutoff = [&](uint32_t a, uint32_t b, uint32_t c) {
-            const auto& of = mesh.colors;
-            const float alpha = of.empty() ? 1.0f : (of[a].a + of[b].a + of[c].a) / 3.0f;
-            return own > 0.0f ? own / std::max(item.material.opacity * alpha, 1e-3f) : -1.0f;
-        };
         for_each_triangle(item, [&](uint32_t a, uint32_t b, uint32_t c) {
             RayTriangle& triangle = triangles.at(next++);
-            const float least = cutoff(a, b, c);
-            if (cut_by[i] == glm::uvec2(0) && least <= 1.0f) return;
+            if (!is_cut) return;
             triangle.cutout = static_cast<uint32_t>(with_holes.size());
-            with_holes.push_back({uv(a), uv(b), uv(c), cut_by[i].x, cut_by[i].y, least});
+            RayCutout& cutout = with_holes.emplace_back();
+            cutout.color_mask = masks.x;
+            cutout.opacity_mask = masks.y;
+            cutout.cutoff = own > 0.0f ? own : -1.0f;
+            const std::array vertices{a, b, c};
+            for (int k = 0; k < 3; ++k) {
+                cutout.alpha[k] = item.material.opacity * (colors.empty() ? 1.0f : colors[vertices[k]].a);
+                cutout.color_uv[k] = placed_uv(item, MapSlot::diffuse, vertices[k]);
+                cutout.opacity_uv[k] = placed_uv(item, MapSlot::opacity, vertices[k]);
+            }
         });
     }
     return with_holes;
@@ -96,8 +121,8 @@ std::vector<RayTriangle> ray_triangles(const Scene& scene) {
     for (const DrawItem& item : scene.items) {
         if (item.transparent) continue;
         const std::vector<Vertex>& vertices = vertices_of(*item.model, item.mesh);
-        const auto placed = [&](uint32_t vertex) {
-            return glm::vec3(item.transform * glm::vec4(vertices[vertex].position, 1.0f));
+        const auto placed = [&](uint32_t i) {
+            return glm::vec3(item.transform * glm::vec4(vertices[i].position, 1.0f));
         };
         for_each_triangle(item, [&](uint32_t a, uint32_t b, uint32_t c) {
             triangles.push_back({placed(a), placed(b), placed(c), NO_CUTOUT});
@@ -116,8 +141,8 @@ void SceneRays::build(Gpu& gpu, const Scene& scene) {
         if (item.transparent || item.material.alpha_cutoff == 0.0f) continue;  // 0: alpha says nothing
         const std::shared_ptr<Image>& loaded = item.loaded_maps[MapSlot::diffuse];
         const bool is_solid = loaded && scene.images() && !scene.images()->has_alpha(*loaded);
-        if (!is_solid) cut.x = masks.of(item.maps[MapSlot::diffuse], 3);
-        cut.y = masks.of(item.maps[MapSlot::opacity], 0);
+        if (!is_solid) cut.x = masks.of(item.maps, MapSlot::diffuse, 3);
+        cut.y = masks.of(item.maps, MapSlot::opacity, 0);
     }
     std::vector<RayCutout> with_holes = unlocked([&] { return cut_with(cut_by, scene, triangles); });
     bvh_ = unlocked([&] { return Bvh(triangles); });

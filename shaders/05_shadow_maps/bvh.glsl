@@ -23,24 +23,40 @@ float mask_texel(RayMask mask, ivec2 at) {
     return float(rays_texels[mask.first + texel / 4u] >> 8u * (texel % 4u) & 255u) / 255.0;
 }
 
-// Bilinear, repeating read, as a sampler's of level 0; v = 0 is the bottom row.
+// Texel from -1 to the size of a repeating or clamped axis, from -1 to twice the size of a mirroring one.
+int wrapped(int texel, int size, uint wrap) {
+    if (wrap == MASK_CLAMPS) return clamp(texel, 0, size - 1);
+    if (wrap == MASK_REPEATS) return (texel + size) % size;
+    int place = (texel + 2 * size) % (2 * size);
+    return min(place, 2 * size - 1 - place);
+}
+
+float wrapped(float place, uint wrap) {
+    return wrap == MASK_CLAMPS ? clamp(place, 0.0, 1.0) : wrap == MASK_REPEATS ? fract(place) : 2.0 * fract(0.5 * place);
+}
+
+// Bilinear read, as a sampler's of level 0; v = 0 is the bottom row.
 float mask_at(RayMask mask, vec2 uv) {
     ivec2 size = ivec2(mask.width, mask.height);
-    vec2 at = fract(vec2(uv.x, 1.0 - uv.y)) * vec2(size) - 0.5;
+    vec2 at = vec2(wrapped(uv.x, mask.wrap_u), wrapped(1.0 - uv.y, mask.wrap_v)) * vec2(size) - 0.5;
     ivec2 low = ivec2(floor(at));
     vec2 part = at - vec2(low);
-    ivec2 from = (low + size) % size, to = (low + 1) % size;
+    ivec2 from = ivec2(wrapped(low.x, size.x, mask.wrap_u), wrapped(low.y, size.y, mask.wrap_v));
+    ivec2 to = ivec2(wrapped(low.x + 1, size.x, mask.wrap_u), wrapped(low.y + 1, size.y, mask.wrap_v));
     return mix(mix(mask_texel(mask, from), mask_texel(mask, ivec2(to.x, from.y)), part.x),
                mix(mask_texel(mask, ivec2(from.x, to.y)), mask_texel(mask, to), part.x), part.y);
 }
 
 // Mask 0 has no holes.
 bool is_hole(RayCutout cutout, vec3 weights, RayState now) {
-    vec2 uv = weights.x * cutout.a + weights.y * cutout.b + weights.z * cutout.c;
-    uv = moving_uv(uv, now.wobble, now.scroll, now.time_s);
-    float color_alpha = mask_at(rays_masks[now.color_cuts * cutout.color_mask], uv);
-    float opacity = mask_at(rays_masks[now.opacity_cuts * cutout.opacity_mask], uv);
-    return is_cut_out(surface_alpha(color_alpha, opacity, 1.0), cutout.cutoff < 0.0 ? now.cutoff : cutout.cutoff);
+    vec2 color_uv = mat3x2(cutout.color_uv[0], cutout.color_uv[1], cutout.color_uv[2]) * weights;
+    vec2 opacity_uv = mat3x2(cutout.opacity_uv[0], cutout.opacity_uv[1], cutout.opacity_uv[2]) * weights;
+    color_uv = moving_uv(color_uv, now.wobble, now.scroll, now.time_s);
+    opacity_uv = moving_uv(opacity_uv, now.wobble, now.scroll, now.time_s);
+    float color_alpha = mask_at(rays_masks[now.color_cuts * cutout.color_mask], color_uv);
+    float opacity = mask_at(rays_masks[now.opacity_cuts * cutout.opacity_mask], opacity_uv);
+    float alpha = surface_alpha(color_alpha, opacity, dot(cutout.alpha, weights));
+    return is_cut_out(alpha, cutout.cutoff < 0.0 ? now.cutoff : cutout.cutoff);
 }
 #endif
 

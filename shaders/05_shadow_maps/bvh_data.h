@@ -23,17 +23,23 @@ struct RayTriangle {
     uint cutout;   // index of its cut-out, or NO_CUTOUT
 };
 
-// Cut-out of a triangle: texture coordinates (v = 0 is the bottom row) and two masks, whose product is alpha.
+// Cut-out of a triangle: alpha is the product of its corners' and of two masks. Coordinates have v = 0 at the bottom row.
 struct RayCutout {
-    vec2 a, b, c;
+    vec3 alpha;  // of the corners
+    vec2 color_uv[3], opacity_uv[3];
     uint color_mask, opacity_mask;
     float cutoff;  // below 0: the frame's
 };
+
+const uint MASK_REPEATS = 0u;
+const uint MASK_MIRRORS = 1u;
+const uint MASK_CLAMPS = 2u;
 
 // Alpha mask: 0 to 255, four texels a word, rows from the top.
 struct RayMask {
     uint first;  // index of the first word
     uint width, height;
+    uint wrap_u, wrap_v;  // MASK_...
 };
 
 // Ray settings of one frame.

@@ -4,6 +4,7 @@ import math
 
 from PIL import Image, ImageChops, ImageFilter
 
+from parts import Gltf
 from pictures import ROOT, ChapterPictures
 
 SCENE = ROOT / "assets/scenes/colonnade_evening.json"
@@ -144,6 +145,56 @@ class TwoSidedTest(ChapterPictures):
                 with self.subTest(shaded=shaded, scale=scale):
                     self.assertGreater(max(one.getdata()), 150)
                     self.assertEqual(sum(code > 2 for code in ImageChops.difference(one, both).getdata()), 0)
+
+
+class HoleTest(ChapterPictures):
+    """Holes let the sun through, whatever cuts them: by maps and by rays."""
+    chapter = "05_shadow_maps"
+    UPRIGHT = [[0, 1], [1, 1], [1, 0], [0, 0]]
+    MIRRORED = [[1, 1], [0, 1], [0, 0], [1, 0]]
+
+    def pane(self, name, *, uv=UPRIGHT, second=None, alphas=None, factor=1.0, texture=None, sampler=None) -> dict:
+        """A square from -1 to 1 with a cutoff of .5 whose left half is meant to be a hole."""
+        color = {"baseColorFactor": [1, 1, 1, factor]}
+        if texture is not None:
+            color["baseColorTexture"] = {"index": 0, **texture}
+        gltf = Gltf({"pbrMetallicRoughness": color, "alphaMode": "MASK"}, camera=False)
+        gltf.texture({"uri": "half.png"}, sampler).uses("KHR_texture_transform")
+        attributes = gltf.primitive()["attributes"]
+        more = {"TEXCOORD_0": uv, "TEXCOORD_1": second, "COLOR_0": alphas and [[1, 1, 1, a] for a in alphas]}
+        attributes |= {name: gltf.floats(rows) for name, rows in more.items() if rows}
+        gltf.write(str(self.folder / f"{name}.gltf"))
+        return {"model": str(self.folder / f"{name}.gltf"), "rotation_deg": [-90, 0, 0]}
+
+    def test_the_sun_shines_through_the_half_that_is_cut_out(self):
+        half = Image.new("RGBA", (64, 64), (255, 255, 255, 255))
+        half.paste((255, 255, 255, 0), (0, 0, 32, 64))
+        half.save(self.folder / "half.png")
+        mirror = {"KHR_texture_transform": {"scale": [-1, 1], "offset": [1, 0]}}
+        panes = [self.pane("texture", texture={}),
+                 self.pane("moved", uv=self.MIRRORED, texture={"extensions": mirror}),
+                 self.pane("second", uv=self.MIRRORED, second=self.UPRIGHT, texture={"texCoord": 1}),
+                 self.pane("clamped", uv=[[-1, 1], [2, 1], [2, 0], [-1, 0]], texture={}, sampler={"wrapS": 33071, "wrapT": 33071}),
+                 self.pane("colors", alphas=[0, 1, 1, 0]), self.pane("factor", factor=0.3)]
+        matt = {"diffuse": [0.7, 0.7, 0.7], "specular": [0, 0, 0]}
+        scene = {"camera": {"position": [1, 60, 0], "target": [1, 0, 0], "up": [0, 0, -1], "fov_deg": 16, "near_m": 1, "far_m": 100},
+                 "objects": [{"model": "models/plane.obj", "scale": [30, 1, 30], "material": matt}] +
+                            [pane | {"position": [0, 2.5, 2.4 * i - 6]} for i, pane in enumerate(panes)],
+                 "lights": [{"type": "directional", "direction": [1, -1, 0], "intensity": 0.9, "shadow": True}], "ambient": [0.1, 0.1, 0.1]}
+        per_m = 120 / (2 * 60 * math.tan(math.radians(8)))
+        for visibility in ("maps", "rays"):
+            picture = Image.open(self.draw(scene, "--set", f"visibility={visibility}", size="120x120", silent=False)).convert("L")
+            lit = picture.getpixel((118, 2))
+            for i, pane in enumerate(panes):
+                # Shadows lie as far to the right as the panes are high.
+                row = round(60 + per_m * (2.4 * i - 6))
+                through, behind = (picture.getpixel((round(60 + per_m * x), row)) for x in (1, 2))
+                with self.subTest(pane=pane["model"], visibility=visibility):
+                    self.assertAlmostEqual(through, lit, delta=2)
+                    if "factor" in pane["model"]:
+                        self.assertAlmostEqual(behind, lit, delta=2)
+                    else:
+                        self.assertLess(behind, lit - 40)
 
 
 class PaneTest(ChapterPictures):
