@@ -155,7 +155,7 @@ class Compilers(unittest.TestCase):
     """common/course/build/compile_exercise.sh, with compilers that the machine ends."""
 
     def compiled(self, compiler: str, source: str = "int a;"):
-        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="a course of mine, é ")))
         write(folder / "cc", compiler)
         (folder / "one.cpp").write_text(source)
         self.made = folder / "one.o"

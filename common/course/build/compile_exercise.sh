@@ -10,7 +10,7 @@ for word; do
     last=$word
 done
 names_a_line() {
-    printf '%s\n' "$said" | grep -Eq '^[^ :]+:[0-9]+(:[0-9]+)?: (fatal )?error: '
+    printf '%s\n' "$said" | grep -Eq '^[^:]+:[0-9]+(:[0-9]+)?: (fatal )?error: '
 }
 if said=$("$@" 2>&1) || { ! names_a_line && said=$("$@" 2>&1); }; then
     rm -f "$object.error" "$object.ended"
