@@ -45,6 +45,7 @@ def keep_environment():
 
 
 CLOSED = (errno.EROFS, errno.EACCES, errno.EPERM, errno.ENOSPC)  # of a folder that cannot be written
+FULL = (errno.ENOSPC, errno.EDQUOT)  # of a disc
 
 
 class UsageError(Exception):

@@ -1,6 +1,6 @@
 """A small course for the tests of ./course: its programs are scripts, its pictures text files.
 
-Files at its root change their behaviour: "crash", "flat" (an empty picture), "drift" (words added to each picture),
+Files at its root change their behaviour: "crash" (no picture), "crash.mine" (none of an exercise), "crash.once", "slow" (a second each), "flat" (an empty picture), "drift" (words added to each picture),
 "drift.sse4.1" (to the pictures of a driver held to SSE4.1), "drift.second" (of the second driver, with the file "second" as
 manifest), "starter_is_right" (a starter draws the solution's picture), "broken" (a unit test and a fuzz target fail), "no_rest" (the
 whole course does not build).
@@ -55,9 +55,15 @@ CHAPTER = """#!PYTHON
 import json, os, sys
 name = os.path.basename(sys.argv[0])
 def draw(words):
-    if os.path.exists("crash"):
-        return "mesh.frag:3: no such function"
     use = words[words.index("--use") + 1] if "--use" in words else "solution"
+    if os.path.exists("crash") or "exercise" in use and os.path.exists("crash.mine"):
+        return "mesh.frag:3: no such function"
+    if os.path.exists("slow"):
+        open("slow", "a").write("x")
+        time.sleep(1)
+    if os.path.exists("crash.once"):
+        os.unlink("crash.once")
+        return "killed"
     starter = "exercise" in use and not os.path.exists("starter_is_right")
     knobs = [word for word in words if "=" in word and word != use]
     text = "flat" if os.path.exists("flat") else f"{name} {starter} {knobs}"

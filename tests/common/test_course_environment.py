@@ -143,6 +143,21 @@ class Control(Course):
         self.assertRegex(self.course("check", "01", code=1), r"open  01\.one .*\n.* ended by signal 6")
         self.assertIn("01.one", kept.read_text())
 
+    def test_no_picture_is_wrong_where_the_reference_has_none(self):
+        kept = self.root / "build/live/verdicts.json"
+        kept.unlink(missing_ok=True)
+        self.put(ONE, "right")
+        self.put("starter_is_right")
+        self.put("crash")  # as where the disc is full
+        self.assertIn("cannot judge 01.one: there is no picture of bunny to compare with: 01_obj ended with 1: mesh.frag:3",
+                      self.course("check", "01", code=3))
+        self.assertFalse(kept.exists() and "01.one" in kept.read_text())
+        (self.root / "crash").unlink()
+        self.put("crash.once")  # from outside
+        self.assertIn("ok    01.one", self.course("check", "01"))
+        self.put("crash.mine")
+        self.assertRegex(self.course("check", "01", code=1), r"open  01\.one .*\n      01_obj ended with 1: mesh\.frag:3")
+
     def test_a_program_that_cannot_be_started_judges_nobody(self):
         self.course("check", "01", code=1)
         program = self.root / "build/tests/check_01_obj"

@@ -45,7 +45,7 @@ from check.verdicts import Verdicts
 from progress import Progress
 from shots.golden import compare, exceeded, golden_path, unfit
 from shots.rendering import Crashed, render_shot
-from tree import (BUILD, ROOT, Failure, Unjudged, UsageError, chapters, exercises, find_chapter, has_solutions, lessons, nearest,
+from tree import (BUILD, FULL, ROOT, Failure, Unjudged, UsageError, chapters, exercises, find_chapter, has_solutions, lessons, nearest,
                   relative, say, shots, unjudged)
 
 ALONE = True
@@ -129,6 +129,15 @@ def in_order(chapter: str) -> list[str]:
 
 def judged(chapter: str, exercise: str, verdicts: Verdicts) -> dict:
     """The verdict, which is kept, after a control. Raises Unjudged."""
+    try:
+        return judge_one(chapter, exercise, verdicts)
+    except OSError as error:
+        if error.errno not in FULL:
+            raise
+        raise unjudged(exercise, f"{error.filename or tempfile.gettempdir()}: {error.strerror}") from None
+
+
+def judge_one(chapter: str, exercise: str, verdicts: Verdicts) -> dict:
     of = digest(exercises(chapter)[exercise].read_bytes())
     if said := ended_compiler(chapter, exercise):
         raise unjudged(exercise, f"its compiler was ended: {said}; ./course check {exercise} compiles it again")
@@ -259,7 +268,7 @@ def check_numbers(chapter: str, exercise: str, use: str = "exercise", **environm
 
 @functools.cache
 def numbers_are_right(chapter: str, exercise: str) -> bool:
-    return check_numbers(chapter, exercise)["ok"]
+    return check_numbers(chapter, exercise).get("ok") is True
 
 
 def still_open(chapter: str, exercise: str) -> list[str]:
@@ -320,19 +329,34 @@ def checked_path(chapter: str, name: str, size: str) -> Path:
 
 def wrong_picture(chapter: str, exercise: str, shot: dict, overlay: str = "", size: str = "", **environment) -> str:
     """The fault in the exercise's picture; empty if none. `overlay` is the folder of another answer than the student's,
-    `size` WxH overrides the shot's own. Raises Crashed."""
+    `size` WxH overrides the shot's own. Raises Crashed, and Unjudged where the reference has no picture here either."""
     picture = checked_path(chapter, f"{shot['name']}.{exercise}", size)
     heatmap = picture.with_suffix(".flip.png")
+    use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
+    instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
+
+    def drawn() -> str:
+        """Why there is no picture; empty where there is one."""
+        try:
+            render_shot(chapter, shot, picture, use, size, **environment, **instead)
+            return ""
+        except Crashed:
+            raise
+        except Failure as failure:
+            return str(failure)
+
     try:
-        use = f"solution,{exercise}=exercise" if has_solutions() else "exercise"
-        instead = {"LIGHTWALK_OVERLAY": overlay} if overlay else {}
-        render_shot(chapter, shot, picture, use, size, **environment, **instead)
+        if drawn():
+            reference_picture.cache_clear()  # a control is drawn now
+            reference_picture(chapter, shot["name"], size, **environment)
+            if why := drawn():
+                return why
         metrics = compare(reference_picture(chapter, shot["name"], size, **environment), picture, heatmap)
-        return picture_words(shot["name"], metrics, picture, heatmap)
     except Crashed:
         raise
     except Failure as failure:
-        return str(failure)
+        raise unjudged(exercise, f"there is no picture of {shot['name']} to compare with: {failure}") from None
+    return picture_words(shot["name"], metrics, picture, heatmap)
 
 
 def picture_words(name: str, metrics: dict, picture: Path, heatmap: Path) -> str:
