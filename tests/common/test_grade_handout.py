@@ -6,11 +6,35 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from folder_case import FolderCase
 from graded_class import REAL  # first: it finds the packages
 from check.starters import LIST, digest
 from grading import handout
+from tree import UsageError, walk
 
 GUARDED = "__has_include"  # a file that asks first can do without
+
+
+class Folder(FolderCase):
+    def test_an_empty_folder_stays_and_is_filled(self):
+        """Somebody works in it, another disc begins there, or a link leads to it."""
+        (self.folder / "there").mkdir()
+        (self.folder / "link").symlink_to("there")
+        (self.folder / "new").symlink_to("elsewhere")
+        for name, place in (("link", "there"), ("new", "elsewhere"), ("plain", "plain")):
+            with self.subTest(name):
+                at = (self.folder / place).stat().st_ino if (self.folder / place).exists() else None
+                with handout.new_folder(self.folder / name) as beside:
+                    (beside / "docs").mkdir()
+                    (beside / "docs/one").write_text("1")
+                self.assertEqual([str(path) for path in walk(self.folder / place)], ["docs/one"])
+                self.assertIn((self.folder / place).stat().st_ino, (at, at or (self.folder / place).stat().st_ino))
+        self.assertTrue((self.folder / "link").is_symlink() and (self.folder / "new").is_symlink())
+        (self.folder / "round").symlink_to("round")
+        for name in ("round", "plain"):
+            with self.assertRaisesRegex(UsageError, "exists; name a folder that does not"), handout.new_folder(self.folder / name):
+                pass
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["elsewhere", "link", "new", "plain", "round", "there"])
 
 
 class Handout(unittest.TestCase):

@@ -68,20 +68,26 @@ def run(arguments, _rest) -> int:
 def new_folder(folder: Path):
     """A folder to fill, which takes its place when it is whole. Raises UsageError where it cannot: before minutes of work, not behind
     them."""
-    place = folder.absolute()
-    if place.exists() and (not place.is_dir() or any(place.iterdir())):
+    place = Path(os.path.realpath(folder))  # a link's target is filled, not the link replaced
+    if os.path.lexists(place) and (not place.is_dir() or any(place.iterdir())):
         raise UsageError(f"{folder} exists; name a folder that does not")
-    if place.resolve().is_relative_to(ROOT):
+    if place.is_relative_to(ROOT):
         raise UsageError(f"{folder} lies in the course itself; name a folder outside of it")
+    is_there = place.is_dir()  # where one works in it, or another disc begins there: it stays, and is filled
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
-        beside = Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+        beside = Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place if is_there else place.parent))
     except OSError as error:
         raise UsageError(f"{folder} cannot be written: {error.strerror}") from None
     try:
         yield beside
-        beside.chmod(0o755)
-        os.replace(beside, place)  # an empty folder there is replaced
+        if is_there:
+            for one in beside.iterdir():
+                one.rename(place / one.name)
+            beside.rmdir()
+        else:
+            beside.chmod(0o755)
+            beside.rename(place)
     except BaseException:
         shutil.rmtree(beside, ignore_errors=True)
         raise
