@@ -239,6 +239,11 @@ class HandIns(FolderCase):
                                ({f"z/z/{LAMBERT}": other, LAMBERT: RIGHT}, "the outermost was judged, z/z/ was not"),
                                ({f"a/{LAMBERT}": STARTER, f"b/c/{LAMBERT}": RIGHT}, ""),
                                ({f"course/{LAMBERT}": STARTER, "lambert.glsl": RIGHT}, "in its place lies the starter"),
+                               ({f"course/{LAMBERT}": RIGHT, "lambert.glsl": other}, "lies there twice: the one in its place was judged"),
+                               ({"a/old/lambert.glsl": other, "z/lambert.glsl": RIGHT}, "z/ was judged, a/old/ was not"),
+                               ({"a/lambert.glsl": RIGHT, "b/lambert.glsl": STARTER}, ""),
+                               ({"z.zip": zip_of({LAMBERT: STARTER}), "a.zip": zip_of({LAMBERT: RIGHT})}, ""),
+                               ({"old/a.zip": zip_of({LAMBERT: other}), "z.zip": zip_of({"lambert.glsl": RIGHT})}, "z.zip was judged, old/a.zip was not"),
                                ({f"__MACOSX/course/{LAMBERT}": other, f"course/{LAMBERT}": RIGHT}, ""),
                                ({"__MACOSX/._lambert.glsl": other, "lambert.glsl": RIGHT}, ""),
                                ({f"1/2/3/4/5/6/7/{LAMBERT}": RIGHT}, "")):
@@ -246,8 +251,11 @@ class HandIns(FolderCase):
                 found, notes = read_of(members)
                 self.assertEqual((found, bool(notes)), ({LAMBERT: RIGHT}, bool(words)))
                 self.assertIn(words, notes)
-        with self.assertRaisesRegex(Failure, "course_backup/ and old/, and which is meant is open"):
-            read_of({f"old/{LAMBERT}": other, f"course_backup/{LAMBERT}": RIGHT})
+        for members, words in (({f"old/{LAMBERT}": other, f"course_backup/{LAMBERT}": RIGHT}, "course_backup/ and old/"),
+                               ({"b/lambert.glsl": other, "a/lambert.glsl": RIGHT}, "a/ and b/"),
+                               ({"work.zip": zip_of({LAMBERT: RIGHT}), "old.zip": zip_of({LAMBERT: other})}, "old.zip and work.zip")):
+            with self.assertRaisesRegex(Failure, f"{words}, and which is meant is open"):
+                read_of(members)
         (self.folder / "one.zip").unlink()
         for name, data in ((f"ann/1/2/3/4/5/6/7/{LAMBERT}", RIGHT), (f"ann/__MACOSX/{LAMBERT}", other)):
             self.write(name, data)

@@ -3,8 +3,8 @@ its refusal.
 
 An exercise is known by its path in the course, which may lie in folders of its own. Of several courses in a submission the one of
 the shortest path counts, then the one with more changed exercises, and a note says so. Where an exercise has no such path, or is
-the starter there, a file is one by its name alone. Without any, an archive within the submission, as Moodle hands it out, is
-looked into.
+the starter there, a file is one by its name alone. Without any, archives within the submission, as Moodle hands them out, are
+looked into. Of several archives, and of several files of one name, the same counts.
 
 Only regular files are opened, links are followed nowhere, and of an archive the exercises alone are read, as many bytes of
 each as an exercise may have. A fault of one submission is that one's Failure.
@@ -166,7 +166,7 @@ def _exercises(path: Path, reading: Reading) -> dict[str, bytes]:
 def _placed(files, reading: Reading, within: int = 0) -> dict[str, bytes]:
     """Of (name, reader) the exercises by path; without any, by name alone, and the contents of an archive among them."""
     named = by_name(reading.wanted)
-    trees, loose, nested, texts = {}, {}, [], {}
+    trees, loose, nested, texts = {}, {}, [], {}  # the exercises by path, and by name alone, each by the folder they lie in
     with contextlib.ExitStack() as kept:  # on the disk: twenty of them would be a gigabyte of memory
         for name, read_at_most in files:
             words = name.split("/")
@@ -179,23 +179,24 @@ def _placed(files, reading: Reading, within: int = 0) -> dict[str, bytes]:
                 if len(trees) > MOST_TREES and len(texts) > MOST_TREES:
                     raise Failure(f"holds more than {MOST_TREES} courses; hand in one")
             elif words[-1] in named and ".." not in words and words[0]:
-                inside = named[words[-1]]
-                if inside not in loose or len(words) <= loose[inside][0].count("/") + 1:
-                    loose[inside] = (name, bounded(read_at_most, words[-1]))
+                data = bounded(read_at_most, words[-1])
+                loose.setdefault(name[:-len(words[-1])].removeprefix("./"), {})[named[words[-1]]] = texts.setdefault(data, data)
             elif is_archive(words[-1]) and not within and len(nested) < 20:
                 file = kept.enter_context(tempfile.TemporaryFile())
                 file.write(read_at_most(MOST_ARCHIVE_BYTES))
-                nested.append(file)
+                nested.append((name, file))
+        if not trees:
+            for name, file in nested:
+                file.seek(0)
+                trees[name] = _placed(members(file, limits(reading.wanted)), reading, within + 1)
         found = chosen(trees, reading)
-        for inside, (name, data) in loose.items():
+        for inside, data in chosen(loose, reading).items():
             if inside not in found or not reading.is_changed(inside, found[inside]) and reading.is_changed(inside, data):
                 if inside in found:
-                    reading.notes.append(f"{printable(name)} was judged: in its place lies the starter")
+                    reading.notes.append(f"{printable(inside.rpartition('/')[2])} was judged as it lies alone: in its place lies the starter")
                 found[inside] = data
-        if not trees:
-            for file in nested:
-                file.seek(0)
-                found |= _placed(members(file, limits(reading.wanted)), reading, within + 1)
+            elif data != found[inside] and reading.is_changed(inside, data):
+                reading.notes.append(f"{printable(inside.rpartition('/')[2])} lies there twice: the one in its place was judged")
         return found
 
 
