@@ -14,6 +14,7 @@ from check.starters import digest
 from grading.autograder import packages, results_of
 from grading.rules import Rules
 from small_course import Course
+from tree import exercises
 
 WANTED = {exercise: chapter for exercise, chapter in OF.items() if chapter[:2] == "02"}
 
@@ -96,15 +97,17 @@ class Written(unittest.TestCase):
 
     def test_points_are_two_notices(self):
         file = self.folder.parent / "results.jsonl"
-        file.write_text('{"exercise": "02.a", "ok": true}\nsome words\n{"exercise": "02.b", "ok": false, "first_failure": "gave 1"}\n')
-        done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--classroom", file], stdout=subprocess.PIPE, text=True)
+        command = [sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--chapter", "02", "--classroom", file]
+        names = list(exercises("02_lambert_phong"))
+        lines = [json.dumps({"exercise": name, "ok": name == names[0], "first_failure": None if name == names[0] else "gave 1"}) for name in names]
+        file.write_text("\n".join(["some words", *lines]))
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("::notice title=Autograding complete::Points 1/2\n", done.stdout)
-        self.assertIn('::notice title=Autograding report::{"totalPoints": 1, "maxPoints": 2}\n', done.stdout)
-        for bad in ("", "{", "[" * 100000, '{"ok": true}'):
+        self.assertIn(f"::notice title=Autograding complete::Points 1/{len(names)}\n", done.stdout)
+        self.assertIn(f'::notice title=Autograding report::{{"totalPoints": 1, "maxPoints": {len(names)}}}\n', done.stdout)
+        for bad in ("", "{", "[" * 100000, '{"ok": true}', lines[0], lines[0] + lines[1][:20]):  # the last two: as a full disc leaves it
             file.write_text(bad)
-            done = subprocess.run([sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--classroom", file], stderr=subprocess.PIPE,
-                                  stdout=subprocess.PIPE, text=True)
+            done = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
 
 

@@ -18,7 +18,8 @@ What these run on their machines:
 
   ./course handout --autograder --prepare               build what grading takes
   ./course handout --autograder --grade SUBMISSION      grade one student's files, and print Gradescope's results.json
-  ./course handout --autograder --classroom FILE        from what ./course check --json printed: GitHub Classroom's points
+  ./course handout --autograder --classroom FILE        from what ./course check --json printed: GitHub Classroom's points;
+                                                        --chapter 02 where that was ./course check 02 --json
 
 Gradescope's container must allow namespaces: students' code runs in bubblewrap alone, and where that cannot be there are no
 results, which Gradescope reports to you. A classroom's workflow runs in the student's repository, without references: what it
@@ -42,10 +43,12 @@ def add_arguments(parser):
 def run(arguments, _rest) -> int:
     if sum(map(bool, (arguments.folder, arguments.prepare, arguments.grade, arguments.classroom))) != 1:
         raise UsageError("one of FOLDER, --prepare, --grade and --classroom; see ./course handout --autograder --help")
-    if arguments.classroom:
-        return say_points(arguments.classroom)
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
+    if arguments.classroom:
+        if arguments.rules:
+            raise UsageError("--classroom counts exercises, whatever rules say: leave out --rules")
+        return say_points(arguments.classroom, wanted)
     rules = Rules(arguments.rules, wanted)
     if arguments.prepare:
         from build.build import build
@@ -87,8 +90,9 @@ def results_of(one: dict, rules: Rules) -> dict:
             "stdout_visibility": "hidden", "tests": tests}
 
 
-def say_points(file: Path) -> int:
-    """GitHub Classroom reads two notices of the job. The exit code is 1 while an exercise is open."""
+def say_points(file: Path, wanted: dict[str, str]) -> int:
+    """GitHub Classroom reads two notices of the job. The exit code is 1 while an exercise is open. Raises UsageError for a file that
+    lacks an exercise: where the checks were stopped, or the disc was full, those before would be all there are."""
     try:
         results = [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines() if line.startswith("{")]
         lines = [f"{'ok  ' if one['ok'] else 'open'}  {one['exercise']}" + (f"  {one['first_failure']}" if one.get("first_failure") else "")
@@ -96,8 +100,9 @@ def say_points(file: Path) -> int:
         right, of = sum(bool(one["ok"]) for one in results), len(results)
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise UsageError(f"{file}: is not what ./course check --json prints: {error}") from None
-    if not of:
-        raise UsageError(f"{file}: there is no exercise in it")
+    if lacking := sorted(set(wanted) - {one["exercise"] for one in results}):
+        raise UsageError(f"{file}: lacks {lacking[0]}{f' and {len(lacking) - 1} more' if lacking[1:] else ''}: it is not all that ./course check --json "
+                         "prints; --chapter NN takes those of one chapter")
     for line in lines:
         say(line.replace("::", ": :"))  # which a runner would take for its own
     say(f"::notice title=Autograding complete::Points {right}/{of}")
@@ -175,7 +180,7 @@ jobs:
       - name: The checks
         run: ./course check {what} --json >results.jsonl || [ $? = 1 ]  # 1: some are open; 3: this machine cannot judge
       - name: The points
-        run: ./course handout --autograder --classroom results.jsonl
+        run: ./course handout --autograder --classroom results.jsonl{'' if what == 'all' else f' --chapter {what}'}
 """, "classroom/README.md": """# A starter repository
 
     ./course handout starter                the course without its solutions, into a folder of its own
