@@ -1,5 +1,6 @@
 """Progress of long work: one line that is drawn over on a terminal, a plain line every tenth and every ten seconds elsewhere."""
 
+import os
 import shutil
 import sys
 import time
@@ -12,7 +13,7 @@ class Progress:
 
     def __init__(self, label: str, stream=sys.stderr):
         self.label, self.stream = label, stream
-        self.terminal = stream.isatty()
+        self.terminal = stream.isatty() and os.environ.get("TERM") != "dumb"  # an editor's shell draws nothing over
         self.tenth = -1
         self.said_s = 0.0
         self.drawn = False

@@ -8,6 +8,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from small_course import Course, clean_environment, write
 
@@ -123,6 +124,10 @@ class Environment(Course):
             to = Terminal()
             Progress("building", to).show(3, 10, "x" * 300)
             self.assertEqual(len(to.getvalue().removeprefix("\r").removesuffix("\033[K")), columns - 1)
+        with mock.patch.dict(os.environ, TERM="dumb"):  # an editor's shell
+            to = Terminal()
+            Progress("building", to).show(3, 10, "one.cpp")
+            self.assertEqual(to.getvalue(), "building 3/10 one.cpp\n")
 
 
 class Control(Course):
