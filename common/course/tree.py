@@ -99,6 +99,11 @@ def is_source(path: Path) -> bool:
     return SOURCE.fullmatch(path.name) is not None and path.is_file()
 
 
+def sources(folder: Path, pattern: str) -> list[Path]:
+    """Those below a folder whose path is like the pattern, in order."""
+    return [path for path in sorted(folder.glob(pattern)) if is_source(path)]
+
+
 def manifest() -> dict[str, list[Path]]:
     """The exercises' files by chapter, from the root."""
     try:
@@ -145,7 +150,7 @@ def say_left_alone():
 
 def shader_files() -> list[Path]:
     known = {path for chapter in chapters() for path in exercises(chapter).values()}
-    return [path for path in sorted((ROOT / "shaders").rglob("*.*")) if is_source(path) and (path.parent.name != "exercise" or path in known)]
+    return [path for path in sources(ROOT / "shaders", "**/*.*") if path.parent.name != "exercise" or path in known]
 
 
 def lesson_pages(chapter: str) -> list[Path]:

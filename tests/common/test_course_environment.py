@@ -12,6 +12,8 @@ from unittest import mock
 
 from small_course import Course, clean_environment, write
 
+from tree import PYTHON
+
 ONE = "chapters/01_obj/exercise/one.cpp"
 
 
@@ -41,6 +43,37 @@ class Beside(Course):
         self.assertIn("left alone: chapters/01_obj/exercise/.#one.cpp, ", printed := self.course("check", "01"))
         self.assertEqual([line for line in printed.splitlines() if not line.startswith("left alone")],
                          [line for line in before.splitlines()][-len(printed.splitlines()) + 1:])
+
+    def test_a_lock_beside_any_source_stops_nothing(self):
+        self.put("common/app/options.cpp", '"--size"')
+        self.put("shaders/01_obj/mesh.frag", "void main() {}")
+        self.put("shaders/01_obj/solution/clay.glsl", "float clay() { return 1.0; }")
+        self.put("shaders/01_obj/mesh (copy).frag", "void main() {}")
+        folders = [path for path in self.root.rglob("*") if path.is_dir() and path.relative_to(self.root).parts[0] in ("chapters", "docs", "shaders", "tests")]
+        for folder in folders:
+            for ending in ("cpp", "h", "glsl", "frag", "md", "json", "changes", "py"):
+                lock = folder / f".#one.{ending}"
+                lock.symlink_to("me@host.1:17")
+                self.addCleanup(lock.unlink)
+        self.assertIn("01_obj in", self.course("run", "01"))
+        self.assertEqual(self.course("shader", "--list"), "01_obj/clay.glsl\n01_obj/mesh.frag\n")
+        self.course("docs", "--quote")
+        said = self.run_program([*PYTHON, "-c", f"""import sys, pathlib
+sys.path.insert(0, {str(self.root / "common/course")!r})
+from check import glsl_answer, lesson_tests, variants
+from grading.judge import Judge
+from grading.sandbox import Mounts
+from live import serve
+from tree import ROOT
+path = ROOT / "shaders/01_obj/solution/clay.glsl"
+mounts, index = Mounts(), ROOT / "docs/index.html"
+index.write_text("newer than all")
+Judge.mount_references(None, mounts, "02.one")
+print(glsl_answer.plain(b"", path), lesson_tests.cases("test_01_obj"), variants.variants("01_obj"), serve.is_old(index.parent))
+print([word for word in mounts.words if "#" in word])
+index.unlink()
+"""])
+        self.assertEqual(said, " [] ([], []) False\n[]\n")
 
     def test_a_backup_of_a_starter_is_kept_aside_in_silence(self):
         self.put("chapters/01_obj/exercise/one.cpp.1.old", "open")

@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 from progress import Progress
-from tree import ROOT, SHADER_CACHE, Failure, UsageError, chapters, is_source, relative, say_left_alone, warn
+from tree import ROOT, SHADER_CACHE, Failure, UsageError, chapters, relative, say_left_alone, sources, warn
 
 
 class BuildFailure(Failure):
@@ -118,7 +118,7 @@ INCLUDED = re.compile(r'^#include "(\d\d_[a-z0-9_]+)/', re.M)
 
 def included(chapter: str) -> set[str]:
     """The chapters that files of this one include, of those before it: what cmake links it with."""
-    found = {name for path in (ROOT / "chapters" / chapter).rglob("*.[ch]*") if is_source(path)
+    found = {name for path in sources(ROOT / "chapters" / chapter, "**/*.[ch]*")
              for name in INCLUDED.findall(path.read_text(errors="replace", encoding="utf-8")) if path.suffix in (".cpp", ".h")}
     return {name for name in found if name < chapter and (ROOT / "chapters" / name).is_dir()}
 

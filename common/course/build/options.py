@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from build.build import used
-from tree import ROOT, UsageError, nearest, shots
+from tree import ROOT, UsageError, nearest, shots, sources
 
 FLAG = re.compile(r'"(?:-\w,)?(--[a-z][a-z0-9-]*)')
 NAME = re.compile(r'"([a-z][\w-]*)"')  # a knob's, or that of a chapter's own command, without its dashes
@@ -14,7 +14,7 @@ def check_options(chapter: str, words: list[str]):
     """Raises UsageError for a flag, a shot or a knob that no source names."""
     if not (ROOT / "common/app/options.cpp").exists():
         return
-    texts = [path.read_text(errors="replace", encoding="utf-8") for folder in sources(chapter) for path in folder.rglob("*.[ch]*")]
+    texts = [path.read_text(errors="replace", encoding="utf-8") for folder in folders(chapter) for path in sources(folder, "**/*.[ch]*")]
     flags = {flag for text in texts for flag in FLAG.findall(text)} | {"--help", "--version"}
     names = {name for text in texts for name in NAME.findall(text)}
     for word, value in zip(words, [*words[1:], ""]):
@@ -32,7 +32,7 @@ def check_options(chapter: str, words: list[str]):
             raise UsageError(f"no knob of chapter {chapter} is called '{knob}'; ./course run {chapter[:2]} --list knobs lists all")
 
 
-def sources(chapter: str) -> list[Path]:
+def folders(chapter: str) -> list[Path]:
     """The folders with the C++ of a chapter's program."""
     rooms = [ROOT / "common" / room for room in ("base", "app", "scene", "study", "window", "gpu", "measure")]
     return [*rooms, *(ROOT / "chapters" / name for name in sorted({chapter, *used(chapter)}))]

@@ -11,7 +11,7 @@ import functools
 import re
 from pathlib import Path
 
-from tree import ROOT, shader_files
+from tree import ROOT, shader_files, sources
 
 WORD = re.compile(r"[A-Za-z_]\w*")
 RESERVED = re.compile(r"(check|probe|undefined)_|(Check|Probe)[A-Z]|CHECK_")
@@ -201,10 +201,10 @@ def written_buffers(path: Path) -> frozenset[str]:
 def macros_of_checks() -> frozenset[str]:
     """Macros defined only by checks: a handout has no list of them."""
     named, asked = set(), set()
-    for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "tests").glob("*/*.h")):
+    for source in (*sources(ROOT / "tests", "*/checks_*.cpp"), *sources(ROOT / "tests", "*/*.h")):
         text = source.read_text(errors="replace", encoding="utf-8")
         named |= set(re.findall(r'(?:\{|macros\.set\()"([A-Z][A-Z0-9_]+)"|^#define ([A-Z][A-Z0-9_]+)', text, re.M))
-    for shader in (*shader_files(), *(ROOT / "tests").glob("*/*.glsl")):
+    for shader in (*shader_files(), *sources(ROOT / "tests", "*/*.glsl")):
         asked |= set(WORD.findall(code_of(shader.read_text(errors="replace", encoding="utf-8"))))
     return frozenset(name for pair in named for name in pair if name in asked)
 
@@ -228,9 +228,9 @@ def words_elsewhere(path: Path) -> frozenset[str]:
     for shader in shader_files():
         if shader.name != path.name or shader.parent.parent != path.parent.parent:
             words |= set(WORD.findall(code_of(shader.read_text(errors="replace", encoding="utf-8"))))
-    for shader in (ROOT / "tests").glob("*/*.glsl"):
+    for shader in sources(ROOT / "tests", "*/*.glsl"):
         words |= set(WORD.findall(code_of(shader.read_text(encoding="utf-8", errors="replace"))))
-    for source in (*(ROOT / "tests").glob("*/checks_*.cpp"), *(ROOT / "common" / "check").glob("*.cpp")):
+    for source in (*sources(ROOT / "tests", "*/checks_*.cpp"), *sources(ROOT / "common" / "check", "*.cpp")):
         for quoted in re.findall(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', source.read_text(errors="replace", encoding="utf-8"), re.S):
             words |= set(WORD.findall(" ".join(quoted)))
     return frozenset(words)

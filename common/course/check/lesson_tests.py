@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from tree import ROOT, chapters
+from tree import ROOT, chapters, sources
 
 CASE = re.compile(r'\bTEST_CASE(?:_METHOD)?\s*\(\s*(?:\w+\s*,\s*)?((?:"(?:[^"\\]|\\.)*"\s*)+)(?:,\s*((?:"(?:[^"\\]|\\.)*"\s*)+))?\)', re.S)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"', re.S)
@@ -36,7 +36,7 @@ def joined(text: str) -> str:
 def cases(program: str) -> list[tuple[str, str]]:
     """(name, tags) of a test program's cases, from the sources of its folder."""
     folder = ROOT / "tests" / program.removeprefix("test_")
-    return [(joined(name), joined(tags or "").lower()) for path in sorted(folder.glob("*.cpp"))
+    return [(joined(name), joined(tags or "").lower()) for path in sources(folder, "*.cpp")
             for name, tags in CASE.findall(path.read_text(encoding="utf-8"))]
 
 

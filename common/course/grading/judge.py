@@ -35,7 +35,7 @@ from grading.judge_picture import EXPECTED, NOT_IN_TIME, THEIRS, DriverEnded, Pi
 from grading.judge_tree import KEPT, copy_without_answers, library, objects
 from grading.sandbox import Limits, Mounts
 from grading.submission import printable
-from tree import BUILD, LIBRARIES, ROOT, Failure, Unjudged, exercises, shader_files, unjudged, write_atomically
+from tree import BUILD, LIBRARIES, ROOT, Failure, Unjudged, exercises, shader_files, sources, unjudged, write_atomically
 
 GIB = 1 << 30
 JUDGE_S = 60  # of a whole check; a call that does not return is found before
@@ -160,7 +160,7 @@ class Judge:
 
     def version(self, chapter: str, with_pictures: bool) -> str:
         """A hash of everything that affects verdicts of this chapter, except for the submission."""
-        paths = [self.folder / f"judge_{chapter}", *LIBRARIES, *sorted((ROOT / "common/course").rglob("*.py")),
+        paths = [self.folder / f"judge_{chapter}", *LIBRARIES, *sources(ROOT / "common/course", "**/*.py"),
                  *shader_files(), *sorted(objects(f"serve_{chapter}"))]
         stats = [(str(path), path.stat().st_size, path.stat().st_mtime_ns) for path in paths]
         return hashlib.sha256(repr((stats, self.seed, self.call_s, with_pictures)).encode()).hexdigest()
@@ -391,7 +391,7 @@ class Judge:
         """Of all GLSL exercises but this one, which others may include."""
         for folder in sorted((ROOT / "shaders").glob("*/solution")):
             mounts.empty(folder)
-            for path in folder.glob("*.glsl"):
+            for path in sources(folder, "*.glsl"):
                 if f"{folder.parent.name[:2]}.{path.stem}" != exercise:
                     mounts.read(path)
 

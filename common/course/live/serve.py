@@ -69,7 +69,7 @@ def is_old(folder: Path) -> bool:
     at = index.stat().st_mtime
     sources = [Path(docs.__file__).parent, docs.ROOT / "docs", docs.ROOT / "README.md"]
     return any(path.stat().st_mtime > at for source in sources for path in [source, *source.rglob("*")]
-               if "__pycache__" not in path.parts)
+               if "__pycache__" not in path.parts and path.exists())
 
 
 def listen(arguments):

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from build.build import build
 from pages.knob_links import knobs_of
-from tree import ROOT, Failure, UsageError, find_chapter, nearest, say
+from tree import ROOT, Failure, UsageError, find_chapter, nearest, say, shader_files
 
 HELP = """Prints a shader whole, as a chapter compiles it: each part under a comment with the file it comes from.
 
@@ -44,7 +44,7 @@ def run(arguments, _rest) -> int:
 
 def names() -> list[str]:
     """Includable files and stages: paths below shaders/, an exercise without its folder."""
-    found = {path.relative_to(ROOT / "shaders") for path in (ROOT / "shaders").rglob("*") if path.suffix in SHADERS}
+    found = {path.relative_to(ROOT / "shaders") for path in shader_files() if path.suffix in SHADERS}
     return sorted({str(one.parent.parent / one.name) if one.parent.name in ("exercise", "solution") else str(one)
                    for one in found})
 
