@@ -3,6 +3,18 @@
 # Several files in one compilation: to read their headers takes longer than to compile what they add.
 set(together UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
+# Sets `sources` to the files of a list that are named as sources are: not an editor's lock, a backup, a copy.
+function(lightwalk_plain)
+  list(FILTER ARGN INCLUDE REGEX "/[A-Za-z0-9][A-Za-z0-9_]*\\.(cpp|h|o)$")
+  set(plain)
+  foreach(file ${ARGN})
+    if(EXISTS ${file}) # no link to nothing
+      list(APPEND plain ${file})
+    endif()
+  endforeach()
+  set(sources ${plain} PARENT_SCOPE)
+endfunction()
+
 # A shared library of the files in rooms of common, but for those with a main.
 function(lightwalk_library name)
   set(sources)
@@ -10,6 +22,7 @@ function(lightwalk_library name)
     file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/${room}/*.cpp)
     list(APPEND sources ${found})
   endforeach()
+  lightwalk_plain(${sources})
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   add_library(${name} SHARED ${sources})
   # Programs share its precompiled header, and therefore its flags and definitions.
@@ -56,22 +69,11 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/compiled_for) # a handout with checks as objects
   endif()
 endif()
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/measure/*_main.cpp ${PROJECT_SOURCE_DIR}/common/window/*_main.cpp)
-foreach(main ${mains})
+lightwalk_plain(${mains})
+foreach(main ${sources})
   string(REGEX REPLACE ".*/(.*)_main\\.cpp" "\\1" name ${main})
   lightwalk_program(${name} ${main} lightwalk CLI11::CLI11 glfw PkgConfig::imgui)
 endforeach()
-
-# Sets `sources` to the files of a list that are named as sources are: not an editor's lock, a backup, a copy.
-function(lightwalk_plain)
-  list(FILTER ARGN INCLUDE REGEX "/[A-Za-z0-9][A-Za-z0-9_]*\\.(cpp|h|o)$")
-  set(plain)
-  foreach(file ${ARGN})
-    if(EXISTS ${file}) # no link to nothing
-      list(APPEND plain ${file})
-    endif()
-  endforeach()
-  set(sources ${plain} PARENT_SCOPE)
-endfunction()
 
 # The students' C++: warnings are shown and are no errors, and a file that does not compile takes nothing else down. It
 # becomes an empty object, whose function is then null (EXERCISE declares it weak), and what the compiler said lies beside

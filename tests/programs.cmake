@@ -66,7 +66,11 @@ endfunction()
 # where the student's C++ is: not in the judge.
 function(lightwalk_checks name folder library)
   file(GLOB checks CONFIGURE_DEPENDS ${folder}/checks_*.cpp)
+  lightwalk_plain(${checks})
+  set(checks ${sources})
   file(GLOB objects CONFIGURE_DEPENDS ${folder}/checks_*.o) # of a handout
+  lightwalk_plain(${objects})
+  set(objects ${sources})
   if(checks)
     set(trials ${checks})
     list(FILTER trials INCLUDE REGEX "/checks_trial_")
@@ -93,8 +97,8 @@ endfunction()
 
 # All answers to a chapter's C++ exercises in one program, on which its checks must reach the stated verdicts.
 function(lightwalk_variants name folder library)
-  file(GLOB answers CONFIGURE_DEPENDS ${folder}/variants/*)
-  file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${name}/solution/*.cpp)
+  file(GLOB answers CONFIGURE_DEPENDS ${folder}/variants/[a-z]*[a-z])
+  file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${name}/solution/[a-z]*.cpp)
   if(LIGHTWALK_SANITIZE OR NOT answers OR NOT solutions) # sanitizers have their own words for what is wrong
     return()
   endif()
@@ -112,6 +116,7 @@ endfunction()
 # tests/common and tests/NN_name: one Catch2 program each, with the chapter's checks.
 function(lightwalk_catch_program name folder library)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  lightwalk_plain(${sources})
   list(FILTER sources EXCLUDE REGEX "/checks_")
   if(NOT sources)
     return()

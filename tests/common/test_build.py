@@ -31,3 +31,18 @@ class Ccache(FolderCase):
             shutil.rmtree(self.folder / "build", ignore_errors=True)
             subprocess.run(["cmake", "-S", self.folder, "-B", self.folder / "build", "-G", "Ninja"], check=True, stdout=subprocess.DEVNULL)
             self.assertEqual([built(1), built(other)], [1, other])
+
+
+class Sources(FolderCase):
+    def test_what_lies_beside_a_source_is_none(self):
+        """An editor's lock, a copy, a backup: CMake's patterns match them, and a link to nothing ends it."""
+        functions = (REAL / "common/build.cmake").read_text().partition("# common: the library of all programs")[0]
+        (self.folder / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.22)\nproject(small LANGUAGES CXX)\n{functions}\n"
+                                                    "lightwalk_library(small base)\nget_target_property(found small SOURCES)\nmessage(\"found ${found}\")\n")
+        base = self.folder / "common/base"
+        for name in ("one.cpp", "one (copy).cpp", "._one.cpp", "one.cpp~"):
+            self.write(f"common/base/{name}", "int one;")
+        (base / ".#one.cpp").symlink_to("me@host.1:17")
+        done = subprocess.run(["cmake", "-S", self.folder, "-B", self.folder / "build", "-G", "Ninja"], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+        self.assertEqual((done.returncode, f"found {base}/one.cpp\n" in done.stdout), (0, True), done.stdout)
