@@ -19,7 +19,7 @@ from check.check import note_what_grading_refuses
 from check.glsl_answer import Refused, macros_of_checks, plain
 from grading.grade import groups, table, write_files
 from grading.judge import Judge, Turns
-from grading.judge_picture import DriverEnded, Pictures, ToolFailed
+from grading.judge_picture import EXPECTED, THEIRS, DriverEnded, Pictures, ToolFailed
 from grading.submission import cell, find, printable
 from tree import PYTHON, ROOT, Failure, UsageError
 
@@ -187,6 +187,14 @@ class Words(unittest.TestCase):
         found = self.judge_of(RecursionError("too deep")).verdict("02.lambert", b"x")
         self.assertEqual((found["state"], found["ok"]), ("undecided", False))
         self.assertIn("too deep", found["first_failure"])
+
+    def test_a_full_disc_costs_a_page_its_pictures_and_no_verdict(self):
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        for name in (THEIRS, EXPECTED):
+            (folder / name).write_bytes(b"a picture")
+        for place, kept in ((Path("/proc/none"), set()), (folder, {"picture", "picture_expected"})):
+            with mock.patch("grading.judge.KEPT", place):
+                self.assertEqual(set(Judge.keep_pictures(None, folder)), kept)
 
     def test_no_verdict_without_a_control(self):
         """Where the reference does not pass, the starter passes or reaches no verdict, or either no longer does after a process
