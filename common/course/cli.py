@@ -83,6 +83,9 @@ def refused():
     sys.exit(3)
 
 
+MISPLACED = (errno.ENAMETOOLONG, errno.ELOOP, errno.EISDIR, errno.ENOTDIR, errno.EEXIST)  # what a person named is something else
+
+
 class Ended(BaseException):
     """SIGTERM: children are ended on the way out, as after Ctrl+C."""
 
@@ -128,4 +131,4 @@ if __name__ == "__main__":
         closed = error.errno in CLOSED
         advice = copy_words() if closed and Path(str(error.filename)).is_relative_to(ROOT) else ""
         warn(f"course: {where}{error.strerror or error}{advice}")
-        sys.exit(2 if closed and error.errno != errno.ENOSPC or error.errno in (errno.ENAMETOOLONG, errno.ELOOP) else 1)
+        sys.exit(2 if closed and error.errno != errno.ENOSPC or error.errno in MISPLACED else 1)

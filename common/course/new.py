@@ -1,10 +1,11 @@
 """The scaffold of a new chapter: two methods and a truth, an exercise with its check, a property test, a study, a shot, a lesson."""
 
+import contextlib
 import re
 
 from check.starters import check_starters
 from pages.quotes import check_quotes
-from tree import ROOT, UsageError, chapters, say, write_atomically
+from tree import MANIFEST, ROOT, UsageError, chapters, say, write_atomically
 
 HELP = """Writes a new chapter that builds, draws and is tested: replace its example, natural vignetting, with what it teaches.
 
@@ -367,18 +368,37 @@ def with_row(index: str, name: str) -> str:
     return "".join([*lines[:after[-1] + 1], named(ROW[1], name), *lines[after[-1] + 1:]]) if after else index
 
 
+@contextlib.contextmanager
+def all_or_none(names):
+    """Files from the root that are written: where one cannot be, all are as they were."""
+    before = {path: path.read_bytes() if path.exists() else None for path in (ROOT / name for name in names)}
+    try:
+        yield
+    except BaseException:
+        for path, data in before.items():
+            with contextlib.suppress(OSError):  # what a folder has beside it stays
+                if data is None:
+                    path.unlink(missing_ok=True)
+                    path.parent.rmdir()
+                    path.parent.parent.rmdir()
+                elif path.read_bytes() != data:
+                    write_atomically(path, data)
+        raise
+
+
 def run(arguments, _rest) -> int:
     if why := refusal(arguments.name):
         raise UsageError(why)
     files, number = written(arguments.name), arguments.name[:2]
-    for path, text in files.items():
-        write_atomically(ROOT / path, text)
-        say(path)
-    if (ROOT / INDEX).exists():
-        write_atomically(ROOT / INDEX, with_row((ROOT / INDEX).read_text(encoding="utf-8"), arguments.name))
-        say(INDEX)
-    check_quotes(f"docs/{arguments.name}.md", write=True)
-    check_starters(write=True)
+    with all_or_none([*files, INDEX, MANIFEST]):
+        for path, text in files.items():
+            write_atomically(ROOT / path, text)
+            say(path)
+        if (ROOT / INDEX).exists():
+            write_atomically(ROOT / INDEX, with_row((ROOT / INDEX).read_text(encoding="utf-8"), arguments.name))
+            say(INDEX)
+        check_quotes(f"docs/{arguments.name}.md", write=True)
+        check_starters(write=True)
     say(f"\nLook at it:    ./course run {number}\n"
         f"Accept its picture, which no test has seen yet:    ./course accept {number}.corners\n"
         "Test it:       ./course test --changed HEAD\n"

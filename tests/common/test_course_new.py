@@ -33,6 +33,13 @@ class Refusals(Course):
         self.put("docs/03_caustics.md", "mine")
         self.assertEqual(self.course("new", "03_caustics", code=2), "course: docs/03_caustics.md exists already; nothing was written\n")
         self.assertEqual(walk(self.root), sorted([*before, Path("docs/03_caustics.md")]))
+        (self.root / "docs/03_caustics.md").unlink()
+        self.put("tests/03_caustics", "a file where a folder has to be")
+        listed = (self.root / "tests/starters.txt").read_text()
+        self.assertRegex(self.course("new", "03_caustics", code=2), r"\n?course: [^\n]*tests/03_caustics[^\n]*\n\Z")
+        self.assertEqual(walk(self.root), sorted([*before, Path("tests/03_caustics")]))
+        self.assertEqual((self.root / "tests/starters.txt").read_text(), listed)
+        self.assertFalse((self.root / "chapters/03_caustics").exists())
 
 
 # Each word of the scaffold's example, in files and in their names.
