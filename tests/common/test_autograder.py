@@ -127,6 +127,9 @@ class Steps(Course):
             self.course("reset", "01.one")
             self.assertEqual((file.read_bytes(), file.with_name(f"one.cpp.{number}.old").read_bytes()), (starter, answer))
         self.assertIn("is the starter", self.course("reset", "01.one"))
+        self.assertIn("is the starter", self.course("reset", "02.one"))  # which is not in the archive
+        (self.root / "tests/starters.zip").write_bytes(b"PK")
+        self.assertRegex(self.course("reset", "01.one", code=1), r"\Acourse: tests/starters\.zip is damaged[^\n]*\n\Z")
         for words in (("01.nothing",), ("01",), ("",)):
             self.course("reset", *words, code=2)
         for one in file.parent.glob("*.old"):
