@@ -161,7 +161,7 @@ def join(parts: list[Path], into: Path, music: str | None, gain_db: float = 0, m
     sound = ["-ss", f"{music_from_s:g}", "-i", find_film(music), "-map", "0:v", "-map", "1:a", "-af", f"volume={gain_db:g}dB,apad", "-c:a", "aac", "-b:a", "160k", "-shortest"] if music else []
     try:
         done = subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "concat", "-safe", "0", "-i", listed, *sound, "-c:v",
-                               "copy", "-movflags", "+faststart", into], stderr=subprocess.PIPE, text=True)
+                               "copy", "-movflags", "+faststart", into], stderr=subprocess.PIPE, text=True, errors="replace")
     except FileNotFoundError:
         raise Failure("ffmpeg is not installed; it joins films (Debian's package ffmpeg)") from None
     if done.returncode:

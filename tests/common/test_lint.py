@@ -42,8 +42,14 @@ class Lint(unittest.TestCase):
         for name in files():
             if name.suffix == ".py" and name.parts[:2] == ("common", "course"):
                 found += [f"{name}:{call.lineno}: {ast.unparse(call)[:80]}" for call in ast.walk(ast.parse((ROOT / name).read_text(encoding="utf-8")))
-                          if isinstance(call, ast.Call) and reads_text(call)]
-        self.assertEqual(found, [], 'encoding="utf-8" is missing')
+                          if isinstance(call, ast.Call) and (reads_text(call) or hears_text(call))]
+        self.assertEqual(found, [], 'encoding="utf-8" is missing, or errors="replace" of what another program says')
+
+
+def hears_text(call: ast.Call) -> bool:
+    """Whether a program's output that is no UTF-8 ends ours with a traceback."""
+    given = {keyword.arg: ast.unparse(keyword.value) for keyword in call.keywords}
+    return given.get("text") == "True" and "errors" not in given
 
 
 def reads_text(call: ast.Call) -> bool:

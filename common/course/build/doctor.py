@@ -66,7 +66,7 @@ def names_here() -> dict[str, str]:
 def output(command: list) -> str:
     try:
         return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, timeout=30).stdout.strip()
+                              text=True, errors="replace", timeout=30).stdout.strip()
     except (OSError, subprocess.TimeoutExpired):
         return "none"
 

@@ -21,7 +21,9 @@ def run(arguments, _rest) -> int:
                       "lay out some things differently")
     names = unformatted()
     if names and not arguments.check:
-        subprocess.run([formatter(), "-i", *names], cwd=ROOT, check=True)
+        done = subprocess.run([formatter(), "-i", *names], cwd=ROOT, stderr=subprocess.PIPE, text=True, errors="replace")
+        if done.returncode:
+            raise Failure(f"clang-format: {(done.stderr.strip().splitlines() or ['it said nothing'])[-1]}")
     for name in names:
         say(f"{'formatted' if not arguments.check else 'not formatted:'} {name}")
     if names and not arguments.check:  # lessons quote some of these lines
@@ -32,7 +34,7 @@ def run(arguments, _rest) -> int:
 def formatter() -> str | None:
     for name in (f"clang-format-{VERSION}", "clang-format"):
         if shutil.which(name):
-            version = subprocess.run([name, "--version"], stdout=subprocess.PIPE, text=True).stdout
+            version = subprocess.run([name, "--version"], stdout=subprocess.PIPE, text=True, errors="replace").stdout
             if re.search(rf"version {VERSION}\.", version):
                 return name
     return None
@@ -47,6 +49,6 @@ def unformatted() -> list[Path]:
     if not program:
         warn(f"no clang-format {VERSION} here: the layout of the code is not checked")
         return []
-    done = subprocess.run([program, "--dry-run", *names], cwd=ROOT, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run([program, "--dry-run", *names], cwd=ROOT, stderr=subprocess.PIPE, text=True, errors="replace")
     changed = set(re.findall(r"^(.+?):\d+:\d+: warning: code should be clang-formatted", done.stderr, re.M))
     return [name for name in names if str(name) in changed]

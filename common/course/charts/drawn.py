@@ -36,7 +36,7 @@ def draw_charts(studies) -> None:
     stale = [path for path, key in keys.items() if known.get(path.name) != key]
 
     def draw(path: Path) -> str:
-        done = subprocess.run([*PYTHON, ROOT / "common/course", "charts.chart", path, "--out", DRAWN], text=True,
+        done = subprocess.run([*PYTHON, ROOT / "common/course", "charts.chart", path, "--out", DRAWN], text=True, errors="replace",
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               env=os.environ | {"OMP_NUM_THREADS": "1"})
         return done.stdout.strip().splitlines()[-1] if done.returncode else ""

@@ -191,7 +191,7 @@ class Pictures:
 @functools.cache
 def link_command(chapter: str) -> list[str]:
     done = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", f"chapters/{chapter}"], stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, text=True)
+                          stderr=subprocess.DEVNULL, text=True, errors="replace")
     lines = done.stdout.strip().splitlines()
     if done.returncode or not lines:
         raise Failure(f"ninja does not say how {chapter} is linked")

@@ -159,7 +159,7 @@ def goes_on(folder: Path, about: dict) -> dict | None:
 
 def submit(file: Path, numbers: list[int], of: int) -> str:
     array = f"1-{of}" if len(numbers) == of else ",".join(map(str, numbers))
-    done = subprocess.run(["sbatch", "--parsable", f"--array={array}", file], stdin=subprocess.DEVNULL, text=True,
+    done = subprocess.run(["sbatch", "--parsable", f"--array={array}", file], stdin=subprocess.DEVNULL, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     found = re.fullmatch(r"(\d+)(?:;.*)?", done.stdout.strip())
     if done.returncode or not found:
@@ -170,7 +170,7 @@ def submit(file: Path, numbers: list[int], of: int) -> str:
 
 def states(job: str) -> list[str] | None:
     """Of the tasks that are still in the queue; empty where none is, None where Slurm does not answer now."""
-    done = subprocess.run(["squeue", "--jobs", job, "--array", "--noheader", "--format=%T"], stdin=subprocess.DEVNULL, text=True,
+    done = subprocess.run(["squeue", "--jobs", job, "--array", "--noheader", "--format=%T"], stdin=subprocess.DEVNULL, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     if done.returncode:
         return [] if "Invalid job id" in done.stderr else None

@@ -45,7 +45,7 @@ def of_chapter(chapter: str, program: Path) -> dict[str, dict]:
     sources = [program, *LIBRARIES, *shader_files()]
     if not done.exists() or done.stat().st_mtime < max(path.stat().st_mtime for path in sources if path.exists()):
         shutil.rmtree(folder, ignore_errors=True)
-        said = subprocess.run([program, "--tables", folder], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said = subprocess.run([program, "--tables", folder], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
         if said.returncode:
             warn(f"{relative(program)} wrote no tables, so pages do not check its exercises; ./course check {chapter[:2]} builds it")
             return {}
@@ -218,6 +218,6 @@ def refused(text: str) -> str:
     with tempfile.NamedTemporaryFile("w", suffix=".frag", encoding="utf-8") as file:
         file.write(text)
         file.flush()
-        said = subprocess.run([validator, file.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said = subprocess.run([validator, file.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     lines = [line for line in said.stdout.splitlines() if line.startswith("ERROR:")]
     return lines[0].removeprefix("ERROR: ") if said.returncode and lines else said.stdout if said.returncode else ""

@@ -36,7 +36,7 @@ def test_on(system: str, words: list[str]) -> int:
 
 def serves(command: list[str]) -> int:
     """Starts the server and ends it once it has printed its address. 0, or its exit code where it never does."""
-    server = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    server = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, errors="replace")
     with server.stdout:
         is_there = any(line.startswith("http://") for line in server.stdout)
     server.terminate()

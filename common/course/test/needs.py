@@ -16,7 +16,7 @@ NOTHING = ["build.ninja"]  # a target for CMake alone, which runs where a file o
 
 def selected(folder: Path, selection: list[str]) -> list[tuple[str, str]]:
     """(number, name) of each test that ctest's options select."""
-    done = subprocess.run(["ctest", "--test-dir", str(folder), "-N", *selection], stdin=subprocess.DEVNULL, text=True,
+    done = subprocess.run(["ctest", "--test-dir", str(folder), "-N", *selection], stdin=subprocess.DEVNULL, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode:
         raise Failure(f"ctest cannot list the tests: {done.stdout.strip()[-300:]}")

@@ -36,7 +36,7 @@ def redrawn(chapter: str, study: dict, request: dict, labels: list[str], name: s
     out.with_name(out.name + ".partial").unlink(missing_ok=True)
     done = subprocess.run([chapter_program(chapter), "--study", out, "--study-file", file, "--study-rounds", "1",
                            "--size", "x".join(map(str, study["size"]))], cwd=ROOT, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     if done.returncode:
         return {"points": [], "failed": done.stdout.strip()[-300:]}
     return json.loads(out.read_text(encoding="utf-8"))

@@ -173,7 +173,7 @@ def second_driver() -> tuple[Path, str]:
 
 
 def unpack(folder: Path, command: list):
-    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     if done.returncode:
         said = [line for line in done.stdout.splitlines() if line.startswith(("E:", "W:", "dpkg"))]
         raise UsageError(f"{command[0]} could not get Mesa of bookworm-backports: {said[0] if said else f'it ended with {done.returncode}'}")

@@ -152,7 +152,7 @@ def check_snippets(name: Path) -> list[str]:
             file = Path(made) / f"snippet.{stage}"
             file.write_text(text, encoding="utf-8")
             done = subprocess.run(["glslangValidator", "-V", "--target-env", "vulkan1.3", file, "-o", Path(made) / "out"],
-                                  stdout=subprocess.PIPE, text=True)
+                                  stdout=subprocess.PIPE, text=True, errors="replace")
         if done.returncode:
             said = next((line for line in done.stdout.splitlines() if line.startswith("ERROR")), "").replace(f"{file}:", "")
             wrong.append(f"{name}:{number}: the shader does not compile: {said}")
