@@ -52,7 +52,7 @@ PRESETS = {"version": 4, "configurePresets": [
 COMPILE = """! grep -q 'syntax error' $1 || { echo $1:1: error: no; exit 1; }
 """
 CHAPTER = """#!PYTHON
-import json, os, sys
+import json, os, sys, time
 name = os.path.basename(sys.argv[0])
 def draw(words):
     use = words[words.index("--use") + 1] if "--use" in words else "solution"
@@ -114,6 +114,7 @@ CHART = """import sys
 open(sys.argv[1].replace(".json", ".svg"), "w").write("<svg/>")
 """
 FUZZ = """#!/bin/sh
+test -e slow && { echo $$ >slow; exec sleep 120; }
 echo stat::number_of_executed_units: 9
 ! test -e broken
 """

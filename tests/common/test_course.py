@@ -14,7 +14,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import INTERRUPTIBLE, REAL, Course
+from small_course import INTERRUPTIBLE, REAL, Course, until
 
 import commands
 from build.build import trim
@@ -265,6 +265,18 @@ class Shots(Course):
         self.assertIn("does not reject the picture: the starter of 02.one",
                       self.shot("wrong", "02_lambert", code=1))
         self.assertTrue((self.root / "build/shots/02_lambert/bunny.wrong0.flip.png").exists())
+
+    def test_ended_accept_draws_no_more(self):
+        self.course("run", "01")
+        self.put("tests/01_obj/shots.json", json.dumps({"shots": [{"name": f"shot{i}", "caption": "One."} for i in range(20)]}))
+        slow = self.root / "slow"
+        self.put("slow")
+        accept = subprocess.Popen([self.root / "course", "accept", "01", "--yes"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **INTERRUPTIBLE)
+        until(slow.read_text, 300)
+        accept.send_signal(signal.SIGTERM)  # to it alone
+        self.assertEqual(accept.wait(60), 143)
+        self.assertLess(len(slow.read_text()), 10)
+        self.assertFalse((self.root / "tests/01_obj/golden/shot0.png").exists())
 
     def test_accept_asks_first_and_says_what_changed(self):
         self.assertIn("add --yes", self.course("accept", "01.car", code=2))

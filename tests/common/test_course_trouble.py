@@ -10,7 +10,7 @@ import time
 import unittest
 from pathlib import Path
 
-from small_course import INTERRUPTIBLE, REAL, Course, clean_environment, make_tree
+from small_course import INTERRUPTIBLE, REAL, Course, clean_environment, make_tree, until
 
 from build.format_tree import formatter
 from tree import write_atomically
@@ -133,6 +133,16 @@ class Trouble(Course):
         self.assertEqual(course.wait(timeout=60), 143)
         time.sleep(2.2)
         self.assertEqual((self.root / "log").read_text(), "start\n")
+
+    def test_ended_it_ends_what_it_fuzzes_with(self):
+        slow = self.root / "slow"
+        self.put("slow")
+        self.course("run", "01")
+        fuzz = subprocess.Popen([self.root / "course", "fuzz", "60"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **INTERRUPTIBLE)
+        until(slow.read_text, 300)
+        fuzz.send_signal(signal.SIGTERM)
+        self.assertEqual(fuzz.wait(60), 143)
+        self.assertFalse(Path(f"/proc/{slow.read_text().strip()}").exists())
 
     def test_killed_it_leaves_the_lock_to_the_build(self):
         course = self.slow_build()

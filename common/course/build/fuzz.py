@@ -5,11 +5,11 @@ tests/FOLDER/corpus/NAME, which the ordinary tests replay; new inputs stay in bu
 """
 
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 from build.build import build
+from progress import Progress
 from tree import ROOT, Failure, UsageError, relative, say
 
 HELP = """Builds the fuzz targets with clang and runs each for its share of SECONDS (60).
@@ -51,7 +51,8 @@ def fuzz(folder: Path, source: Path, seconds: int) -> bool:
                                    cwd=ROOT, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
         try:
             code = wait(process, name, seconds)
-        except KeyboardInterrupt:
+        except BaseException:
+            process.terminate()
             process.wait()
             raise
     new = sorted(set(found.iterdir()) - before)
@@ -67,9 +68,9 @@ def fuzz(folder: Path, source: Path, seconds: int) -> bool:
 
 def wait(process, name: str, seconds: int) -> int:
     start = time.monotonic()
-    while True:
-        try:
-            return process.wait(timeout=1)
-        except subprocess.TimeoutExpired:
-            if sys.stderr.isatty():
-                print(f"\r{name}: {time.monotonic() - start:.0f} of {seconds} s\033[K\r", end="", file=sys.stderr, flush=True)
+    with Progress(name) as progress:
+        while True:
+            try:
+                return process.wait(timeout=1)
+            except subprocess.TimeoutExpired:
+                progress.show(min(round(time.monotonic() - start), seconds), seconds, "s")

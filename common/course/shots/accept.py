@@ -10,7 +10,7 @@ from build.build import build
 from progress import Progress
 from shots.golden import (LIMITS, compare, distance_of, distances_path, golden_path, hardware_distances, limits_by,
                           measured_distances, recorded_distances, unfit)
-from shots.rendering import render_many
+from shots.rendering import Asked, render_many
 from tree import BUILD, Failure, UsageError, find_shots, relative, say, write_atomically
 
 # llvmpipe limited to an older processor. Other devices ignore it.
@@ -46,23 +46,27 @@ def run(arguments, _rest) -> int:
     pictures, distances, new, refused, seen = {}, {}, [], 0, 0
     by_chapter = {chapter: [shot["name"] for its, shot in found if its == chapter] for chapter, _ in found}
     with Progress("rendering") as progress, ThreadPoolExecutor(2) as pool:
-        for chapter, results in zip(by_chapter, pool.map(lambda chapter: draw(chapter, by_chapter[chapter], drivers), by_chapter)):
-            for name, result in zip(by_chapter[chapter], results):
-                seen += 1
-                progress.show(seen, len(found), f"{chapter}.{name}")
-                try:
-                    line, picture, is_new = judge(chapter, name, result.pop("golden"))
-                    distances[chapter, name] = measure(chapter, name, picture, result, is_new)
-                    line += "\n  " + farthest(distances[chapter, name])
-                    if wider := wider_limits(distances[chapter, name]):
-                        line += f"\n  drivers differ so much that tests would allow more than usual: {wider}; mend the shader or the scene first"
-                    pictures[chapter, name] = picture
-                    new += [(chapter, name)] if is_new else []
-                except Failure as failure:
-                    line = f"refused: {failure}"
-                    refused += 1
-                progress.clear()
-                say(f"{chapter[:2]}.{name}: {line}")
+        try:
+            for chapter, results in zip(by_chapter, pool.map(lambda chapter: draw(chapter, by_chapter[chapter], drivers), by_chapter)):
+                for name, result in zip(by_chapter[chapter], results):
+                    seen += 1
+                    progress.show(seen, len(found), f"{chapter}.{name}")
+                    try:
+                        line, picture, is_new = judge(chapter, name, result.pop("golden"))
+                        distances[chapter, name] = measure(chapter, name, picture, result, is_new)
+                        line += "\n  " + farthest(distances[chapter, name])
+                        if wider := wider_limits(distances[chapter, name]):
+                            line += f"\n  drivers differ so much that tests would allow more than usual: {wider}; mend the shader or the scene first"
+                        pictures[chapter, name] = picture
+                        new += [(chapter, name)] if is_new else []
+                    except Failure as failure:
+                        line = f"refused: {failure}"
+                        refused += 1
+                    progress.clear()
+                    say(f"{chapter[:2]}.{name}: {line}")
+        except BaseException:
+            Asked.stopped = True
+            raise
     accepted = new if new and confirmed(new, arguments.yes) else []
     for chapter, name in accepted:
         write_atomically(golden_path(chapter, name), squeezed(pictures[chapter, name].read_bytes()))
@@ -183,4 +187,5 @@ def confirmed(new: list, yes: bool) -> bool:
         return True
     if not sys.stdin.isatty():
         raise UsageError("nothing was accepted; look at the pictures above, then add --yes")
-    return input(f"Have you looked at {'them' if len(new) > 1 else 'it'}? Accept {len(new)}? [y/N] ").lower() == "y"
+    say(f"Have you looked at {'them' if len(new) > 1 else 'it'}? Accept {len(new)}? [y/N]")
+    return sys.stdin.readline().strip().lower() == "y"  # an end of the input is no

@@ -58,7 +58,9 @@ def render_shot(chapter: str, shot: dict, picture: Path, use: str = "solution", 
 
 class Asked:
     """A program that answers each line of JSON with a line of JSON, whose "bytes" follow it. If it dies, the next question starts it
-    again."""
+    again, unless all are `stopped`."""
+
+    stopped = False  # the command was interrupted: threads ask no more
 
     def __init__(self, command: list, timeout_s: float = TIMEOUT_S, environment: dict | None = None):
         self.command, self.timeout_s, self.environment = [str(word) for word in command], timeout_s, environment
@@ -90,6 +92,8 @@ class Asked:
 
     def ask(self, question) -> tuple[dict | None, str, int]:
         """(answer, text on stderr, exit code). Without an answer it has died or was late."""
+        if Asked.stopped:
+            raise Failure("drawing was stopped")
         if not self.program:
             self.stderr = tempfile.TemporaryFile("w+", errors="replace", encoding="utf-8")
             try:
