@@ -261,6 +261,11 @@ class OnDisk(unittest.TestCase):
             with self.assertRaisesRegex(UsageError, "it has other files in it"):
                 publish.write(Path(folder))
             self.assertEqual([path.name for path in Path(folder).iterdir()], ["mine"])
+            Path(folder, "mine").unlink()
+            Path(folder, publish.MARK).write_text("an older site")
+            Path(folder, ".git").mkdir()
+            with self.assertRaisesRegex(UsageError, "it is a repository, and would be replaced whole"):
+                publish.write(Path(folder))
 
     def test_a_folder_named_from_here_is_taken_from_here(self):
         """As the workflow names it; mkdocs has a folder of its own in mind."""
@@ -274,6 +279,9 @@ class OnDisk(unittest.TestCase):
             os.chdir(folder)
             self.assertEqual(docs.make(Path("site")), 0)
             self.assertTrue(Path(folder, "site").is_dir())
+            Path(folder, "link").symlink_to("site")  # as a server's folder: the pages go where it leads
+            docs.make(Path("link"))
+            self.assertTrue(Path(folder, "link").is_symlink())
             os.chdir(before)
 
 

@@ -73,6 +73,8 @@ def file_of(out: Path | None, kind: str, shard: Shard) -> Path:
     build/shards. Raises UsageError where nothing can be written there: before the work, not behind it."""
     out = (out or BUILD / "shards").absolute()
     file = out if out.suffix == ".zip" else out / f"{kind}.{shard.number}-of-{shard.of}.zip"
+    if file.is_dir():
+        raise UsageError(f"{file} is a folder; --out takes a folder's name without .zip")
     check_writable(file.parent)
     return file
 

@@ -36,6 +36,8 @@ def run(arguments, _rest) -> int:
     out = (arguments.out or BUILD / "book" / "lightwalk.pdf").absolute()
     if out.suffix != ".pdf":
         raise UsageError(f"{arguments.out} is not called like a PDF: name a FILE.pdf")
+    if out.is_dir():
+        raise UsageError(f"{arguments.out} is a folder: name a FILE.pdf")
     browser = find_browser()
     if not browser:
         raise UsageError("there is no chromium to print with; the packages are in common/course/packages/book")

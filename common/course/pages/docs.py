@@ -81,7 +81,7 @@ def show(page: Path):
 def make(folder: Path, then=None) -> int:
     """Writes the pages to a folder, which it replaces. Returns their number. The same tree gives the same bytes. `then`
     changes the result before it is moved into place."""
-    folder = folder.absolute()  # mkdocs would look for another one beside its settings
+    folder = Path(os.path.realpath(folder))  # mkdocs would look for another one beside its settings; a link stays one
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".docs.", dir=folder.parent) as beside:
         source, made = Path(beside, "source"), Path(beside, "made")

@@ -6,6 +6,7 @@ worker, which keeps the site for reading without a network; a policy that lets a
 import functools
 import hashlib
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from build.build import build
+from many.shards import check_writable
 from pages import docs, drawn_pictures, states
 from pages.page import POLICY, encoded
 from tree import Failure, UsageError, chapters, say, warn, write_atomically
@@ -38,6 +40,10 @@ def write(folder: Path, film: bool = True) -> int:
         raise UsageError(f"--site {folder}: it has other files in it; name a folder that is empty, or that does not exist")
     if not folder.parent.is_dir():
         raise UsageError(f"--site {folder}: there is no folder {folder.parent}")
+    if (folder / ".git").exists() or folder.is_mount():
+        raise UsageError(f"--site {folder}: it is {'a repository' if (folder / '.git').exists() else 'a mounted disc'}, and would be replaced whole; "
+                         "name a folder of the site's own")
+    check_writable(Path(os.path.realpath(folder)).parent)
     build(["programs", *(f"check_{chapter}" for chapter in chapters())])
     clip = start_film() if film else None
     return docs.make(folder, lambda made: finish(made, clip, chapters()))
