@@ -12,7 +12,7 @@ from build.build import build
 from many import shards, slurm
 from many.shards import Shard
 from pages.film_figures import cells_of
-from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say
+from tree import ROOT, Failure, UsageError, chapter_program, find_chapter, say, write_atomically
 
 HELP = """Writes the film of chapter 19.
 
@@ -44,6 +44,10 @@ def add_arguments(parser):
 def run(arguments, rest) -> int:
     if find_chapter(arguments.chapter) != find_chapter("19"):
         raise UsageError("only chapter 19 writes a film: ./course run 19 --film OUT.mp4")
+    if rest and (arguments.merge or arguments.table or arguments.page):
+        raise UsageError(f"{rest[0]} belongs to drawing, and nothing is drawn: leave it out")
+    if arguments.out and not arguments.shard and not arguments.merge and arguments.slurm is None:
+        raise UsageError("--out is the folder of the parts: add --shard, --merge or --slurm")
     if arguments.table:
         say(table(read_systems(arguments.table)))
         return 0
@@ -70,11 +74,16 @@ def run(arguments, rest) -> int:
 def write_shard(out: Path, parts: Path, shard: Shard, options: list[str]) -> int:
     """The shard's frames as a film of their own, in a shard's file. The exit code."""
     film = find_film(option(options, "scene", "films/ambiance.film"))
-    said = json.loads(film.read_text(encoding="utf-8"))
-    frames = round(version(said, options)[0] * float(option(options, "fps", "30")))
-    head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0),
-            "music_from_s": version(said, options)[1], "options": options,
-            "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
+    try:
+        said = json.loads(film.read_text(encoding="utf-8"))
+        frames = round(version(said, options)[0] * float(option(options, "fps", "30")))
+        head = {"frames": frames, "ending": out.suffix, "music": said.get("music"), "gain_db": said.get("music_gain_db", 0),
+                "music_from_s": version(said, options)[1], "options": options,
+                "text": hashlib.sha256(film.read_bytes()).hexdigest()[:16], "course": shards.course_version()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError) as error:
+        raise UsageError(f"{film}: is no film, or --fps no number: {error}") from None
+    if frames < 1:
+        raise UsageError("with these options the film has no frame")
     file = shards.file_of(parts, KIND, shard)
     if file.exists():
         if shards.read(file, KIND)["head"] == head:
@@ -198,5 +207,5 @@ def write_page(names: list[str]) -> int:
     if not names[0].endswith(".html") or len(names) < 2:
         raise UsageError("--page takes the page's name, which ends with .html, and benchmarks")
     from pages.film_page import page
-    Path(names[0]).write_text(page(read_systems(names[1:])), encoding="utf-8")
+    write_atomically(Path(names[0]), page(read_systems(names[1:])))
     return 0

@@ -13,6 +13,7 @@ from pathlib import Path
 from unittest import mock
 
 import film
+from commands import Parser
 from folder_case import FolderCase
 from many import shards
 from many.shards import Shard
@@ -167,6 +168,21 @@ class Film(FolderCase):
         return done.stdout
 
     @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe") and BUILD == ROOT / "build", "needs ffmpeg and the default build")
+    def test_what_would_change_nothing_or_is_no_film_is_refused(self):
+        broken = self.folder / "broken.film"
+        broken.write_text("{")
+        for words in (["--fps", "abc"], ["--fps", "0"], ["--scene", str(broken)], ["--scene", str(self.folder)]):
+            with self.subTest(words), self.assertRaises(UsageError):
+                film.write_shard(self.folder / "x.raw", self.folder / "parts", Shard(1, 2), words)
+        for words in ("--film x.raw --merge --fps 60", "--film x.raw --out parts", "--table a.json --size 96x54"):
+            parser = Parser()
+            film.add_arguments(parser)
+            with self.subTest(words), self.assertRaisesRegex(UsageError, "leave it out|add --shard"):
+                film.run(*parser.parse_known_args(["19", *words.split()]))
+        with self.assertRaises(IsADirectoryError), mock.patch("film.read_systems", lambda names: []), mock.patch("pages.film_page.page", lambda systems: ""):
+            (self.folder / "page.html").mkdir()
+            film.write_page([str(self.folder / "page.html"), "a.json"])
+
     def test_a_cluster_writes_shards_and_the_course_joins_them_to_a_film_with_all_frames(self):
         out, parts = self.folder / "a.mp4", BUILD / "slurm/film"
         words = ["--scene", str(FILM), "--size", "48x27", "--fps", "4", "--validate", "on"]
