@@ -103,7 +103,8 @@ if __name__ == "__main__":
         refuse_few_threads()
         sys.exit(main(sys.argv[1:]))
     except UsageError as error:
-        warn(f"course: {on_one_line(str(error))}")
+        if str(error):
+            warn(f"course: {on_one_line(str(error))}")
         sys.exit(2)
     except Unjudged as error:
         warn(f"course: {on_one_line(str(error))}")

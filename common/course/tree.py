@@ -49,7 +49,7 @@ FULL = (errno.ENOSPC, errno.EDQUOT)  # of a disc
 
 
 class UsageError(Exception):
-    """An impossible command: one line with the remedy. Exit code 2."""
+    """An impossible command: one line with the remedy. Exit code 2. An empty line where all is said already."""
 
 
 class Failure(Exception):

@@ -45,14 +45,25 @@ class Commands(Course):
                 self.assertLessEqual(set(needed.split()), set(groups["test"].split()), command)
 
     def test_bad_words_are_one_line_and_2(self):
+        (self.outside / "class/ann").mkdir(parents=True)
         for words, expected in (("rum", "no command 'rum'; the nearest are run and"), ("run 03", "no chapter '03'; the nearest are 01_obj and 02_lambert; the README"), ("run lamb", "the nearest are 02_lambert and 01_obj"),
                                 ("run --size 1x1", "./course run 01 --size"), ("check 01.two", "the nearest is 01.one; ./course run 01 --list exercises"),
                                 ("accept 01.cat", "the nearest are 01.car and 01.bunny; ./course run NN --list shots"), ("fuzz 0", "0 seconds is too short"),
                                 ("clean all", "unrecognised argument"), ("test (", "not a regular expression"),
+                                ("test shots.01 shots.02", "'shots.01|shots.02' matches both"), ("test shots --all", "shots and --all each say which"),
+                                ("test --merge x --sanitize", "--merge writes the report"),
                                 ("run --gallery --shard 3/2", "'3/2' is not a shard"),
                                 ("run --gallery --merge", "expected at least one argument"),
                                 ("run --gallery --out x", "unrecognised argument '--out'"),
                                 ("run --gallery --shrad", "unrecognised argument '--shrad'"),
+                                ("reset 01.", "'01.' names no exercise"), ("check 01.", "'01.' names no exercise"),
+                                ("check 01 --next", "--next names one step"), ("check --next --json", "--next names one step"),
+                                ("check --progress --hint", "one of --progress and --hint"), ("shader --list mesh.frag", "--list names all shaders"),
+                                ("study --rounds 0", "--rounds is 0, expected 1 or more"), ("docs --no-film", "add --site FOLDER"),
+                                ("serve --socket s --open", "--socket is instead of an address"),
+                                ("grade chapters --budget -1", "'-1' is no number of minutes"), ("grade chapters --budget nan", "'nan' is no number of minutes"),
+                                ("grade chapters --rules x.json", "--rules says what a gradebook holds: add --format"),
+                                (f"grade {self.outside}/class --out {self.outside}/class/grades", "and would be a submission the next time"),
                                 ("handout /", "name a folder"), ("grade nobody", "no such file")):
             printed = self.course(*words.split(), code=2)
             self.assertIn(expected, printed)

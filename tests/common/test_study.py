@@ -17,7 +17,8 @@ import json, os, sys, time
 words = sys.argv[1:]
 out = words[words.index("--study") + 1]
 if os.path.exists("fails"):
-    sys.exit("no such device")
+    print("no such device", file=sys.stderr)
+    sys.exit(int(open("fails").read() or 1))
 went_on = os.path.exists(out + ".partial")
 if os.path.exists("slow") and not went_on:
     open(out + ".partial", "w").write("some")
@@ -73,6 +74,12 @@ class Study(Course):
         self.assertEqual(printed, "course: --size is 'wide', expected WIDTHxHEIGHT, such as 1920x1080\n")
         self.put("chapters/01_obj/study.json", "{")
         self.assertIn("chapters/01_obj/study.json is not JSON", self.course("study", "01", code=1))
+
+    def test_what_the_program_refuses_is_said_once(self):
+        self.put("fails", "2")
+        printed = self.course("study", "01", "--device", "nothing", code=2)
+        self.assertTrue(printed.endswith("no such device\n"), printed)
+        self.assertNotIn("course: ", printed)
 
     def test_a_failure_writes_nothing(self):
         self.put("fails")

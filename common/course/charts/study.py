@@ -60,6 +60,8 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     slurm.check_arguments(arguments)
+    if arguments.rounds is not None and arguments.rounds < 1:
+        raise UsageError(f"--rounds is {arguments.rounds}, expected 1 or more")
     studied = [name for name in chapters() if study_of(name)]
     if arguments.size and not re.fullmatch(r"[1-9]\d*x[1-9]\d*", arguments.size):
         raise UsageError(f"--size is '{arguments.size}', expected WIDTHxHEIGHT, such as 1920x1080")
@@ -182,11 +184,11 @@ def measure(chapter: str, arguments, study: Path | None = None, part: str = "") 
     except OSError as error:
         raise Failure(f"{relative(command[0])}: {error.strerror}") from None
     finally:
-        if code != 0:
+        if code not in (0, 2):
             warn(f"\nwhat was measured is kept: ./course study {chapter[:2]} goes on from there" if partial.exists()
                  else "\nnothing was finished that could be kept")
     if code:
-        raise Failure(f"the study of {chapter} ended with {code}")
+        raise (UsageError("") if code == 2 else Failure(f"the study of {chapter} ended with {code}"))
     return file
 
 

@@ -75,7 +75,11 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     if arguments.next:
+        if arguments.what != "all" or arguments.progress or arguments.hint or arguments.json:
+            raise UsageError("--next names one step of the whole course: leave out what else was given")
         return next_step()
+    if arguments.progress and arguments.hint:
+        raise UsageError("--progress counts, and prints no hints: one of --progress and --hint")
     selected = select(arguments.what)
     named = sorted({chapter for chapter, _ in selected})
     forget_ended_compilers(named)
@@ -102,8 +106,10 @@ def select(what: str) -> list[tuple[str, str]]:
     if what == "all":
         selected = [(chapter, exercise) for chapter in known for exercise in known[chapter]]
     else:
-        word, _, name = what.partition(".")
+        word, dot, name = what.partition(".")
         chapter = find_chapter(word)
+        if dot and not name:
+            raise UsageError(f"'{what}' names no exercise; {word} means all of a chapter")
         selected = [(chapter, exercise) for exercise in known[chapter]
                     if not name or exercise == f"{chapter[:2]}.{name}"]
         if name and not selected:

@@ -5,8 +5,12 @@ student's checks and framework have no effect. Each exercise is judged by itself
 an identical answer is judged once.
 """
 
+import argparse
+import contextlib
 import hashlib
 import json
+import math
+import os
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -63,13 +67,21 @@ def add_arguments(parser):
                         help=f"also write gradebook.FORMAT and a page for each student: {', '.join(FORMATS)}; repeatable")
     parser.add_argument("--rules", type=Path, metavar="FILE", help="weights, deadlines and points, as JSON (docs/teaching.md)")
     parser.add_argument("--roster", type=Path, metavar="FILE", help="the class as Moodle or Canvas exports it, as CSV")
-    parser.add_argument("--budget", type=float, default=BUDGET_S / 60, metavar="MINUTES",
+    parser.add_argument("--budget", type=minutes, default=BUDGET_S / 60, metavar="MINUTES",
                         help="processor time, or a quarter of the clock's where that is more, that one student's answers may take in all, beyond "
                              "15 s for each (default: 10)")
     parser.add_argument("--regrade", action="append", default=[], metavar="NN.NAME",
                         help="judge this exercise again for everybody, and replace the marks that were given; repeatable")
     shards.add_arguments(parser)
     slurm.add_arguments(parser)
+
+
+def minutes(word: str) -> float:
+    """Raises ArgumentTypeError."""
+    with contextlib.suppress(ValueError):
+        if 0 <= (found := float(word)) < math.inf:
+            return found
+    raise argparse.ArgumentTypeError(f"'{word}' is no number of minutes; expected 0 or more")
 
 
 def run(arguments, _rest) -> int:
@@ -79,6 +91,8 @@ def run(arguments, _rest) -> int:
                          "name a class, a folder of submissions, or --merge and its shards")
     named = [find_chapter(arguments.chapter)] if arguments.chapter else chapters()
     wanted = {exercise: chapter for chapter in named for exercise in exercises(chapter)}
+    if (arguments.rules or arguments.roster) and not arguments.format and not arguments.shard:
+        raise UsageError(f"{'--rules' if arguments.rules else '--roster'} says what a gradebook holds: add --format, such as --format csv")
     if strange := [name for name in arguments.regrade if name not in wanted]:
         raise UsageError(f"there is no exercise '{strange[0]}' to regrade; {nearest(strange[0], wanted)}")
     Rules(arguments.rules, wanted)  # said before hours of grading, not behind them
@@ -86,6 +100,10 @@ def run(arguments, _rest) -> int:
     if arguments.merge:
         return finish(arguments, *merged(shards.merge(arguments.merge, "grade"), wanted, not arguments.chapter))
     submissions = find(arguments.paths)
+    place = Path(os.path.realpath(arguments.out or BUILD / "grades"))
+    classes = set(arguments.paths) - {one.path for one in submissions}
+    if inside := [path for path in classes if place.is_relative_to(os.path.realpath(path))]:
+        raise UsageError(f"--out {printable(str(place))} lies in {printable(str(inside[0]))}, and would be a submission the next time; name another folder")
     if not has_solutions():
         raise UsageError("this copy of the course has no solutions to grade with")
     if arguments.shard:
@@ -142,12 +160,17 @@ def write_gradebooks(arguments, out: Path, grades: list[dict], submitted: dict, 
     book = Book(grades, Rules(arguments.rules, wanted), roster)
     names = write_books(out, book, arguments.format)
     count = write_pages(out / "feedback", book, grades, submitted)
-    for student in roster.strangers[:MOST_NAMES]:
-        warn(f"{printable(student)} is not in {arguments.roster}")
+    if roster.strangers:
+        warn(f"not in {arguments.roster}: {first_of(roster.strangers)}")
     known = {one["student"] for one in grades}
     if lost := [student for student in book.rules.students if student not in known]:
-        warn(f"{arguments.rules}: students: nobody handed in as {', '.join(printable(name, 40) for name in lost[:MOST_NAMES])}")
+        warn(f"{arguments.rules}: students: nobody handed in as {first_of(lost)}")
     warn(f"{printable(str(out))}: {', '.join(names)}, and {count} pages in feedback")
+
+
+def first_of(students: list[str]) -> str:
+    more = f" and {len(students) - MOST_NAMES} more" if len(students) > MOST_NAMES else ""
+    return ", ".join(printable(name, 60) for name in students[:MOST_NAMES]) + more
 
 
 def refuse_failed(grades: list[dict]):

@@ -22,14 +22,14 @@ is answered. From another machine: ssh -L 8100:127.0.0.1:8100 THIS_MACHINE, then
   ./course serve                 build the course, write the pages and serve them on 127.0.0.1, port 8100
   ./course serve --open          and open the browser
   ./course serve --no-build      serve what is built"""
-PORT = 8100
+PORT, ADDRESS = 8100, "127.0.0.1"
 BODY_BYTES = 1 << 20
 LOOK_S, IDLE_LOOK_S = 1.0, 5.0
 
 
 def add_arguments(parser):
     parser.add_argument("--port", type=int, default=PORT, metavar="N", help=f"the port, 0 for any that is free ({PORT})")
-    parser.add_argument("--address", default="127.0.0.1", metavar="IP",
+    parser.add_argument("--address", default=ADDRESS, metavar="IP",
                         help="listen on another address: anyone who reaches it and has the token can edit and run your exercises")
     parser.add_argument("--socket", metavar="FILE", help="listen on a Unix socket, your user's alone, without a token")
     parser.add_argument("--behind", metavar="HOST", help="the name, with its port if it has one, that a proxy in front is "
@@ -47,6 +47,8 @@ def run(arguments, _rest) -> int:
         raise Failure("there is no tornado; the packages are in common/course/packages/serve") from None
     if not 0 <= arguments.port <= 65535:
         raise UsageError(f"--port {arguments.port}: expected a number from 0 to 65535")
+    if arguments.socket and (arguments.open or arguments.port != PORT or arguments.address != ADDRESS):
+        raise UsageError("--socket is instead of an address: leave out --open, --port and --address")
     listening, where = listen(arguments)
     folder = BUILD / "docs"
     if not arguments.no_build:

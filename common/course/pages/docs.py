@@ -18,7 +18,7 @@ from pages.page import TEMPLATES
 from pages.pages_markdown import MOVED, Site, convert
 from pages.reading import minutes
 from pages.shader import whole
-from tree import BUILD, ROOT, Failure, best_first, chapters, lessons, relative, say, write_atomically
+from tree import BUILD, ROOT, Failure, UsageError, best_first, chapters, lessons, relative, say, write_atomically
 
 ALONE = True
 HELP = """Writes the lessons as pages: build/docs/index.html.
@@ -58,6 +58,8 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     start_s = time.monotonic()
+    if arguments.no_film and not arguments.site:
+        raise UsageError("--no-film is of a site: add --site FOLDER")
     index = (arguments.site or BUILD / "docs") / "index.html"
     if arguments.site:
         from pages import publish

@@ -29,6 +29,8 @@ def add_arguments(parser):
 
 def run(arguments, _rest) -> int:
     if arguments.list:
+        if arguments.file or arguments.chapter:
+            raise UsageError("--list names all shaders: leave out what else was given")
         say("\n".join(names()))
         return 0
     if not arguments.file:

@@ -66,8 +66,6 @@ def add_arguments(parser):
 
 def run(arguments, rest) -> int:
     shards.check_arguments(arguments)
-    if arguments.merge:
-        return merge_shards(arguments.merge)
     # The word behind an option of ctest's is that option's: Python's releases disagree on that.
     pattern = rest[0] if rest and not rest[0].startswith("-") else None
     if pattern:
@@ -75,8 +73,20 @@ def run(arguments, rest) -> int:
             re.compile(pattern)
         except re.error as error:
             raise UsageError(f"'{pattern}' is not a regular expression: {error}") from None
+        if rest[1:] and not rest[1].startswith("-"):
+            raise UsageError(f"one regular expression selects the tests: '{pattern}|{rest[1]}' matches both")
+    said = [word for word, given in ((pattern, pattern), ("--all", arguments.all), ("--changed", arguments.changed is not None),
+                                     ("--with-changed", arguments.with_changed is not None)) if given]
+    if len(said) > 1:
+        raise UsageError(f"{said[0]} and {said[1]} each say which tests are run: one of them")
+    if arguments.merge:
+        if said or rest or arguments.on or arguments.sanitize:
+            raise UsageError("--merge writes the report of tests that were run: leave out what else was given")
+        return merge_shards(arguments.merge)
     if arguments.on and arguments.shard:
         raise UsageError("--shard is of this system's tests: --on has none")
+    if arguments.on and "changed" in "".join(said):
+        raise UsageError(f"{said[0]} is of this system's tests: --on has none")
     if arguments.on:
         return test_on(arguments.on, rest + ["--sanitize"] * arguments.sanitize + ["--all"] * arguments.all)
     selection = ["-R", *rest] if pattern else rest
