@@ -50,7 +50,7 @@ OWN = {"mapped": MAPPED, "everything": EVERYTHING, "glass": GLASS}
 
 # Scenes by the beginning of a knob's name, where no shot of the chapter suits.
 SCENES = {"terrain.": "scenes/terrain_noon.json", "maps.": "mapped", "lights.": "mapped", "rays.": "mapped", "shadow.near_m": "mapped",
-          "05 maps.coverage": "scenes/ring_shadow.json", "sphere_shadow.": "scenes/ringed_planet.json",
+          "maps.coverage": "scenes/meadow.json", "sphere_shadow.": "scenes/ringed_planet.json",
           "lamp": "mapped", "shadow.transparent": "glass",
           # Chapter 09's own scene has no light with cascades.
           **dict.fromkeys((f"09 shadow.{name}" for name in ("cascades", "split", "distance_m", "snap")), "everything"),
@@ -97,11 +97,11 @@ def others_of(setting: str) -> list[str]:
 # guesses() finds that.
 USED_WITH = {
     "lights.threshold": ["lights.falloff=inverse_square", "lights.method=clustered"],
-    "bloom.": ["bloom.method=pyramid", "bloom.cut=none"], "mlaa.taa.resample": ["mlaa.method=taa", "walk_m_per_s=1.5"],
+    "bloom.": ["bloom.method=pyramid", "bloom.cut=none"], "bloom.knee": ["bloom.method=pyramid"], "mlaa.taa.resample": ["mlaa.method=taa", "walk_m_per_s=1.5"],
     "walk_m_per_s": ["time=0.5"],
     "turn_deg_per_s": ["time=0.5"], "terrain.": ["world=terrain"], "fog.": ["fog.method=height", "fog.density=0.0001"],
     "maps.subdivide": ["maps.mesh=displaced", "maps.strength=0"], "lamps.": ["surface.model=ggx"],
-    "maps.scroll": ["time=0.3"], "05 maps.coverage": ["maps.cutoff=0.5"], "sphere_shadow.": ["sphere_shadow.method=power"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
+    "maps.scroll": ["time=0.3"], "sphere_shadow.": ["sphere_shadow.method=power"], "post.scan_speed": ["post.scanlines=on", "time=1.234"],
     "post.store": ["post.method=pass_each", "post.contrast=on", "post.gamma=on"], "sphere.": ["sphere.shown=on", "time=1.5"],
     "volume.wave_speed": ["volume.wave=0.1", "time=1.234"], "volume.shell_speed": ["time=1.234"],
     "planets.flow": ["planets.flow_days=1"], "planets.flow_days": ["planets.flow_period_days=1.7"],
@@ -136,7 +136,6 @@ SILENT = {
     "mtl.tr": "acts on files that state Tr (tests/01_obj/test_as_written.cpp)",
     **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course run --models)"),
     "overdraw": "draws the same surfaces again",
-    "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
     "terrain.stitch": "a crack is far narrower than a pixel of so small a picture",
