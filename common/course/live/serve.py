@@ -47,8 +47,6 @@ def run(arguments, _rest) -> int:
         raise Failure("there is no tornado; the packages are in common/course/packages/serve") from None
     if not 0 <= arguments.port <= 65535:
         raise UsageError(f"--port {arguments.port}: expected a number from 0 to 65535")
-    if arguments.socket and (arguments.open or arguments.port != PORT or arguments.address != ADDRESS):
-        raise UsageError("--socket is instead of an address: leave out --open, --port and --address")
     listening, where = listen(arguments)
     folder = BUILD / "docs"
     if not arguments.no_build:
@@ -79,6 +77,8 @@ def listen(arguments):
     from tornado.netutil import bind_unix_socket
 
     if arguments.socket:
+        if arguments.open or arguments.port != PORT or arguments.address != ADDRESS:
+            raise UsageError("--socket is instead of an address: leave out --open, --port and --address")
         path = Path(arguments.socket)
         if path.exists() and not path.is_socket():
             raise UsageError(f"--socket {path}: is there already, and is no socket")
