@@ -7,6 +7,7 @@ import tarfile
 import tempfile
 import unittest
 import zipfile
+from functools import partial
 from pathlib import Path
 
 from graded_class import OF, REAL, right, why_not
@@ -97,17 +98,18 @@ class Written(unittest.TestCase):
 
     def test_points_are_two_notices(self):
         file = self.folder.parent / "results.jsonl"
-        command = [sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--chapter", "02", "--classroom", file]
+        points = partial(subprocess.run, [sys.executable, REAL / "common/course/cli.py", "handout", "--autograder", "--chapter", "02", "--classroom", file],
+                         stdout=subprocess.PIPE, text=True)
         names = list(exercises("02_lambert_phong"))
         lines = [json.dumps({"exercise": name, "ok": name == names[0], "first_failure": None if name == names[0] else "gave 1"}) for name in names]
         file.write_text("\n".join(["some words", *lines]))
-        done = subprocess.run(command, stdout=subprocess.PIPE, text=True)
+        done = points()
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"::notice title=Autograding complete::Points 1/{len(names)}\n", done.stdout)
         self.assertIn(f'::notice title=Autograding report::{{"totalPoints": 1, "maxPoints": {len(names)}}}\n', done.stdout)
         for bad in ("", "{", "[" * 100000, '{"ok": true}', lines[0], lines[0] + lines[1][:20]):  # the last two: as a full disc leaves it
             file.write_text(bad)
-            done = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+            done = points(stderr=subprocess.PIPE)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
 
 
