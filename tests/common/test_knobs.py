@@ -136,6 +136,7 @@ SILENT = {
     "mtl.tr": "acts on files that state Tr (tests/01_obj/test_as_written.cpp)",
     **dict.fromkeys(("maps.metallic_roughness", "maps.vertex_colors"), "their files are in the conformance set (./course run --models)"),
     "overdraw": "draws the same surfaces again",
+    "07 maps.coverage": "the levels of its textures are its own, and keep coverage",
     "lights.slices": "says how many lights a pixel computes, not what they shed",
     "post.automatic.adapt_s": "the first frame has nothing to adapt from",
     "terrain.stitch": "a crack is far narrower than a pixel of so small a picture",
